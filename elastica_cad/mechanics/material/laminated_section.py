@@ -13,6 +13,7 @@ from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.plain_section import areal_weight, layer_strain
 from elastica_cad.mechanics.material.section_limits import LIMIT_SLACK, LayerStrain, ScaleRange, positive
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import FixedLaw
 
 _TOUCH_SHARE = 1e-5
 """Relative slack on limits for a stiffness that is known between its nodes to 1e-6."""
@@ -308,7 +309,7 @@ class BackingLaw:
 
 
 @dataclass(frozen=True, eq=False)
-class BoundedBacking(BackingLaw):
+class BoundedBacking(BackingLaw, FixedLaw):
     """The same on a base of one width, the backing within limits: what `nearest_rod` takes as `section`.
 
     Attributes
@@ -323,20 +324,6 @@ class BoundedBacking(BackingLaw):
     def quantity(self) -> str:
         """The backing."""
         return "backing"
-
-    @property
-    def follows_bend(self) -> bool:
-        """No: bending does not change it."""
-        return False
-
-    @property
-    def stack(self) -> None:
-        """None: both layers go all the way."""
-        return
-
-    def bent(self, curvature: ArrayLike) -> "BoundedBacking":  # noqa: ARG002 - see `follows_bend`
-        """The law itself: bending does not change it."""
-        return self
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
         """Backing widths (n,), mm, that give the E I (n,), N mm2, or come nearest within the limits."""

@@ -17,8 +17,26 @@ MOST_LEAVES = 50
 """More leaves are as good as a taper."""
 
 
+class FixedLaw:
+    """What laws answer whose stiffness bending does not change, unless they are of leaves that are laid."""
+
+    @property
+    def follows_bend(self) -> bool:
+        """No: bending does not change it."""
+        return False
+
+    @property
+    def stack(self) -> "LaidLeaves | None":
+        """None: it is of one piece, or of leaves that are not laid yet."""
+        return None
+
+    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - see `follows_bend`
+        """The law itself."""
+        return self
+
+
 @dataclass(frozen=True)
-class _PowerLaw:
+class _PowerLaw(FixedLaw):
     """E I = E `inertia` p^`power` and area = `area` p^(`power` - 2): sections of one parameter p, mm.
 
     Attributes
@@ -48,11 +66,6 @@ class _PowerLaw:
         raise NotImplementedError
 
     @property
-    def stack(self) -> "LaidLeaves | None":
-        """None: it is of one piece."""
-        return None
-
-    @property
     def _shape(self) -> tuple[int, float, float]:
         """Power of the parameter in E I, second moment and area for p = 1."""
         raise NotImplementedError
@@ -61,15 +74,6 @@ class _PowerLaw:
     def limits(self) -> tuple[float, float]:
         """Least and largest parameter, mm."""
         return self.least, self.largest
-
-    @property
-    def follows_bend(self) -> bool:
-        """No: bending does not change it."""
-        return False
-
-    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - see `follows_bend`
-        """The law itself: bending does not change it."""
-        return self
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
         """E I (n,), N mm2, of parameters (n,), mm."""
@@ -174,7 +178,7 @@ class RoundLaw(_PowerLaw):
 
 
 @dataclass(frozen=True)
-class LeavesLaw:
+class LeavesLaw(FixedLaw):
     """`fewest` to `leaves` leaves of a sheet, glued to one section: E I = E w (k h)^3 / 12 for k of them.
 
     Stiffness goes in steps, so a stack only comes near a curve: `nearest_rod` takes this law, `optimal_rod` none.
@@ -221,25 +225,11 @@ class LeavesLaw:
         """Fewest and most leaves."""
         return float(self.fewest), float(self.leaves)
 
-    @property
-    def stack(self) -> "LaidLeaves | None":
-        """None: they are not laid yet."""
-        return None
-
     @cached_property
     def relaxed(self) -> ThicknessLaw:
         """The same stack where any thickness between the fewest leaves and all may be had."""
         h = self.sheet.thickness
         return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
-
-    @property
-    def follows_bend(self) -> bool:
-        """No: bending does not change it."""
-        return False
-
-    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - see `follows_bend`
-        """The law itself: bending does not change it."""
-        return self
 
     def bending_stiffness(self, count: ArrayLike) -> FloatArray:
         """E I (n,), N mm2, of `count` (n,) leaves."""
