@@ -24,6 +24,17 @@ def is_number(value: object) -> TypeGuard[float]:
     return isfinite(value)
 
 
+def is_whole(value: object) -> TypeGuard[int]:
+    """A whole number? Fractions, texts and truth values are none.
+
+    Examples
+    --------
+    >>> is_whole(3), is_whole(np.int64(3)), is_whole(3.0), is_whole(True)
+    (True, True, False, False)
+    """
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+
+
 def require_path(path: object) -> Path:
     """The path that a user named.
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.forming.plane_sections.triangle_mesh import FARTHEST_MM
 from elastica_cad.geometry.frame import Frame
@@ -90,8 +91,7 @@ def planes_along(
     points = _numbers("path", path)
     if points.ndim != 2 or points.shape[1] != 3:
         raise InputError(f"a path is points (n, 3) in mm, not {points.shape}")
-    whole = isinstance(count, int | np.integer) and not isinstance(count, bool)
-    if not whole or count < 1 or (ends and count < 2):
+    if not is_whole(count) or count < 1 or (ends and count < 2):
         raise InputError(
             f"count={count!r}: a path is cut by a whole number of planes, one plane at least, two with ends=True"
         )

@@ -9,6 +9,7 @@ from math import radians
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -257,9 +258,7 @@ def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
 
 def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
     pair = angles if isinstance(angles, Sequence | np.ndarray) else ()
-    if len(pair) != 2 or not all(
-        angle is None or (isinstance(angle, float | int | np.number) and np.isfinite(angle)) for angle in pair
-    ):
+    if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
         raise InputError(
             f"angles must be two, at start and end, None where the strip turns freely, got {angles!r}"
         )

@@ -1,7 +1,6 @@
 """Checks of arguments that several functions share; each refusal is one sentence."""
 
-import numpy as np
-
+from elastica_cad._values import is_number, is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -37,7 +36,7 @@ def require_supports(supports: object) -> Supports:
 
 def require_tolerance(tolerance: object) -> None:
     """Refuse a tolerance that is negative or no number."""
-    if not (isinstance(tolerance, float | int | np.number) and np.isfinite(tolerance) and tolerance >= 0):
+    if not (is_number(tolerance) and tolerance >= 0):
         raise InputError(
             f"tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve"
         )
@@ -45,6 +44,6 @@ def require_tolerance(tolerance: object) -> None:
 
 def whole_number(value: object, name: str, least: int) -> int:
     """A count of at least `least`; fractions, texts and truth values are none."""
-    if not isinstance(value, int | np.integer) or isinstance(value, bool) or value < least:
+    if not is_whole(value) or value < least:
         raise InputError(f"{name} is {value!r}: it must be a whole number, {least} or more")
     return int(value)

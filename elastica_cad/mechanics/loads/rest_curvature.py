@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -129,9 +130,7 @@ def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray
 
 def require_natural_curvature(value: object) -> None:
     """Refuse what is neither a finite number nor a `RestCurvature`."""
-    if isinstance(value, RestCurvature):
-        return
-    if isinstance(value, bool) or not (isinstance(value, float | int | np.number) and np.isfinite(value)):
+    if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
             f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a blank that "
             "is bent beforehand"

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 
 LIMIT_SLACK = 1e-9
@@ -111,6 +112,6 @@ def positive(values: ArrayLike, name: str) -> FloatArray:
 
 def require_number(value: object, name: str) -> float:
     """The number; refused where it is none or not finite."""
-    if not isinstance(value, float | int | np.number) or isinstance(value, bool) or not np.isfinite(value):
+    if not is_number(value):
         raise InputError(f"{name} is {value!r}: give a finite number")
     return float(value)

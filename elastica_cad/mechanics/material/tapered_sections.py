@@ -8,6 +8,7 @@ from typing import Self
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
@@ -209,9 +210,9 @@ class LeavesLaw(FixedLaw):
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
             raise InputError(f"a Sheet is needed for the leaves, not {self.sheet!r}")
-        if not _is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
+        if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
             raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
-        if not _is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
+        if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
             raise InputError(f"fewest is {self.fewest!r}: give a whole number of leaves, 1 to {self.leaves}")
         _ = self.relaxed  # which refuses a width that is none
 
@@ -316,7 +317,3 @@ class LaidLeaves(ThicknessLaw):
         inside = np.minimum(np.asarray(s, dtype=float), np.nextafter(length, 0.0))
         lie = [(leaf.start <= inside) & (inside < leaf.end) for leaf in self.leaves]
         return np.asarray(np.sum(lie, axis=0), dtype=float)
-
-
-def _is_whole(value: object) -> bool:
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)

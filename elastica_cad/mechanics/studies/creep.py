@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.loads.supports import Supports
@@ -149,7 +150,7 @@ def require_creep(factor: object) -> float:
     InputError
         Negative, not finite, or no number.
     """
-    if isinstance(factor, bool) or not isinstance(factor, int | float | np.number) or not np.isfinite(factor):
+    if not is_number(factor):
         raise InputError(f"creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8")
     if factor < 0:
         raise InputError(f"creep is {factor:g}: it must be 0 or more; plywood indoors has 0.8 (Eurocode 5)")
