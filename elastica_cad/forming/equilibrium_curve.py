@@ -87,7 +87,7 @@ class EquilibriumCurve:
             )
         balance = balance_without_weight(check, supports, 0.0)
         dense = balance.panels.dense_places(_PARTS)
-        extremes = balance.stiffness.extreme_places()
+        extremes = balance.stiffness.extreme_places
         panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))
         order = np.lexsort((x, panel))
         places = (panel[order], x[order])

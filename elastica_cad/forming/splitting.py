@@ -16,7 +16,7 @@ from elastica_cad.mechanics.loads.arguments import require_curve, require_suppor
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, listed
 
 _SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none
 _CHOICES = 5  # places tried for each support between its first and last possible one
@@ -45,13 +45,13 @@ class Splitting:
     ratios: tuple[float, ...]
 
     def __str__(self) -> str:
-        ratios = _listed([f"{ratio:.3g}" for ratio in self.ratios])
+        ratios = listed([f"{ratio:.3g}" for ratio in self.ratios], len(self.ratios))
         if not self.supports:
             return (
                 f"The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios}."
             )
         count = len(self.supports)
-        places = _listed([f"{s:.4g}" for s in self.supports])
+        places = listed([f"{s:.4g}" for s in self.supports], len(self.supports))
         return (
             f"{count} support{'s' * (count > 1)}, at {places} mm, split{'s' * (count == 1)} the curve into "
             f"{count + 1} strips that can be made, with stiffness ratios of {ratios}."
@@ -330,7 +330,3 @@ def _splitting(cut: _Cut, supports: Sequence[float], ranges: Sequence[tuple[floa
         tuple((float(a), float(b)) for a, b in spans),
         tuple(cut.ratio_of(*pair) for pair in pairs),
     )
-
-
-def _listed(items: Sequence[str]) -> str:
-    return " and ".join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]

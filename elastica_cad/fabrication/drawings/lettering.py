@@ -122,15 +122,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
     return tuple(placed)
 
 
-def fit_label(
-    text: str,
-    center: tuple[float, float],
-    *,
-    angle: float,
-    room: float,
-    across: float,
-    layer: str = "ENGRAVE",
-) -> Text:
+def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:
     """A label about a point, as large as fits up to 5 mm: a share of the `room` along it, and of the width across.
 
     Parameters
@@ -155,7 +147,7 @@ def fit_label(
     along, up = text_width(text, height) / 2, height / 2
     c, s = np.cos(angle), np.sin(angle)
     corner = (center[0] - c * along + s * up, center[1] - s * along - c * up)
-    return Text(position=corner, text=text, height=height, angle=float(angle), layer=layer)
+    return Text(position=corner, text=text, height=height, angle=float(angle))
 
 
 @lru_cache(maxsize=1)

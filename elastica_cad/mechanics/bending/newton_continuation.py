@@ -18,6 +18,7 @@ SADDLE_PUSH_RAD = (
 ASTRAY_RAD = float(np.pi)  # of an edge: no way down is as long as that in one step
 NEAR_REST_RAD = 1e-2  # a descent that turns no edge further has come to where Newton's method converges
 CONVERGED_RAD = 1e-9  # a Newton step whose square, the next one, is below rounding
+MOST_DESCENTS = 300  # steps down the energy
 LEAST_STEP = 1e-7  # of the way: a fold is then met to a share no drawing shows
 
 
@@ -102,7 +103,7 @@ def correct(
     return None
 
 
-def follow(state: RodState, *, turn: float = LARGEST_TURN_RAD) -> Reached:
+def follow(state: RodState) -> Reached:
     """Carry a state over to an equilibrium of its system, keeping its imbalance as a load that fades away.
 
     Ends and angles then move in a straight line from where they are to where they shall be; weight, forces,
@@ -115,7 +116,7 @@ def follow(state: RodState, *, turn: float = LARGEST_TURN_RAD) -> Reached:
     def kept(t: float) -> tuple[RodSystem, Residual]:
         return state.system, Residual((1 - t) * start.imbalance, (1 - t) * start.miss)
 
-    reached = trace(kept, state, turn=turn)
+    reached = trace(kept, state)
     if reached.arrived:
         return Reached(_polish(reached.state), 1.0, reached.steps)
     return reached
@@ -126,35 +127,32 @@ def trace(
     state: RodState,
     *,
     start: float = 0.0,
-    stop: float = 1.0,
-    turn: float = LARGEST_TURN_RAD,
-    least: float = LEAST_STEP,
 ) -> Reached:
-    """Follow the equilibria of `problem(t)` from `state` at t = `start` towards `stop`, with adaptive steps.
+    """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1, with adaptive steps.
 
     The number of unstable modes changes only where branches cross, and those are passed in small steps: so
     a long step that changes it has landed on another branch and is taken back.
     """
-    t, step, count = start, stop - start, 0
+    t, step, count = start, 1.0 - start, 0
     modes: int | None = None
-    while t < stop:
-        t_next = stop if t + step >= stop else t + step
+    while t < 1.0:
+        t_next = min(t + step, 1.0)
         system, kept = problem(t_next)
-        found = correct(state.under(system), kept, turn=turn)
+        found = correct(state.under(system), kept)
         count += 1
         long = found is not None and float(np.abs(found[0].angles - state.angles).max()) > SMALL_TURN_RAD
         if long and modes is None:
             modes = state.under(problem(t)[0]).discrete.unstable_modes
         if found is None or (long and found[0].discrete.unstable_modes != modes):
             step = (t_next - t) / (4 if t == start and count == 1 else 2)
-            if step < least:
+            if step < LEAST_STEP:
                 return Reached(state, t, count)
             continue
         state, iterations = found
         modes = modes if long else None
         t = t_next
         step *= 2 if iterations <= 4 else 1
-    return Reached(state, 1.0 if t >= stop else t, count)
+    return Reached(state, 1.0, count)
 
 
 def _polish(state: RodState) -> RodState:
@@ -171,21 +169,21 @@ def _polish(state: RodState) -> RodState:
     return state
 
 
-def relax(state: RodState, *, most: int = 300) -> RodState | None:
+def relax(state: RodState) -> RodState | None:
     """Descend the energy to a stable equilibrium, the ends kept in place; None when that fails."""
     start = _place_ends(state)
     if start is None:
         return None
-    found = _come_to_rest(start, most, np.inf)
+    found = _come_to_rest(start, np.inf)
     # beside a kink, which a material that hardens makes a thousand times as stiff, Newton's steps go astray
-    return _come_to_rest(start, most, ASTRAY_RAD) if found is None else found
+    return _come_to_rest(start, ASTRAY_RAD) if found is None else found
 
 
-def _come_to_rest(state: RodState, most: int, astray: float) -> RodState | None:
+def _come_to_rest(state: RodState, astray: float) -> RodState | None:
     """The descent, with steps that turn no edge by more than `astray`, before they are shortened."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
-    for _ in range(most):
+    for _ in range(MOST_DESCENTS):
         rod, residual = state.discrete, state.residual
         (diagonal, off), rows, inertia = rod.hessian, rod.constraint_rows, rod.unstable_modes
         convex, push = diagonal, np.zeros_like(state.angles)

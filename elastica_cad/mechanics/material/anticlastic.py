@@ -170,11 +170,9 @@ def anticlastic_widths(
     if not (np.isfinite(max_width) and max_width > 0):
         raise InputError(f"max_width is {max_width}: it must be positive, in mm")
 
-    def effective(w: FloatArray | float, at: FloatArray = kappa) -> FloatArray:
-        return w * anticlastic_factor(w, at, thickness=h, poisson_ratio=nu)
-
     # every station could be the widest one: the scale c is the largest that keeps them all within max_width
-    scale = float(np.min(effective(max_width) / K))
+    widest = max_width * anticlastic_factor(max_width, kappa, thickness=h, poisson_ratio=nu)
+    scale = float(np.min(widest / K))
     width = np.minimum(_plate_width(scale * K, kappa, thickness=h, poisson_ratio=nu), max_width)
     plain = max_width * K / K.max()
     relative = np.abs(width - plain) / plain

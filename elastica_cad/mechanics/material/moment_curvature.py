@@ -125,7 +125,7 @@ class PolynomialLaw(MaterialLaw):
         for name in ("quadratic", "quartic"):
             if not np.isfinite(getattr(self, name)):
                 raise InputError(f"{name} coefficient of the law is {getattr(self, name)}: it must be finite")
-        _require_positive(self.curvature_scale, "curvature scale", "1/mm")
+        _require_positive(self.curvature_scale, "curvature scale")
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
@@ -174,7 +174,7 @@ class PlasticLaw(MaterialLaw):
     curvature_limit: float
 
     def __post_init__(self) -> None:
-        _require_positive(self.curvature_limit, "curvature limit", "1/mm")
+        _require_positive(self.curvature_limit, "curvature limit")
 
     @classmethod
     def of(cls, sheet: Sheet) -> "PlasticLaw":
@@ -236,7 +236,7 @@ class ElasticPlasticLaw(MaterialLaw):
     curvature_limit: float
 
     def __post_init__(self) -> None:
-        _require_positive(self.curvature_limit, "curvature limit", "1/mm")
+        _require_positive(self.curvature_limit, "curvature limit")
 
     @classmethod
     def of(cls, sheet: Sheet) -> "ElasticPlasticLaw":
@@ -383,6 +383,6 @@ class TabulatedLaw(MaterialLaw):
         return float(self._curve(self.curvatures[-1], 1))
 
 
-def _require_positive(value: float, name: str, unit: str) -> None:
+def _require_positive(value: float, name: str) -> None:
     if not (np.isfinite(value) and value > 0):
-        raise InputError(f"the law's {name} is {value}: it must be positive, in {unit}")
+        raise InputError(f"the law's {name} is {value}: it must be positive, in 1/mm")

@@ -27,6 +27,9 @@ ROUGH_AT_ZERO = 2
 DENSE_PARTS = 24
 """Of each panel, at whose places bounds are first watched."""
 
+EXTREME_STEPS = 3
+"""Of Newton's method, from the nearest of those places to an extreme."""
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
 _DEGREES = np.arange(ORDER)
 VANDER = np.polynomial.legendre.legvander(NODES, ORDER - 1)
@@ -163,9 +166,10 @@ class PanelFunction:
     @property
     def extremes(self) -> FloatArray:
         """Values at `extreme_places`."""
-        return self.at(*self.extreme_places())
+        return self.at(*self.extreme_places)
 
-    def extreme_places(self, steps: int = 3) -> tuple[IntArray, FloatArray]:
+    @property
+    def extreme_places(self) -> tuple[IntArray, FloatArray]:
         """Places of the local extremes near the largest and least value, by Newton's method from samples."""
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
@@ -179,7 +183,7 @@ class PanelFunction:
         panel, place = np.nonzero(near)
         start = x = _DENSE[place]
         lower, upper = np.maximum(start - 0.15, -1.0), np.minimum(start + 0.15, 1.0)
-        for _ in range(steps):
+        for _ in range(EXTREME_STEPS):
             slope, curvature = self.slopes_at(panel, x)
             step = np.divide(-slope, curvature, out=np.zeros_like(x), where=curvature != 0)
             x = np.minimum(np.maximum(x + step, lower), upper)
@@ -219,7 +223,6 @@ def cut_into_panels(
     cuts: Sequence[float] = (),
     natural_curvature: NaturalCurvature = 0.0,
     law: MaterialLaw | None = None,
-    tolerance: float = RESOLVED,
 ) -> Panels:
     """Panels that resolve the curve, and any moment over its curvature.
 
@@ -234,8 +237,6 @@ def cut_into_panels(
         Further parameters that must be panel ends, such as places of point masses.
     law : MaterialLaw, optional
         Its effective curvature stands for kappa - kappa_0; where it is not smooth there should be cuts.
-    tolerance : float
-        Size of the last coefficients relative to the function.
     """
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
@@ -254,9 +255,9 @@ def cut_into_panels(
     done: list[_Nodes] = []
     while cut.left.size:
         found, tail = _evaluated(excess, cut, law)
-        parts = _parts(tail, tolerance)
+        parts = _parts(tail)
         # where cutting no longer helps, the rest is rounding noise
-        settled = (tail <= tolerance) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
+        settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < NARROWEST_SHARE * (high - low)
         if sum(len(nodes.t) for nodes in done) + cut.left.size + parts[~settled].sum() > MAX_PANELS:
             settled[:] = True
@@ -299,9 +300,9 @@ class _Cut(_Columns):
         )
 
 
-def _parts(tail: FloatArray, tolerance: float) -> IntArray:
+def _parts(tail: FloatArray) -> IntArray:
     """How many parts a panel needs, 2, 4 or 8: halving divides the last coefficient by 2^p or so."""
-    halvings = np.ceil(np.log2(np.nan_to_num(tail, nan=1.0, posinf=1.0) / tolerance) / ORDER)
+    halvings = np.ceil(np.log2(np.nan_to_num(tail, nan=1.0, posinf=1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
 

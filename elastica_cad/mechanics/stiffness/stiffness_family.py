@@ -10,7 +10,6 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
     MAX_ROUNDS,
     MinimaxProgram,
     MinimaxSolution,
-    Solver,
     minimax_ratio,
     start_rows,
     unsettled,
@@ -25,6 +24,8 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import (
 from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
+
+_SETTLED = 1e-9  # of the least ratio, by which it may still move
 
 _ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
 
@@ -71,7 +72,7 @@ class StiffnessFamily:
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets where K of the numbers y has its extremes."""
-        return self.at(*self.stiffness(y).extreme_places())
+        return self.at(*self.stiffness(y).extreme_places)
 
     def stiffness(self, y: FloatArray) -> PanelFunction:
         """K of the numbers y."""
@@ -80,45 +81,34 @@ class StiffnessFamily:
 
 
 def least_ratio(
-    family: StiffnessFamily,
-    places: tuple[IntArray, FloatArray] | None = None,
-    *,
-    solver: Solver = "auto",
-    tolerance: float = 1e-9,
+    family: StiffnessFamily, places: tuple[IntArray, FloatArray] | None = None
 ) -> tuple[FloatArray, float] | None:
     """The numbers y of least R, or None where no stiffness is positive everywhere.
 
     Unless `places` (panel, x) fix the samples, R is judged on the continuous curve: extremes of K between the
-    samples are found on its polynomials and join the program until R moves by less than `tolerance`.
+    samples are found on its polynomials and join the program until R settles.
     """
     if places is not None:
-        solution = _sampled(family, *family.at(*places), solver)
+        solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None):
         # no number, or one that only scales K: the extremes stay where they are
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
-        solution = _sampled(
-            family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]), solver
-        )
+        solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
     else:
-        return _continuous_ratio(family, solver, tolerance)
+        return _continuous_ratio(family)
     return None if solution is None else (solution.x, solution.ratio)
 
 
-def _sampled(
-    family: StiffnessFamily, rows: FloatArray, offset: FloatArray, solver: Solver
-) -> MinimaxSolution | None:
-    return minimax_ratio(
-        rows, offset=offset, side_rows=family.side_rows, side_offset=family.side_offset, solver=solver
-    )
+def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> MinimaxSolution | None:
+    return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, side_offset=family.side_offset)
 
 
-def _continuous_ratio(
-    family: StiffnessFamily, solver: Solver, tolerance: float
-) -> tuple[FloatArray, float] | None:
+def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | None:
     """The least R, all local extremes that exceed it being added in each round."""
     rows, offset = family.dense
-    program = MinimaxProgram(rows, side_rows=family.side_rows, side_offset=family.side_offset, solver=solver)
+    program = MinimaxProgram(rows, side_rows=family.side_rows, side_offset=family.side_offset)
+    tolerance = _SETTLED
     low = high = np.ones(len(rows), dtype=bool)
     before = np.full(family.freedom, np.nan)
     for _ in range(MAX_ROUNDS):
