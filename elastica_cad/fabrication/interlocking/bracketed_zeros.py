@@ -10,19 +10,23 @@ ZERO = 1e-11
 """A value below this, in the unit of the function, counts as zero: of lengths in mm, rounding of a 10 m model."""
 
 MOST_STEPS = 80
-"""Far more than the Illinois rule needs: it gains a digit and a half a step."""
+"""Far more than the rule needs: it gains more than a digit and a half a step."""
 
 
 def bracketed_zeros(
-    function: Callable[[FloatArray], FloatArray], low: FloatArray, high: FloatArray
+    function: Callable[[FloatArray], FloatArray],
+    low: FloatArray,
+    high: FloatArray,
+    *,
+    values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Zeros (n,), one between each low and high, where the function has different signs.
+    """Zeros (n,), one between each low and high, where the function has the given values of different signs.
 
-    All at once by the Illinois variant of the false position (Dowell and Jarratt, BIT 11, 1971).
+    All at once by the false position of Anderson and Bjorck (BIT 13, 1973).
     """
     if not low.size:
         return low
-    f, g = function(low), function(high)
+    f, g = values
     root, h = high, g
     for _ in range(MOST_STEPS):
         moving = np.abs(h) > ZERO
@@ -32,6 +36,7 @@ def bracketed_zeros(
         root = np.where(moving, high - g * (high - low) / slope, root)
         h = function(root)
         crossed = np.sign(h) * np.sign(g) <= 0
-        low, f = np.where(crossed, high, low), np.where(crossed, g, f / 2)
+        kept = 1.0 - h / np.where(g != 0, g, 1.0)
+        low, f = np.where(crossed, high, low), np.where(crossed, g, f * np.where(kept > 0, kept, 0.5))
         high, g = root, h
     return root

@@ -17,7 +17,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.interlocking.bracketed_zeros import bracketed_zeros
-from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.fabrication.interlocking.ruled_strip import InPlane, RuledStrip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path_intersections import segment_crossings
 from elastica_cad.geometry.paths.segments import Spline
@@ -44,12 +44,16 @@ LEAST_SQUARED_SLOPE = 1e-14
 
 @dataclass(frozen=True, eq=False)
 class IntersectionPoints:
-    """Common points: arc lengths of both curves (n,), and how far along both rulings they lie (n,), mm."""
+    """Common points: arc lengths of both curves (n,), and how far along both rulings they lie (n,), mm.
+
+    `on_curves` says where both curves are at these arc lengths.
+    """
 
     s_a: FloatArray
     s_b: FloatArray
     v: FloatArray
     u: FloatArray
+    on_curves: tuple[InPlane, InPlane]
 
 
 class IntersectionCurve(Protocol):
@@ -88,6 +92,7 @@ def intersect_surfaces(a: RuledStrip, b: RuledStrip) -> tuple[IntersectionCurve,
 class Ruling:
     """Where the plane curves of strips with parallel rulings cross: q is v."""
 
+    strips: tuple[RuledStrip, RuledStrip]
     s_a: float
     s_b: float
     offset: float  # from gamma_a to gamma_b along z_a
@@ -105,9 +110,9 @@ class Ruling:
 
     def at(self, q: FloatArray) -> IntersectionPoints:
         """Points on the ruling."""
-        return IntersectionPoints(
-            np.full(q.size, self.s_a), np.full(q.size, self.s_b), q, self.sign * (q - self.offset)
-        )
+        s_a, s_b = np.full(q.size, self.s_a), np.full(q.size, self.s_b)
+        on_curves = self.strips[0].in_plane(s_a), self.strips[1].in_plane(s_b)
+        return IntersectionPoints(s_a, s_b, q, self.sign * (q - self.offset), on_curves)
 
 
 def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
@@ -123,7 +128,7 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
     x, y = np.array(found, dtype=float).reshape(-1, 2).T
     s_a = a.curve.arc_length(first.parameter(x)) * a.length / a.curve.length
     s_b = b.curve.arc_length(Spline(b.curve).parameter(y)) * b.length / b.curve.length
-    return [Ruling(float(s), float(r), offset, sign, reach) for s, r in zip(s_a, s_b, strict=True)]
+    return [Ruling((a, b), float(s), float(r), offset, sign, reach) for s, r in zip(s_a, s_b, strict=True)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,8 +146,12 @@ class _Heights:
 
     def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Heights of one of the curves, from the origin of a's frame, and their slopes, (n,) each."""
+        return self.above(strip, strip.in_plane(s))
+
+    def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
+        """The same, for places on one of the curves."""
         across, base = self._ways[0 if strip is self.a else 1]
-        position, tangent = strip.in_plane(s)
+        position, tangent = places
         return position @ across + base, tangent @ across
 
     @cached_property
@@ -154,10 +163,13 @@ class _Heights:
             for strip in (self.a, self.b)
         )
 
-    def common(self, s_a: FloatArray, s_b: FloatArray, gap: FloatArray) -> IntersectionPoints:
-        """v and u where the heights are equal: v z_a - u z_b = gap, from gamma_a to gamma_b."""
+    def common(
+        self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
+    ) -> IntersectionPoints:
+        """v and u where the heights are equal: v z_a - u z_b leads from gamma_a to gamma_b."""
+        gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
         v, u = self._rulings @ gap.T
-        return IntersectionPoints(s_a, s_b, v, u)
+        return IntersectionPoints(s_a, s_b, v, u, on_curves)
 
     @cached_property
     def _rulings(self) -> FloatArray:
@@ -181,21 +193,23 @@ class Branch:
     def near(self) -> IntersectionPoints:
         """The nodes, the heights not quite equal."""
         h = self.heights
-        return h.common(self.s_a, self.s_b, h.b.motion(self.s_b)[0] - h.a.motion(self.s_a)[0])
+        return h.common(self.s_a, self.s_b, (h.a.in_plane(self.s_a), h.b.in_plane(self.s_b)))
 
     def at(self, q: FloatArray) -> IntersectionPoints:
         """Newton's method across the level set, from between the nodes."""
-        h, strips = self.heights, (self.heights.a, self.heights.b)
-        s = [np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b)]
-        tolerance = HEIGHT_ERROR * max(strip.length for strip in strips)
+        h = self.heights
+        s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
+        on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
+        tolerance = HEIGHT_ERROR * max(h.a.length, h.b.length)
         for _ in range(MOST_STEPS):
-            (p, f), (r, g) = (h.along(strip, x) for strip, x in zip(strips, s, strict=True))
+            (p, f), (r, g) = h.above(h.a, on_curves[0]), h.above(h.b, on_curves[1])
             gap = p - r
             if np.abs(gap).max(initial=0.0) <= tolerance:
                 break
             step = gap / np.maximum(f**2 + g**2, LEAST_SQUARED_SLOPE)
-            s = [np.clip(s[0] - step * f, 0.0, h.a.length), np.clip(s[1] + step * g, 0.0, h.b.length)]
-        return h.common(s[0], s[1], strips[1].motion(s[1])[0] - strips[0].motion(s[0])[0])
+            s_a, s_b = np.clip(s_a - step * f, 0.0, h.a.length), np.clip(s_b + step * g, 0.0, h.b.length)
+            on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
+        return h.common(s_a, s_b, on_curves)
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
@@ -237,7 +251,12 @@ def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, Fl
     if np.abs(slope).max() < LEVEL_SLOPE:
         return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
-    found = bracketed_zeros(lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1])
+    found = bracketed_zeros(
+        lambda x: heights.along(strip, x)[1],
+        s[turns],
+        s[turns + 1],
+        values=(slope[turns], slope[turns + 1]),
+    )
     top = heights.along(strip, found)[0]
     stretches = []
     stops = [-1, *turns.tolist(), s.size - 1]

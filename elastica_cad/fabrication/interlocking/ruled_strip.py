@@ -17,6 +17,9 @@ STATIONS = 400
 CURVE_ERROR = 1e-13
 """Of the curve over arc length, relative to its length: near rounding, so that crossings are exact."""
 
+InPlane = tuple[FloatArray, FloatArray]
+"""Points and unit tangents (n, 2) of a strip's curve in its own plane."""
+
 
 @dataclass(frozen=True, eq=False)
 class RuledStrip:
@@ -58,10 +61,9 @@ class RuledStrip:
         p, d = self.in_plane(s)
         return self.frame.point(p), self.frame.direction(d)
 
-    def normal(self, s: FloatArray) -> FloatArray:
-        """Unit normals of the surface (n, 3), to the left of the curve."""
-        d = self.in_plane(s)[1]
-        return self.frame.direction(np.stack([-d[:, 1], d[:, 0]], axis=1))
+    def normal(self, tangent: FloatArray) -> FloatArray:
+        """Unit normals of the surface (n, 3), to the left of the curve, for its tangents (n, 2) in its plane."""
+        return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
 
     def may_meet(self, other: "RuledStrip") -> bool:
         """False where the strips are clearly apart, as seen in the frame of either."""
@@ -83,8 +85,8 @@ class RuledStrip:
         low, high = self.curve.bounds
         return np.array([[*low, -reach], [*high, reach]])
 
-    def in_plane(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Points and tangents (n, 2) in the plane of the curve."""
+    def in_plane(self, s: FloatArray) -> InPlane:
+        """Points and tangents at arc lengths (n,)."""
         nodes, c = self._table
         k = np.searchsorted(nodes[1:-1], s, side="right")
         u = (s - nodes[k])[:, None]

@@ -68,14 +68,15 @@ class Crossing:
         """Points at x (n,): 0 and 1 are where the stretch begins and ends; it goes on beyond."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
-        normals = a.normal(p.s_a), b.normal(p.s_b)
-        cosine = np.abs((normals[0] * normals[1]).sum(axis=1))
-        sine = np.linalg.norm(np.cross(*normals), axis=1)
+        (place, tangent), (_, other) = p.on_curves
+        normals = a.normal(tangent), b.normal(other)
+        # half the angle between unit vectors has this tangent, to rounding at every angle
+        apart, together = np.linalg.norm([normals[0] - normals[1], normals[0] + normals[1]], axis=2)
         return CrossingPoints(
             np.column_stack([p.s_a, p.v]),
             np.column_stack([p.s_b, p.u]),
-            a.motion(p.s_a)[0] + p.v[:, None] * a.axis,
-            np.arctan2(sine, cosine),
+            a.frame.point(place) + p.v[:, None] * a.axis,
+            2 * np.arctan2(np.minimum(apart, together), np.maximum(apart, together)),
         )
 
     @cached_property
@@ -135,8 +136,9 @@ class Crossing:
             outside = np.flatnonzero(m.min(axis=1) < 0)
             if outside.size:
                 i = int(outside[0])
-                sides = np.array([2 * which + int(np.argmin(m[i]))])
-                root = float(_edges(self.strips, self.locus, q[[i - 1]], q[[i]], sides)[0])
+                side = int(np.argmin(m[i]))
+                sides, values = np.array([2 * which + side]), (m[[i - 1], side], m[[i], side])
+                root = float(_edges(self.strips, self.locus, (q[[i - 1]], q[[i]]), sides, values)[0])
                 return (root - self.start) / (self.end - self.start)
         return None
 
@@ -169,7 +171,8 @@ def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> li
         m = margins(strips, locus.at(q))
         i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
         on_edge = q[(m == 0).any(axis=1)]
-        cuts = np.unique(np.concatenate([q[[0, -1]], on_edge, _edges(strips, locus, q[i], q[i + 1], side)]))
+        edges = _edges(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
+        cuts = np.unique(np.concatenate([q[[0, -1]], on_edge, edges]))
         inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
         runs += [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
     return runs
@@ -178,13 +181,13 @@ def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> li
 def _edges(
     strips: tuple[RuledStrip, RuledStrip],
     locus: IntersectionCurve,
-    low: FloatArray,
-    high: FloatArray,
+    between: tuple[FloatArray, FloatArray],
     sides: IntArray,
+    values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Where on the locus the margins' columns `sides` (n,) vanish, between low and high (n,)."""
-    rows = np.arange(low.size)
-    return bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], low, high)
+    """Where on the locus the margins' columns `sides` (n,) vanish, between places (n,) where they have `values`."""
+    rows = np.arange(sides.size)
+    return bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
 
 
 def _possible_stretches(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> BoolArray:
