@@ -24,6 +24,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import Travel, bend_strip
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.text_files import write_text
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
@@ -227,9 +228,9 @@ def _write_files(
         ]
         formats = ["%d", *["%.6f"] * 4, "%.9g", "%.6f"]
         np.savetxt(workshop / names[0], np.concatenate(rows), formats, ",", header=header, comments="")
-        (workshop / names[1]).write_text(curves_json([shape.curve for shape in shapes]), encoding="utf-8")
+        write_text(workshop / names[1], curves_json([shape.curve for shape in shapes]))
         if moved is not None:
-            (workshop / f"{travelled}.csv").write_text(moved.csv(), encoding="utf-8")
+            write_text(workshop / f"{travelled}.csv", moved.csv())
         if pictures:
             from elastica_cad.plot.canvas import save_figure
             from elastica_cad.plot.strip_pictures import rod as draw_rod

@@ -15,6 +15,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.text_files import write_text
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import library_folders
 from elastica_cad.mechanics.studies.calibration import calibrate_cantilever
@@ -184,7 +185,7 @@ def _calibrate(
     found = _as_readings_tell(result.sheet(name, **limit, poisson_ratio=sheet.poisson_ratio, **own))
     file = f"{name}.toml"
     with write_together(output, [file], force=force) as workshop:
-        (workshop / file).write_text(found.toml(), encoding="utf-8")
+        write_text(workshop / file, found.toml())
     answer({"sheet": found, "measured": result})
     say(str(result))
     if listed and least_radius is None and found.grain != sheet.grain:

@@ -15,6 +15,7 @@ from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, design_schema
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.text_files import write_text
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
@@ -45,7 +46,7 @@ def new(kind: str, output: Path, force: bool) -> None:
     schema = json.dumps(design_schema(), indent=1) + "\n"
     if kind == "schema":
         with write_together(output, [SCHEMA_FILE], force=force) as folder:
-            (folder / SCHEMA_FILE).write_text(schema, encoding="utf-8", newline="\n")
+            write_text(folder / SCHEMA_FILE, schema)
         wrote([output / SCHEMA_FILE])
         answer({"kind": kind})
         return
@@ -56,11 +57,11 @@ def new(kind: str, output: Path, force: bool) -> None:
     with write_together(output, written, force=force) as folder:
         (folder / written[0]).write_bytes(text)
         if SCHEMA_FILE in written:
-            (folder / SCHEMA_FILE).write_text(schema, encoding="utf-8", newline="\n")
+            write_text(folder / SCHEMA_FILE, schema)
         if kind == "arch":
             write_curves([PlaneCurve.spline(ARCH_MM, degree=4)], folder / "arch.dxf")
         if kind == "sections":
-            (folder / "bowl.obj").write_text(_bowl(), encoding="ascii", newline="\n")
+            write_text(folder / "bowl.obj", _bowl())
     wrote([output / name for name in written])
     typed = shlex.join(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
     following = f"{name_program()} {typed}"

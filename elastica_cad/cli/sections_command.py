@@ -19,6 +19,7 @@ from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.write_sections_design import compose_section_design
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.file_access.source_file import require_file
+from elastica_cad.formats.file_access.text_files import write_text
 from elastica_cad.formats.surface_files.file_surface import read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import AT_CORNERS, AT_TWO_PLACES, SectionCurve
 from elastica_cad.forming.plane_sections.section_spec import (
@@ -279,12 +280,12 @@ def _write_files(
 ) -> list[str]:
     names = [f"{name}.json", f"{name}.dxf"] + ([] if strips is None else [f"{name}.toml"])
     with write_together(output, names, force=force) as workshop:
-        (workshop / names[0]).write_text(curves_json([one.curve for one in curves]), encoding="utf-8")
+        write_text(workshop / names[0], curves_json([one.curve for one in curves]))
         write_curves(_side_by_side([one.curve for one in curves]), workshop / names[1])
         if strips is not None:
             seen = mesh | {"mesh": _relative(mesh["mesh"], output)}
             text = compose_section_design(name, seen, spec, strips)
-            (workshop / names[2]).write_text(text, encoding="utf-8", newline="\n")
+            write_text(workshop / names[2], text)
     return names
 
 

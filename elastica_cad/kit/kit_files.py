@@ -1,6 +1,5 @@
 """A kit written into one folder: all files together, or none."""
 
-import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, partial
@@ -20,6 +19,7 @@ from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.text_files import write_json, write_text
 from elastica_cad.formats.reports.start_page import compose_start_page
 from elastica_cad.kit.kit_contents import Kit, Writer, kit_of
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -200,8 +200,8 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     listed = kit.cut_list.in_files(_homes(kit, parts=parts))
     if pictures:
         files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, listed, path))
-    files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
-    files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
+    files[f"{name}-cut-list.csv"] = ("cut list", lambda path: write_text(path, listed.csv))
+    files[f"{name}-cut-list.txt"] = ("cut list", lambda path: write_text(path, str(listed)))
     if step:
         files.update(_assemblies(kit, f"{MODEL}/{name}"))
     if pictures:
@@ -222,11 +222,8 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
         _add_drawing(kit, stem, piece.drawing, piece.sheet, "part")
     if step:
         files.update(_blocks(kit))
-    files[f"{name}.json"] = (
-        "report",
-        lambda path: _write_text(path, json.dumps(kit_report(kit), indent=1) + "\n"),
-    )
-    files["index.html"] = ("this page", lambda path: _write_text(path, _start_page(kit)))
+    files[f"{name}.json"] = ("report", lambda path: write_json(path, kit_report(kit)))
+    files["index.html"] = ("this page", lambda path: write_text(path, _start_page(kit)))
 
 
 def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:
@@ -283,10 +280,6 @@ def _add_drawing(kit: Kit, stem: str, drawing: Any, sheet: Sheet, what: str) -> 
     dxf = f"{stem}.{_suffix(kit)}"
     kit.files[dxf] = (what, lambda path: save(drawing, path, version=cutting.version, **options))
     kit.files[f"{stem}.svg"] = (what, lambda path: save(drawing, path, **options))
-
-
-def _write_text(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8", newline="\n")
 
 
 def kit_report(kit: Kit) -> dict[str, Any]:

@@ -1,6 +1,5 @@
 """Everything that one strip becomes: its cutting files, bodies, picture and report."""
 
-import json
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -19,6 +18,7 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.text_files import write_json
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
@@ -207,10 +207,6 @@ def _write_glb(kit: StripKit, path: Path) -> None:
     write_glb(model_shapes(Model((placed,), kit.name)), path, name=kit.name)
 
 
-def _write_report(kit: StripKit, path: Path) -> None:
-    path.write_text(json.dumps(kit.report, indent=1) + "\n", encoding="utf-8")
-
-
 WRITERS: Mapping[str, Callable[[StripKit, Path], None]] = {
     "dxf": _write_dxf,
     "svg": _write_svg,
@@ -218,6 +214,6 @@ WRITERS: Mapping[str, Callable[[StripKit, Path], None]] = {
     "pdf": _draw_template,
     "step": _write_step,
     "glb": _write_glb,
-    "json": _write_report,
+    "json": lambda kit, path: write_json(path, kit.report),
 }
 """How each kind of file is written."""

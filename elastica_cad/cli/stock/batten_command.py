@@ -1,7 +1,6 @@
 """`elastica batten`: the taper that puts the camber of a pressed batten where it is wanted."""
 
 import csv
-import json
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -20,6 +19,7 @@ from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.text_files import write_json, write_text
 from elastica_cad.kit.kit_files import left_out
 from elastica_cad.mechanics.material.tapered_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 
@@ -146,8 +146,8 @@ def _write_leaves(strip: Strip, report: dict[str, Any], chosen: dict[str, Any]) 
     name, folder, stack = strip.label, chosen["output"], LeafStack(strip)
     kinds = _kinds()
     with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:
-        (workshop / f"{name}.csv").write_text(stack.cut_list.csv, encoding="utf-8")
-        (workshop / f"{name}.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+        write_text(workshop / f"{name}.csv", stack.cut_list.csv)
+        write_json(workshop / f"{name}.json", report)
         _write_drawn(strip, stack.drawing, workshop / name, kinds, chosen)
     return [folder / f"{name}.{kind}" for kind in kinds]
 
@@ -236,7 +236,7 @@ def _write(
             rows.writerow(report["table"])
             for row in zip(*report["table"].values(), strict=True):
                 rows.writerow(["" if value is None else f"{value:.6g}" for value in row])
-        (workshop / f"{name}.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+        write_json(workshop / f"{name}.json", report)
         _write_drawn(made.strip, drawing, workshop / name, kinds, chosen)
     return [folder / f"{name}.{kind}" for kind in kinds]
 
