@@ -89,9 +89,7 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
         return replace(made, weight=replace(weight, alpha=along, beta=0.0))
     if rod.weight is None:
         return made
-    factor = least / layout.bending_stiffness
-    beta = weight.beta.scaled(factor) if isinstance(weight.beta, Profile) else weight.beta * factor
-    return replace(made, weight=replace(weight, beta=beta))
+    return replace(made, weight=weight.scaled(beta=least / layout.bending_stiffness))
 
 
 def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:

@@ -1,6 +1,6 @@
 """Weight in physical units, for rods whose weight is not proportional to their stiffness."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -53,6 +53,10 @@ class Weight:
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(f"weight {name} is {value!r}: it can't be negative, in N/mm")
 
+    def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
+        """The same with alpha and beta that many times as large; the masses stay."""
+        return replace(self, alpha=_times(self.alpha, alpha), beta=_times(self.beta, beta))
+
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """alpha and beta (n,) at arc lengths (n,), N/mm."""
         alpha, beta = (
@@ -78,3 +82,7 @@ class Weight:
             weight[i] += (1 - share) * newtons
             weight[i + 1] += share * newtons
         return weight
+
+
+def _times(value: float | Profile, factor: float) -> float | Profile:
+    return value.scaled(factor) if isinstance(value, Profile) else value * factor

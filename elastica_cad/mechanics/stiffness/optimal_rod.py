@@ -307,10 +307,8 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
     weight = balance.weight
-    if weight is not None:
-        # beta K stays what it is when K is divided by its least value
-        own = weight.beta.scaled(least) if isinstance(weight.beta, Profile) else weight.beta * least
-        weight = replace(weight, beta=own)
+    if weight is not None:  # beta K stays what it is when K is divided by its least value
+        weight = weight.scaled(beta=least)
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
         moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, system_of
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -115,15 +114,6 @@ def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
         factor = v.density / (v.youngs_modulus * v.thickness**2)
         return rod if factor == 1 else replace(rod, gravity=rod.gravity.scaled(factor))
     heavier = v.density * v.thickness
-
-    def times(value: float | Profile, factor: float) -> float | Profile:
-        return value.scaled(factor) if isinstance(value, Profile) else value * factor
-
-    alpha, beta = rod.weight.alpha, rod.weight.beta
-    weight = replace(
-        rod.weight,
-        alpha=times(alpha, heavier),
-        beta=None if beta is None else times(beta, heavier * width_factor),
-    )
+    weight = rod.weight.scaled(heavier, heavier * width_factor)
     B = (rod.bending_stiffness or 0.0) * v.youngs_modulus * v.thickness**3 * width_factor
     return replace(rod, weight=weight, bending_stiffness=B)

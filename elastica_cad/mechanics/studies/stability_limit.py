@@ -8,12 +8,11 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import as_steps, reach, state_of, system_of
 from elastica_cad.mechanics.bending.bifurcation import is_straight
 from elastica_cad.mechanics.bending.newton_continuation import correct, relax
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.rod.discrete_rod import Margin
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem, Step
@@ -337,11 +336,5 @@ def _weighing(rod: Rod, factor: float) -> Rod:
         return rod
     if rod.weight is None:
         return replace(rod, gravity=rod.gravity.scaled(factor) if factor > 0 else None)
-    law = rod.weight
-    alpha, beta = _times(law.alpha, factor), _times(law.beta, factor)
-    masses = tuple(PointMass(point.at, factor * point.mass) for point in law.masses)
-    return replace(rod, weight=Weight(alpha, beta, masses))
-
-
-def _times(value: float | Profile, factor: float) -> float | Profile:
-    return value.scaled(factor) if isinstance(value, Profile) else factor * value
+    masses = tuple(PointMass(point.at, factor * point.mass) for point in rod.weight.masses)
+    return replace(rod, weight=replace(rod.weight.scaled(factor, factor), masses=masses))
