@@ -17,6 +17,7 @@ from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry.curve_editing.control_point_constraints import (
     Constraint,
     InflectionsOnLine,
+    curvature_rows,
     directed_rows,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -27,20 +28,6 @@ _BEND = 0.005  # a move that changes the curvature by 1 / length counts as this 
 _STRETCH = 0.05  # one that changes the velocity d/dt by all of itself counts as this share of the length
 _LINE_STEP = 0.02  # moves of the line that count as much as moving the curve by this share of its length
 _RANK = 1e-11  # of the largest singular value: changes below it are none
-
-
-def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
-    """Derivatives (n, 2 m) of the curvature at fixed parameters t (n,) by the control points.
-
-    kappa = det(gamma', gamma'') / |gamma'|^3.
-    """
-    d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
-    square = (d1**2).sum(axis=1)
-    cube = square**1.5
-    kappa = (d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]) / cube
-    by_first = np.column_stack([d2[:, 1], -d2[:, 0]]) / cube[:, None] - (3 * kappa / square)[:, None] * d1
-    by_second = np.column_stack([-d1[:, 1], d1[:, 0]]) / cube[:, None]
-    return directed_rows(curve.basis(t, 1), by_first) + directed_rows(curve.basis(t, 2), by_second)
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,8 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
-_GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
 _EPS = float(np.finfo(float).eps)
 
 
@@ -121,8 +121,9 @@ class FixedLength:
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Excess length, mm; the derivative by q_i is the integral of <gamma' / |gamma'|, dR_i/dt>."""
         low, width = curve.smooth_panels[:-1], np.diff(curve.smooth_panels)
-        t = (low[:, None] + width[:, None] * (1 + _GAUSS) / 2).ravel()
-        weight = (width[:, None] * _GAUSS_WEIGHTS / 2).ravel()
+        x, w = gauss_rule(16)
+        t = (low[:, None] + width[:, None] * (1 + x) / 2).ravel()
+        weight = (width[:, None] * w / 2).ravel()
         velocity = curve.evaluate(t, 1)
         tangent = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
         gradient = curve.basis(t, 1).T @ (tangent * weight[:, None])
@@ -174,7 +175,7 @@ class CurvatureAt:
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Excess curvature times the square of `size`, mm."""
         excess = curve.curvature_at(self.t) - self.curvature
-        return excess * self.size**2, _curvature_rows(curve, self.t) * self.size**2
+        return excess * self.size**2, curvature_rows(curve, self.t) * self.size**2
 
 
 @dataclass(frozen=True, eq=False)
@@ -295,7 +296,7 @@ def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 
-def _curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
+def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
     """Derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
     d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
     speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
@@ -313,7 +314,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)
     slope = curve.curvature_slope_at(t) * np.hypot(velocity[:, 0], velocity[:, 1])
-    moved = -_curvature_rows(curve, t) / slope[:, None]
+    moved = -curvature_rows(curve, t) / slope[:, None]
     fixed = np.stack([directed_rows(curve.basis(t), np.tile(e, (t.size, 1))) for e in np.eye(2)], axis=1)
     return curve.evaluate(t), fixed + velocity[:, :, None] * moved[:, None, :]
 

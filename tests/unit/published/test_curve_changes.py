@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve, collinear, kept
-from elastica_cad.geometry.curve_editing.control_point_constraints import least_norm_newton
+from elastica_cad.geometry.curve_editing.control_point_constraints import curvature_rows, least_norm_newton
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.published.curve_changes import CurveChanges, curvature_rows
+from elastica_cad.published.curve_changes import CurveChanges
 
 pytestmark = pytest.mark.core
 
