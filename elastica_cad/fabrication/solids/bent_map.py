@@ -12,11 +12,11 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.solids.boundary_records import SpaceCurve, SpaceSurface
 from elastica_cad.fabrication.solids.pattern_strips import on_segment
-from elastica_cad.fabrication.strip.flat_outline import greville, pace
+from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 DEGREE = 5  # of the bent faces

@@ -6,12 +6,12 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.strip.flat_outline import greville, pace
+from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
 from elastica_cad.geometry.paths.trim import clamp_ends, trim_curves
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
 
 SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""

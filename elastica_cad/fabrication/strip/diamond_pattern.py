@@ -12,7 +12,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
-from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graphs, greville
+from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graphs
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.biarcs import as_arcs
 from elastica_cad.geometry.paths.path import JOIN, Path
@@ -22,6 +22,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline, fit_spans
+from elastica_cad.geometry.polynomials.knot_runs import greville
 
 FIT_MM = 2e-5
 """Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""

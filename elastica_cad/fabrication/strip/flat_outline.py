@@ -12,7 +12,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
 
 Ends = tuple[Tab, Tab]
 
@@ -125,13 +125,6 @@ def _motion(knots: FloatArray, degree: int, x: FloatArray) -> tuple[FloatArray, 
     stray = np.abs(offset[..., None] + speed[..., None] * sites - x).max(axis=-1)
     even = (stray <= EVEN * np.maximum(1.0, np.abs(x).max(axis=-1))) & (speed != 0)
     return offset, speed, even
-
-
-def greville(knots: FloatArray, degree: int) -> FloatArray:
-    """Greville abscissae (..., m) of knot vectors (..., m + degree + 1)."""
-    count = knots.shape[-1] - degree - 1
-    total = sum((knots[..., i : i + count] for i in range(2, degree + 1)), start=knots[..., 1 : count + 1])
-    return np.asarray(total / degree, dtype=float)
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:

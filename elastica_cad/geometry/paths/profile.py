@@ -10,7 +10,7 @@ from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import interior_roots, raise_degree, value_and_slope
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
 from elastica_cad.geometry.polynomials.spline_checks import finite
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 
@@ -174,8 +174,7 @@ class Profile:
     @property
     def greville(self) -> FloatArray:
         """Greville abscissae (m,): with these as x the graph of the spline is the spline curve itself."""
-        windows = np.lib.stride_tricks.sliding_window_view(self.knots[1:-1], self.degree)
-        return np.asarray(windows.mean(axis=1), dtype=float)
+        return greville(self.knots, self.degree)
 
     def scaled(self, factor: float) -> "Profile":
         """The profile times `factor`."""

@@ -1,4 +1,4 @@
-"""Knots of a spline with their multiplicities."""
+"""Knots of a spline: their multiplicities, and where along them its coefficients stand."""
 
 import numpy as np
 
@@ -19,3 +19,16 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     first = rises.nonzero()[0]  # of every run, and the end of the last one
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
+
+
+def greville(knots: FloatArray, degree: int) -> FloatArray:
+    """Greville abscissae (..., m) of knot vectors (..., m + degree + 1): with these as x a spline draws itself.
+
+    Examples
+    --------
+    >>> greville(np.array([0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0]), 2).tolist()
+    [0.0, 0.5, 1.5, 2.0]
+    """
+    count = knots.shape[-1] - degree - 1
+    total = sum((knots[..., i : i + count] for i in range(2, degree + 1)), start=knots[..., 1 : count + 1])
+    return np.asarray(total / degree, dtype=float)
