@@ -13,6 +13,7 @@ from elastica_cad.forming.plane_sections.mesh_sections import refuse_odd_planes
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, collect_section, tidy_points
 from elastica_cad.forming.plane_sections.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.kernel.drawn_edges import drawn_edges
 from elastica_cad.kernel.occt import plane_axes_of
 from elastica_cad.kernel.ocp_import import Shape, kernel
@@ -125,7 +126,7 @@ def _thinned(points: FloatArray) -> FloatArray:
     """Of many points those at even distances and, where chords between them leave the line, those farthest off."""
     if len(points) <= MOST:
         return points
-    s = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    s = lengths_along(points)
     kept = np.unique(np.searchsorted(s, np.linspace(0.0, s[-1], MOST // 2)).clip(0, len(s) - 1))
     kept[0] = 0
     todo = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))

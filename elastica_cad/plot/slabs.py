@@ -7,6 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.running_sums import numbers_in_groups
 
 APART_MM = 1e-7
 """Stations nearer than this are one: slabs between them could not be seen."""
@@ -54,7 +55,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
-    slab = np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+    slab = numbers_in_groups(count) + np.repeat(first, count)
     y = left[line, 1:] + slope[line, None] * (sides[slab] - left[line, :1])
     order = np.lexsort((y.sum(axis=1), slab))
     # loops are closed: every slab has its lines in pairs, below and above what lies inside

@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.running_sums import numbers_in_groups
 
 
 def near_pairs(points: FloatArray, reach: float) -> IntArray:
@@ -25,7 +26,7 @@ def near_pairs(points: FloatArray, reach: float) -> IntArray:
     for first, last in ((each + 1, cell + 1), (np.searchsorted(cell, cell + tall - 1), cell + tall + 1)):
         count = np.searchsorted(cell, last, side="right") - first
         i = np.repeat(each, count)
-        j = np.arange(i.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+        j = numbers_in_groups(count) + np.repeat(first, count)
         apart = sorted_points[i] - sorted_points[j]
         near = np.hypot(apart[:, 0], apart[:, 1]) <= reach
         found.append(np.sort(order[np.stack([i[near], j[near]])], axis=0))

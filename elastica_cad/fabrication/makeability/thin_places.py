@@ -9,6 +9,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.fabrication.makeability.near_pairs import near_pairs
 from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.running_sums import numbers_in_groups
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
 COARSE = 4  # the same for a first look, which most parts pass
@@ -105,7 +106,7 @@ def _sampled(
         corners, sides, long = line[long > 0], sides[long > 0], long[long > 0]
         counts = np.maximum(1, np.ceil(long * per_width / least)).astype(int)
         side = np.repeat(np.arange(len(sides)), counts)
-        place = (np.arange(side.size) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[side]
+        place = (numbers_in_groups(counts) + 0.5) / counts[side]
         points.append(corners[side] + place[:, None] * sides[side])
         inward = np.column_stack([-sides[:, 1], sides[:, 0]]) / long[:, None]
         normals.append(inward[side])

@@ -13,6 +13,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
+from elastica_cad.geometry.running_sums import lengths_along
 
 RELIEF_CHORDS = 8
 """Of a round inner end where only what lies near is asked."""
@@ -139,7 +140,7 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
         How far the sides run on, straight, beyond the end of the centre line, mm.
     """
     points, widths = slot.center_line(width)
-    t = _chords(points)
+    t = lengths_along(points)
     degree = min(3, len(points) - 1)  # of a spline through them
     tangents = SplineFunction.of(*spline_through(t, points, degree), degree)(t, 1)
     normals = _left_of(tangents)
@@ -189,8 +190,3 @@ def _through(points: FloatArray, knots: FloatArray, controls: FloatArray, beyond
     direction = controls[-1] - controls[-2]
     onward = Line(points[-1], points[-1] + direction * beyond / np.hypot(*direction))
     return [Spline(PlaneCurve(knots, controls, 3)), onward]
-
-
-def _chords(points: FloatArray) -> FloatArray:
-    """Parameters (k,) of points: summed chord lengths."""
-    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])

@@ -17,6 +17,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
+from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 DEGREE = 5  # of the bent faces
@@ -271,9 +272,8 @@ def _fitted(
 
 def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
     """The edges (n + 1,) with every span cut into as many equal parts as `parts` (n,) says."""
-    inside = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     width = np.repeat(np.diff(edges) / parts, parts)
-    return np.append(np.repeat(edges[:-1], parts) + inside * width, edges[-1])
+    return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
 
 
 def _sites(knots: FloatArray, degree: int) -> FloatArray:

@@ -15,6 +15,7 @@ from elastica_cad.geometry.paths.many_segments import points_of
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -194,4 +195,4 @@ def _met(at: FloatArray, x0: FloatArray, x1: FloatArray) -> tuple[IntArray, IntA
     first = np.searchsorted(at, np.minimum(x0, x1), side="left")
     count = np.searchsorted(at, np.maximum(x0, x1), side="left") - first
     line = np.repeat(np.arange(x0.size), count)
-    return line, np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+    return line, numbers_in_groups(count) + np.repeat(first, count)

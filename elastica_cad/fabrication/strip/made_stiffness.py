@@ -13,6 +13,7 @@ from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
 from elastica_cad.mechanics.material.laminate_curl import laminate_factor
@@ -57,7 +58,7 @@ def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: 
     idle = np.zeros(s.size)
     for slot in slots:
         points, widths = slot.center_line(width)
-        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+        along = lengths_along(points)
         middle = (np.arange(DEPTHS) + 0.5) / DEPTHS * along[-1]
         x = np.interp(middle, along, points[:, 0])
         y = np.interp(middle, along, points[:, 1])

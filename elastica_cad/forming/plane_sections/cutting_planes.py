@@ -7,6 +7,7 @@ from elastica_cad._values import is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.forming.plane_sections.triangle_mesh import FARTHEST_MM
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.running_sums import lengths_along
 
 
 def parallel_planes(
@@ -96,10 +97,9 @@ def planes_along(
             f"count={count!r}: a path is cut by a whole number of planes, one plane at least, two with ends=True"
         )
     points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
-    steps = np.diff(points, axis=0)
-    if not len(steps):
+    if len(points) < 2:
         raise InputError("a path needs two different points or more")
-    s = np.append(0.0, np.cumsum(np.linalg.norm(steps, axis=1)))
+    s = lengths_along(points)
     at = np.linspace(0.0, s[-1], count) if ends else s[-1] * (np.arange(count) + 0.5) / count
     slopes = np.column_stack([_slopes(s, column) for column in points.T])
     places, ways = (np.column_stack([np.interp(at, s, c) for c in rows.T]) for rows in (points, slopes))

@@ -12,6 +12,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -249,7 +250,7 @@ def smooth_polyline(
     given = np.asarray(points, dtype=float)
     if not (np.isfinite(wavelength) and wavelength > 0):
         raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
-    s = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(given, axis=0), axis=1)))
+    s = lengths_along(given)
     if s[-1] == 0:
         raise InputError("the points to smooth are all the same")
     at = np.linspace(0.0, s[-1], count)

@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.running_sums import lengths_along
 
 IN_PLANE = 1e-12
 """Vertices nearer to a plane than this share of the surface's size lie in it: rounding."""
@@ -41,7 +42,7 @@ class SectionLine:
     @property
     def length(self) -> float:
         """mm."""
-        return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
+        return float(lengths_along(self.points)[-1])
 
     @property
     def places(self) -> FloatArray:
@@ -184,7 +185,7 @@ def collect_section(
     if half:
         chains = [part for chain in chains for part in _clip_to_right_half(chain)]
     lines = [line for line in (tidy_points(chain, apart) for chain in chains) if len(line) > 1]
-    lines.sort(key=lambda line: -_length(line))
+    lines.sort(key=lambda line: -lengths_along(line)[-1])
     reports: tuple[str, ...] = ()
     if not lines:
         reports = (f"{name} at {place_in_words(frame.origin)}: the plane {missed()}",)
@@ -252,10 +253,6 @@ def _nearest(points: FloatArray, place: FloatArray) -> float:
     off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
     i = int(np.argmin(off))
     return i + float(u[i])
-
-
-def _length(points: FloatArray) -> float:
-    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
 def place_in_words(point: FloatArray) -> str:

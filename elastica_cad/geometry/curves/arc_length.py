@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev, series_at
+from elastica_cad.geometry.running_sums import numbers_in_groups
 
 _DEGREE = 15
 """Of the Chebyshev series for the speed on one panel."""
@@ -185,9 +186,8 @@ def _panels(
         # halving divides the last coefficients by 2^degree or so
         excess = tail[rough] / (_FINE * coefficients[rough, 0])
         parts = 2 ** np.clip(np.ceil(np.log2(excess) / _DEGREE), 1, 3).astype(int)
-        part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
         width = np.repeat(width[rough] / parts, parts)
-        low = np.repeat(low[rough], parts) + part * width
+        low = np.repeat(low[rough], parts) + numbers_in_groups(parts) * width
         parent = np.repeat(tail[rough], parts)
         which = np.repeat(which[rough], parts)
     found = (np.concatenate(part) for part in (owners, starts, widths, tables))

@@ -7,6 +7,7 @@ from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.spline_checks import finite
+from elastica_cad.geometry.running_sums import lengths_along
 
 _CORRECTIONS = 2
 """Moves of the parameters to the feet of their perpendiculars, for each knot vector."""
@@ -218,7 +219,7 @@ def _cleaned(points: ArrayLike) -> FloatArray:
 
 
 def _chord_parameters(data: FloatArray) -> FloatArray:
-    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(data, axis=0).T))])
+    chord = lengths_along(data)
     return np.asarray(chord / chord[-1])
 
 

@@ -11,6 +11,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev
+from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 
@@ -289,7 +290,7 @@ class _Cut(_Columns):
         """Every panel cut into its number of equal parts."""
         whole = self.chosen(np.repeat(np.arange(parts.size), parts))
         count = np.repeat(parts, parts)
-        part = np.arange(count.size) - np.repeat(np.cumsum(parts) - parts, parts)
+        part = numbers_in_groups(parts)
         width, first, last = whole.right - whole.left, part == 0, part == count - 1
         return _Cut(
             whole.left + width * (part / count),
