@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from elastica_cad._counts import and_more, counted
 from elastica_cad.cli.asking.options import holding_option, output_options
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
@@ -14,7 +15,7 @@ from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, kit_of
-from elastica_cad.kit.kit_files import counted, kit_report, left_behind, left_out, write_kit
+from elastica_cad.kit.kit_files import kit_report, left_behind, left_out, write_kit
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
@@ -138,7 +139,4 @@ def _warnings(kit: Kit) -> list[str]:
     for part in kit.model.parts:
         for text in part.strip.warnings:
             warned.setdefault(text, []).append(part.name)
-    return [
-        f"{names[0]}{f' (and {len(names) - 1} more)' if names[1:] else ''}: {text}"
-        for text, names in warned.items()
-    ]
+    return [f"{names[0]}{and_more(names)}: {text}" for text, names in warned.items()]

@@ -7,6 +7,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from elastica_cad._counts import counted
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
@@ -183,17 +184,6 @@ def save_model(
     return SavedKit(folder, tuple(kit.files), left_out(step=step, pictures=pictures), summary)
 
 
-def counted(count: int, noun: str) -> str:
-    """How many there are, in words.
-
-    Examples
-    --------
-    >>> counted(1, "strip"), counted(2, "strip")
-    ('1 strip', '2 strips')
-    """
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
-
-
 def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     """Say which files there will be, and how each is written."""
     name, files = file_word(kit.model.name), kit.files
@@ -242,10 +232,10 @@ def _start_page(kit: Kit) -> str:
     listed, count = kit.cut_list, len(kit.model.placed)
     lines = [
         f"{counted(count, 'strip')}, {kit.model.shape_count} different; "
-        f"{listed.count} pieces, "
+        f"{counted(listed.count, 'piece')}, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
         *(
-            f"{nest.name}: {len(nest.pieces)} pieces take {100 * nest.share:.0f} % of a sheet of "
+            f"{nest.name}: {_taken(len(nest.pieces))} {100 * nest.share:.0f} % of a sheet of "
             f"{nest.sheet_size[0]:g} by {nest.sheet_size[1]:g} mm."
             for nest in kit.nests
         ),
@@ -256,13 +246,17 @@ def _start_page(kit: Kit) -> str:
     return compose_start_page(kit.model.name, lines, kit_report(kit)["reports"], files)
 
 
+def _taken(pieces: int) -> str:
+    return f"{counted(pieces, 'piece')} {'takes' if pieces == 1 else 'take'}"
+
+
 def _block_lines(kit: Kit) -> list[str]:
     """How many blocks are printed, and from which files."""
     count = len(_printed(kit))
     if not count:
         return []
     files = [file for file in kit.files if file.endswith(".stl")]
-    blocks = f"{count} {'block' if count == 1 else 'blocks'} to print"
+    blocks = f"{counted(count, 'block')} to print"
     if not files:
         return [f"{blocks}: without STEP files they are left out."]
     return [f"{blocks}: {files[0]}{f' to {files[-1]}' if count > 1 else ''}, foot down."]

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
@@ -44,20 +45,15 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     told = []
     if pairs:
         told.append(
-            f"the printed blocks of {pairs[0]}{_more(pairs, 'pair')} would stand in each other: end these strips "
-            "farther apart, make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)"
+            f"the printed blocks of {pairs[0]}{and_more(pairs, 'pair')} would stand in each other: end these "
+            "strips farther apart, make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)"
         )
     if crossed:
         told.append(
-            f"{crossed[0]}{_more(crossed, 'place')}: end them farther apart, or hold fewer of the ends by blocks "
-            "(strips, ends)"
+            f"{crossed[0]}{and_more(crossed, 'place')}: end them farther apart, or hold fewer of the ends "
+            "by blocks (strips, ends)"
         )
     return tuple(told)
-
-
-def _more(found: Sequence[str], what: str) -> str:
-    others = len(found) - 1
-    return f" (and {others} more {what}{'' if others == 1 else 's'})" if others else ""
 
 
 def _crossed(

@@ -6,6 +6,7 @@ from typing import TypeGuard
 
 import numpy as np
 
+from elastica_cad._counts import and_more
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
@@ -62,11 +63,10 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         if rocking:
             one, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
             low, high = np.degrees(seat.turning)
-            more = f" (and {len(rocking) - 1} more)" if rocking[1:] else ""
             told.append(
-                f"{names[id(one)]}{more}: in the {holder} the tab at its {end} rocks by {low:+.0f} to {high:+.0f} "
-                f"degrees and does not hold the drawn angle; {_shape(one, tab_seats(holders))}; "
-                f"{_cure(one, end, holders)}"
+                f"{names[id(one)]}{and_more(rocking)}: in the {holder} the tab at its {end} rocks by "
+                f"{low:+.0f} to {high:+.0f} degrees and does not hold the drawn angle; "
+                f"{_shape(one, tab_seats(holders))}; {_cure(one, end, holders)}"
             )
     return tuple(told)
 

@@ -1,10 +1,14 @@
-"""Strips of a model that run through each other where no slot lets them."""
+"""Strips of a model that run through each other, or lie in each other, where no slot lets them."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import combinations
 
+import numpy as np
+
+from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.interlocking.flush_strips import Slab, flush_overlap
 from elastica_cad.fabrication.interlocking.interlock import TOUCHING_RAD, Joint, strip_thickness
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
@@ -17,10 +21,16 @@ EDGES_TOUCH_MM = 0.1
 
 CURE = "slot them (interlock), place them apart, or make them narrower there"
 
+CURE_SIDE_BY_SIDE = "place them apart, or make them narrower there"
+
+Pair = tuple[Strip, Strip]
+Places = tuple[float, float]
+
 
 def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
-    """A sentence for every two strips that cross and are not slotted there, on the first place; tabs are left out.
+    """A sentence for every two strips that overlap and are not slotted there, on one place; tabs are left out.
 
+    Of strips that cross it is the first crossing, of strips that lie side by side where they lie deepest.
     Strips that `joints` slot into each other are not asked again.
 
     Examples
@@ -28,7 +38,7 @@ def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tup
     >>> missing_slots([])
     ()
     """
-    return tuple(f"{meeting}: {CURE}" for meeting in _meetings(placed, joints))
+    return tuple(f"{meeting}: {cure}" for meeting, cure in _meetings(placed, joints))
 
 
 def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
@@ -40,39 +50,58 @@ def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -
     ()
     """
     meetings = _meetings(placed, joints)
-    if not meetings:
-        return ()
-    others = len(meetings) - 1
-    more = f" (and {others} more pair{'' if others == 1 else 's'})" if others else ""
-    return (f"{meetings[0]}{more}: {CURE}",)
+    return tuple(f"{meeting}{and_more(meetings, 'pair')}: {cure}" for meeting, cure in meetings[:1])
 
 
-def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[str]:
-    """Of every two strips that run through each other where no slot lets them, the first place."""
+def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[tuple[str, str]]:
+    """Of every two strips that overlap where no slot lets them, a place, and what to do."""
     names = strip_names(placed)
     ruled = [RuledStrip(one.strip.rod.curve, one.frame, _within_edges(one.strip.width)) for one in placed]
+    reach = [strip_thickness(one.strip) / 2 for one in placed]
     slotted = {joint.members for joint in joints}
     found = []
     for i, j in combinations(range(len(placed)), 2):
-        if (i, j) in slotted:
+        if (i, j) in slotted or not ruled[i].may_meet(ruled[j], room=reach[i] + reach[j]):
             continue
-        for crossing in strip_crossings(ruled[i], ruled[j]):
-            _, _, points = crossing.course
-            if points.angle.max() < TOUCHING_RAD or crossing.length < strip_thickness(placed[i].strip):
-                continue
-            if _has_slot(placed[i].strip, points.first[:, 0]) or _has_slot(
-                placed[j].strip, points.second[:, 0]
-            ):
-                continue
-            first, second = points.first[:, 0].mean(), points.second[:, 0].mean()
-            found.append(f"{names[i]} at {first:.1f} mm runs through {names[j]} at {second:.1f} mm")
-            break
+        strips, surfaces = (placed[i].strip, placed[j].strip), (ruled[i], ruled[j])
+        if (places := _crossing(strips, surfaces)) is not None:
+            told = "runs through {} at {:.1f} mm", CURE
+        elif (places := _overlap(strips, surfaces)) is not None:
+            told = "lies in the thickness of {} at {:.1f} mm", CURE_SIDE_BY_SIDE
+        else:
+            continue
+        found.append((f"{names[i]} at {places[0]:.1f} mm {told[0].format(names[j], places[1])}", told[1]))
     return found
+
+
+def _crossing(strips: Pair, surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:
+    """Arc lengths of both strips where they first run through each other at an angle."""
+    for crossing in strip_crossings(*surfaces):
+        _, _, points = crossing.course
+        if points.angle.max() < TOUCHING_RAD or crossing.length < strip_thickness(strips[0]):
+            continue
+        if not _slotted(strips, points.first[:, 0], points.second[:, 0]):
+            return float(points.first[:, 0].mean()), float(points.second[:, 0].mean())
+    return None
+
+
+def _overlap(strips: Pair, surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:
+    """Arc lengths of both strips where they lie side by side in each other's thickness."""
+    first, second = (Slab.of(surface, strip) for surface, strip in zip(surfaces, strips, strict=True))
+    places = flush_overlap(first, second, EDGES_TOUCH_MM)
+    if places is None or _slotted(strips, *(np.array([place]) for place in places)):
+        return None
+    return places
 
 
 def _within_edges(width: Profile) -> Profile:
     """The width without what a file takes off: strips that lie edge to edge then keep apart."""
     return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
+
+
+def _slotted(strips: Pair, first: FloatArray, second: FloatArray) -> bool:
+    """Has either strip a slot at these stations?"""
+    return any(_has_slot(strip, at) for strip, at in zip(strips, (first, second), strict=True))
 
 
 def _has_slot(strip: Strip, stations: FloatArray) -> bool:

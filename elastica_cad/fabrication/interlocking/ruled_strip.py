@@ -65,16 +65,16 @@ class RuledStrip:
         """Unit normals of the surface (n, 3), to the left of the curve, for its tangents (n, 2) in its plane."""
         return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
 
-    def may_meet(self, other: "RuledStrip") -> bool:
-        """False where the strips are clearly apart, as seen in the frame of either."""
-        return self._sees(other) and other._sees(self)
+    def may_meet(self, other: "RuledStrip", room: float = 0.0) -> bool:
+        """False where the strips are clearly apart by more than `room` mm, as seen in the frame of either."""
+        return self._sees(other, room) and other._sees(self, room)
 
-    def _sees(self, other: "RuledStrip") -> bool:
-        """Does a box around the other strip meet this one's, in this one's frame?"""
+    def _sees(self, other: "RuledStrip", room: float) -> bool:
+        """Does a box around the other strip, with room, meet this one's, in this one's frame?"""
         turn = self.frame.axes @ other.frame.axes.T
         box = other._box
         center = self.frame.local(other.frame.point(box.mean(axis=0)))
-        half = np.abs(turn) @ (box[1] - box[0]) / 2
+        half = np.abs(turn) @ (box[1] - box[0]) / 2 + room
         own = self._box
         return bool(np.all(own[0] <= center + half) and np.all(own[1] >= center - half))
 

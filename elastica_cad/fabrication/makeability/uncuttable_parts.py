@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._counts import and_more
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.shop import (
     FILLED_SLOT_MM,
@@ -147,8 +148,10 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
     if not wide:
         return ()
     slot, width, through = max(wide, key=lambda one: one[1] / one[2])
-    more = f" (and {len(wide) - 1} more)" if len(wide) > 1 else ""
-    what = f"the slot for {slot}{more} is {width:.3g} mm wide for a tab of {through:.3g} mm, which it cannot hold"
+    what = (
+        f"the slot for {slot}{and_more(wide)} is {width:.3g} mm wide for a tab of {through:.3g} mm, "
+        "which it cannot hold"
+    )
     cure = "end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures"
     return (Fault(name, what, cure),)
 

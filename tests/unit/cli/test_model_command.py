@@ -315,6 +315,15 @@ def test_the_start_page_shows_and_links_every_file(design, tmp_path):
     assert "kit-nest-1-birch-plywood-0.8: 2 pieces take 8 % of a sheet of 600 by 400 mm." in page
 
 
+def test_the_start_page_of_a_single_strip_counts_one(tmp_path):
+    alone = tmp_path / "alone.toml"
+    alone.write_text(DESIGN.replace("count = 2", "count = 1").split("[base]")[0])
+    assert run("model", alone, "-o", tmp_path / "out", "--no-step", "--no-pictures").exit_code == 0
+    page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    assert "1 strip, 1 different; 1 piece, " in page
+    assert ": 1 piece takes " in page
+
+
 def test_base_and_strips_carry_matching_numbers(design):
     read = read_design(design, ec.read_curves)
     kit = kit_of(read.model(), read.kit)
