@@ -1,6 +1,6 @@
 """The rest shape of a strip whose tabs sit in holders that leave them room."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -124,14 +124,33 @@ def rest_in_seats(
 class Lean:
     """How a holder is shifted, mm, and turned, rad, to the left.
 
-    `tab` are the angles of the tab's pieces at rest times the strip's length, mm, `touching` is the last step, with
-    what touches.
+    `slopes` are those of the tab's pieces at rest, each `piece` mm long, to its left; `touching` is the last step,
+    with what touches.
     """
 
     shift: float
     turn: float
-    tab: FloatArray | None = None
+    slopes: FloatArray
+    piece: float
     touching: QuadraticSolution | None = None
+
+    def touched(self, wall: FloatArray) -> tuple[float, float]:
+        """How far into the tab at rest a wall of the moved holder comes nearest to it, mm, and its slope there.
+
+        Parameters
+        ----------
+        wall : (n, 2) array
+            Places of the wall before it is moved, into the tab and to its left, mm.
+        """
+        into, left = wall.T
+        pieces = max(self.slopes.size, 1)
+        slopes = np.resize(self.slopes, pieces)  # stiff tabs are one straight piece
+        bent = np.append(0.0, np.cumsum(slopes)) * self.piece
+        gaps = (
+            left + self.shift + self.turn * into - np.interp(into, self.piece * np.arange(pieces + 1), bent)
+        )
+        place = float(into[int(np.argmin(np.abs(gaps)))])
+        return place, float(slopes[min(int(place / self.piece), pieces - 1)])
 
 
 def lean_against(
@@ -159,28 +178,28 @@ def lean_against(
         Found in a seat like this one: changes the time only.
     """
     shift = turn = 0.0
-    tab, touching = (None, None) if near is None else (near.tab, near.touching)
+    free = _SeatedEnd(index, seat, tab_stiffness)
+    to_angles = free.way * design.length
+    slopes, touching = (np.zeros(free.pieces), None) if near is None else (near.slopes, near.touching)
     for _ in range(LEAN_STEPS):
-        end = _SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
+        end = replace(free, seat=seat.moved(shift, turn))
         problem = _Held(design, design, (end,))
         load = np.abs(problem.reactions(design)).max()
         if load == 0:
             break
-        q = np.zeros(problem.unknowns)
-        if tab is not None:
-            q[2:] = tab
+        q = np.concatenate([[0.0, 0.0], to_angles * slopes])
         # the strip's load does not change here: what is stiff in its place keeps the first steps short
-        for stiffness in SHORTENING if tab is None else SHORTENING[3:]:
+        for stiffness in SHORTENING if touching is None else SHORTENING[3:]:
             touching = problem.step(q, design, stiffness * load / design.length * np.eye(2), touching)
             q = q + touching.x
             if np.abs(touching.x).max() <= LEAN_SHARE * design.length:
                 break
-        tab = q[2:]
+        slopes = q[2:] / to_angles
         moved, turned = problem.pose(q)
         shift, turn = shift - moved, turn - end.way * turned
         if abs(moved) + abs(turned) * design.length <= LEAN_SHARE * design.length:
             break
-    return Lean(shift, turn, tab, touching)
+    return Lean(shift, turn, slopes, free.piece, touching)
 
 
 def what_leans(
