@@ -16,6 +16,9 @@ from elastica_cad.geometry.paths.segments import Arc, Line
 StripEnd: TypeAlias = Literal["start", "end"]
 ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
 
+SHORTEST_MM = 1e-3
+"""A tab shorter than what files tell apart has corners that solids take for one."""
+
 
 @dataclass(frozen=True)
 class Hole:
@@ -140,6 +143,10 @@ class Tab:
         for name, value in sizes.items():
             if not (is_number(value) and value >= 0):
                 raise InputError(f"tab {name} is {value!r}: it must be 0 mm or more")
+        if 0 < self.length < SHORTEST_MM:
+            raise InputError(
+                f"tab length is {self.length!r}: use 0 for no tab, or {SHORTEST_MM:g} mm or more"
+            )
         if self.width is not None and not (is_number(self.width) and self.width > 0):
             raise InputError(f"tab width is {self.width!r}: it must be positive, in mm")
         if self.corner_radius and self.chamfer:

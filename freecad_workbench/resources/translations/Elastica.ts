@@ -1915,6 +1915,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>tab length is %1: use 0 for no tab, or %2 mm or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
         <translation type="unfinished"></translation>
     </message>

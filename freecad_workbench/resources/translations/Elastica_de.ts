@@ -1919,6 +1919,10 @@
         <translation>die Länge der Lasche ist %1: sie muss 0 mm oder mehr sein</translation>
     </message>
     <message>
+        <source>tab length is %1: use 0 for no tab, or %2 mm or more</source>
+        <translation>die Länge der Lasche ist %1: 0 für keine Lasche nehmen, sonst %2 mm oder mehr</translation>
+    </message>
+    <message>
         <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
         <translation>Geklebte Blätter gehen in Stufen, darum folgt kein Stapel einer gezeichneten Kurve genau: Gib Grenzen oder was bleiben soll (wie keep=Keep()) an, oder rufe nearest_rod auf, dann wird der nächste Stapel gefunden</translation>
     </message>

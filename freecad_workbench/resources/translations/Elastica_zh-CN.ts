@@ -1919,6 +1919,10 @@
         <translation>端片长度为 %1：必须不小于 0 mm</translation>
     </message>
     <message>
+        <source>tab length is %1: use 0 for no tab, or %2 mm or more</source>
+        <translation>端片长度为 %1：不要端片请用 0，否则至少 %2 mm</translation>
+    </message>
+    <message>
         <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
         <translation>胶合叶片的刚度成阶梯变化，因此没有叠层能精确贴合所画曲线：请给出限制或保持条件（如 keep=Keep()），或调用 nearest_rod，即可找到最接近的叠层</translation>
     </message>

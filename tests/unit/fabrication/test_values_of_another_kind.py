@@ -40,6 +40,7 @@ STRIP = Strip(ROD, SHEET, max_width=20)
 
 SLIPS = {
     "tab length is '10'": lambda: Tab("10"),
+    "tab length is 1e-09: use 0 for no tab, or 0.001 mm or more": lambda: Tab(1e-9),
     "tab width is '10'": lambda: Tab(10, width="10"),
     "tab chamfer is": lambda: Tab(10, chamfer=(1, 2)),
     "holes hold 3: give Hole records": lambda: Tab(10, holes=3),
