@@ -155,6 +155,51 @@ def test_what_failed_is_hidden_when_its_sketch_is_closed(document, standing, dra
     assert in_sight([near, other]) == [True, True]
 
 
+def test_the_strips_of_a_model_that_fails_come_into_sight(document, standing, spline_geometry):
+    """Nothing was left in sight, so nobody could see which strips stand wrong."""
+    first, second = standing
+    made = model.create(document, standing)
+    document.recompute()
+    for one in standing:
+        one.Visibility = False
+    place = second.Curve[0].Placement
+    second.Curve[0].Placement = first.Curve[0].Placement  # one within the other
+    document.recompute()
+    assert "touch" in made.getStatusString()
+    assert made.Reports == [made.getStatusString()], "not those of before"
+    assert in_sight([made, *standing]) == [False, True, True]
+    first.Visibility = False  # the user looks at the other one
+    made.Clearance = 0.2
+    document.recompute()
+    assert in_sight([made, *standing]) == [False, False, True]
+    second.Curve[0].Placement = place
+    document.recompute()
+    assert in_sight([made, *standing]) == [True, False, False]
+    good = first.Curve[0].Geometry[0]
+    first.Curve[0].Geometry = []
+    document.recompute()
+    assert in_sight([made, *standing]) == [False, False, True], "what is wrong with one is told of that one"
+    second.Curve[0].Placement = first.Curve[0].Placement
+    first.Curve[0].Geometry = [good]
+    document.recompute()
+    assert in_sight([made, *standing]) == [False, True, True], "made, and inside the other"
+    second.Curve[0].Placement = place
+    second.Visibility = True
+    document.recompute()
+    assert in_sight([made, *standing]) == [True, False, False]
+
+
+def test_a_strip_that_another_model_shows_stays_hidden(document, standing):
+    made = [model.create(document, standing), model.create(document, standing, interlock=False)]
+    document.recompute()
+    for one in standing:
+        one.Visibility = False
+    made[0].Above = App.Vector(0, 0, 1)
+    standing[1].Curve[0].Placement = standing[0].Curve[0].Placement
+    document.recompute()
+    assert in_sight([*made, *standing]) == [False, True, False, False]
+
+
 def test_strips_that_touch_are_refused_in_words(document, crossing):
     crossing[1].Curve = crossing[0].Curve
     made = model.create(document, crossing)

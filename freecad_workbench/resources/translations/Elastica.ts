@@ -368,6 +368,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Shown until its model can be made again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Tells the request that the shape was made from</source>
         <translation type="unfinished"></translation>
     </message>

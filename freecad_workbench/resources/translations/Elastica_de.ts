@@ -372,6 +372,10 @@
         <translation>Verborgen, bis es sich wieder herstellen lässt</translation>
     </message>
     <message>
+        <source>Shown until its model can be made again</source>
+        <translation>Sichtbar, bis sich das Modell wieder herstellen lässt</translation>
+    </message>
+    <message>
         <source>Tells the request that the shape was made from</source>
         <translation>Sagt, aus welcher Anfrage die Form entstand</translation>
     </message>

@@ -372,6 +372,10 @@
         <translation>隐藏直至可再次制成</translation>
     </message>
     <message>
+        <source>Shown until its model can be made again</source>
+        <translation>显示直至其模型可再次制成</translation>
+    </message>
+    <message>
         <source>Tells the request that the shape was made from</source>
         <translation>记录生成形状的请求</translation>
     </message>

@@ -39,8 +39,12 @@ class InterlockCommand(Command):
         for part in flat.flats_of(strips):
             record_value(part, "Model", made)
         record_recompute(App.ActiveDocument)
-        for strip in strips if not why_not_made(made) else ():  # else there is nothing in their place
-            record_value(strip, "Visibility", False)
+        failed = bool(why_not_made(made))
+        for strip in strips:
+            if not failed:
+                record_value(strip, "Visibility", False)
+            elif strip.Visibility:  # there is nothing in their place until it can be made
+                record_value(strip, "ShownByError", True)
         show_panel(panel_of, made)
 
 

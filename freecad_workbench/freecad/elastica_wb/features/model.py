@@ -20,7 +20,7 @@ from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 from freecad.elastica_wb.solving.strip_cache import bent_shape
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -59,6 +59,15 @@ class ModelFeature(Feature):
         model = model_of(obj)
         obj.Shape = Part.Compound(solids_of(model, container(obj).inverse()))
         put(obj, Joints=len(model.joints), Reports=[worded(report) for report in model.reports])
+
+    def failed(self, obj: Any, error: ElasticaError) -> None:
+        """No results of before; the strips come into sight, where what is wrong is seen."""
+        put(obj, Joints=0, Reports=[worded(str(error))])
+        super().failed(obj, error)
+
+    def covered(self, obj: Any) -> list[Any]:
+        """The strips, which have no slots."""
+        return [one for one in obj.Strips if is_strip(one)]
 
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:

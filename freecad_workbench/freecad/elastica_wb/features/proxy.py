@@ -26,6 +26,17 @@ HIDDEN_BY_ERROR = Property(
 )
 """What fails keeps its last good shape, and so does all that is made from it: FreeCAD recomputes none of that."""
 
+SHOWN_BY_ERROR = Property(
+    "Bool",
+    "ShownByError",
+    "Result",
+    "Shown until its model can be made again",
+    False,
+    result=True,
+    hidden=True,
+)
+"""What a model stands for is shown while that cannot be made: else nothing is in sight that says what is wrong."""
+
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
 
@@ -52,7 +63,7 @@ class Feature:
     def ensure(self, obj: Any) -> None:
         """Add what is missing; the choice of sheets is that of today."""
         known = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
-        ensure(obj, (*self.properties, HIDDEN_BY_ERROR))
+        ensure(obj, (*self.properties, HIDDEN_BY_ERROR, SHOWN_BY_ERROR))
         for name in self.sheets:
             chosen = known.get(name) or preferences.default_sheet()
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
@@ -123,6 +134,10 @@ class Feature:
         """Tell in the results what went wrong; the last good shape goes out of sight."""
         hide(obj)
 
+    def covered(self, _obj: Any) -> list[Any]:
+        """The features that are out of sight because this one shows them."""
+        return []
+
     def dumps(self) -> None:
         """Nothing to save."""
 
@@ -146,11 +161,21 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
 
 
 def hide(obj: Any) -> None:
-    """Hide what failed, and all that is made from it: their shapes are not what they ask for."""
-    for one in _with_users(obj):
-        if isinstance(getattr(one, "Proxy", None), Feature) and one.Visibility:
+    """Hide what failed, and all that is made from it: their shapes are not what they ask for.
+
+    What they stand for and is well comes into sight.
+    """
+    failed = _with_users(obj)
+    ours = [one for one in failed if isinstance(getattr(one, "Proxy", None), Feature)]
+    for one in ours:
+        if one.Visibility:
             one.HiddenByError = True
             one.Visibility = False
+    for part in (part for one in ours if one.HiddenByError for part in one.Proxy.covered(one)):
+        well = part not in failed and "Invalid" not in part.State
+        if well and not (part.Visibility or part.ShownByError or _covering(part)):
+            part.ShownByError = True
+            part.Visibility = True
 
 
 def hide_failed(source: Any) -> None:
@@ -174,6 +199,16 @@ def _show_again(obj: Any) -> None:
     if obj.HiddenByError:
         obj.HiddenByError = False
         obj.Visibility = True
+        for part in obj.Proxy.covered(obj):
+            if part.ShownByError:
+                part.ShownByError = False
+                part.Visibility = False
+
+
+def _covering(part: Any) -> list[Any]:
+    """What is in sight and stands for a feature."""
+    users = (one for one in part.InList if isinstance(getattr(one, "Proxy", None), Feature))
+    return [one for one in users if one.Visibility and part in one.Proxy.covered(one)]
 
 
 def parents(source: Any) -> list[Any]:

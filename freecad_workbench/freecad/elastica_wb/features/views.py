@@ -88,6 +88,7 @@ class ModelView(_View):
                 isinstance(_view_of(user), ModelView) for user in strip.InList if user is not self.Object
             ):
                 strip.HiddenByError = "Invalid" in strip.State
+                strip.ShownByError = False
                 strip.Visibility = not strip.HiddenByError
         return True
 

@@ -23,7 +23,7 @@ from freecad.elastica_wb.live.sketches import (
 )
 
 WORKBENCH = "ElasticaWorkbench"
-SEEN_ONLY = ("Visibility", "HiddenByError", "Label")
+SEEN_ONLY = ("Visibility", "HiddenByError", "ShownByError", "Label")
 """Properties that nothing is made from."""
 _installed: list[Any] = []
 

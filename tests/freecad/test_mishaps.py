@@ -1,0 +1,18 @@
+"""What a person meets who makes mistakes, in a real window with a real mouse."""
+
+import importlib.util
+from pathlib import Path
+
+_spec = importlib.util.spec_from_file_location("freecad_launching", Path(__file__).with_name("launching.py"))
+launching = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(launching)
+
+
+def test_what_goes_wrong_is_in_sight_and_is_undone(tmp_path):
+    found = launching.run_window("mishaps.py", tmp_path)
+    lying = {"Strip flat", "Strip001 flat"}
+    failing = {"Strip": True, "Strip001": True, "Model": False} | dict.fromkeys(lying, False)
+    standing = {name: not shown for name, shown in failing.items()}
+    assert "touch along a line" in found["told in the panel"]
+    assert found["made in error"] == found["within again"] == failing
+    assert found["apart"] == found["undone"] == standing
