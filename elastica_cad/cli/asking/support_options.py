@@ -1,15 +1,16 @@
 """Options for what holds the ends of a strip, and for the shape that it has before it is bent."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import click
 
 from elastica_cad.cli.asking.asked_curves import asked_curves
 from elastica_cad.cli.asking.options import join_options
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
+from elastica_cad.mechanics.loads.supports import EndName
 
-END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
+END_NAMES = get_args(EndName)
 
 
 class _Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2

@@ -2,6 +2,7 @@
 
 import csv
 from importlib.util import find_spec
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -91,7 +92,7 @@ def batten(**chosen: Any) -> None:
             way: dict(zip(("camber", "camber_place"), made.camber_with_weight(bulging=way), strict=True))
             for way in ("up", "down")
         }
-    written = _write(made, name, stations, report, chosen)
+    written = _write(made.strip, made.drawing(stations), _rows(report["table"]), report, chosen)
     answer({"batten": report})
     _tell(made, table)
     for way, told in report.get("camber_with_weight", {}).items():
@@ -120,16 +121,14 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
             for name, leaf in zip(section.names, leafed.leaves, strict=True)
         ],
     }  # fmt: skip
-    written = _write_leaves(strip, report, chosen)
+    stack = LeafStack(strip)
+    written = _write(strip, stack.drawing, stack.cut_list.csv, report, chosen)
     answer({"batten": report})
     say(
         f"{strip.label}: {rod.length:.1f} mm, {chosen['leaves']} leaves of {strip.sheet.thickness:.4g} mm: camber "
         f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord, {leafed.deviation:.2g} mm off the planed one"
     )
-    say(
-        f"end force {force:.3g} N, {strip.mass:.4g} g, largest strain {100 * strip.max_strain:.2f} % at "
-        f"{strip.max_strain_at:.0f} mm ({strip.sheet.name} bears {100 * strip.strain_limit:.2f} %)"
-    )
+    _tell_load(strip, force)
     say(f"{'leaf':>5} {'from mm':>9} {'to mm':>9} {'length mm':>10} {'inch':>8}")
     for name, leaf in zip(section.names, leafed.leaves, strict=True):
         inch = leaf.length / MM_PER_INCH
@@ -141,44 +140,11 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     _tell_files(written)
 
 
-def _write_leaves(strip: Strip, report: dict[str, Any], chosen: dict[str, Any]) -> list[Path]:
-    """Cut list, pattern, print, bodies and numbers, or none of them."""
-    name, folder, stack = strip.label, chosen["output"], LeafStack(strip)
-    kinds = _kinds()
-    with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:
-        write_text(workshop / f"{name}.csv", stack.cut_list.csv)
-        write_json(workshop / f"{name}.json", report)
-        _write_drawn(strip, stack.drawing, workshop / name, kinds, chosen)
-    return [folder / f"{name}.{kind}" for kind in kinds]
-
-
-def _kinds() -> list[str]:
-    """Of the files that the installed libraries allow."""
-    more = {"pdf": find_spec("matplotlib") is not None, "step": not step_trouble()}
-    return ["csv", "svg", "dxf", "json", *(kind for kind, possible in more.items() if possible)]
-
-
 def _tell_files(written: list[Path]) -> None:
     """What was written, after what could not be."""
     for missing in left_out(pictures=False, paper=True):
         say(missing)
     wrote(written)
-
-
-def _write_drawn(
-    strip: Strip, drawing: Drawing, path: Path, kinds: list[str], chosen: dict[str, Any]
-) -> None:
-    """The drawing for cutters and on paper, and the bodies."""
-    for kind in ("svg", "dxf"):
-        save(drawing, path.with_name(f"{path.name}.{kind}"))
-    if "pdf" in kinds:
-        from elastica_cad.plot.template_pages import save_template
-
-        save_template(drawing, path.with_name(f"{path.name}.pdf"), paper=chosen["paper"])
-    if "step" in kinds:
-        from elastica_cad.kernel.step_files import write_strip_step
-
-        write_strip_step(strip, path.with_name(f"{path.name}.step"))
 
 
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
@@ -223,22 +189,37 @@ def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def _rows(table: dict[str, list[float | None]]) -> str:
+    """The table as comma-separated text, with empty cells for what is infinite."""
+    text = StringIO()
+    rows = csv.writer(text)
+    rows.writerow(table)
+    for row in zip(*table.values(), strict=True):
+        rows.writerow(["" if value is None else f"{value:.6g}" for value in row])
+    return text.getvalue()
+
+
 def _write(
-    made: Batten, name: str, stations: FloatArray, report: dict[str, Any], chosen: dict[str, Any]
+    strip: Strip, drawing: Drawing, rows: str, report: dict[str, Any], chosen: dict[str, Any]
 ) -> list[Path]:
-    """All files that the installed libraries allow, or none."""
-    kinds = _kinds()
-    folder: Path = chosen["output"]
-    drawing = made.drawing(stations)
-    with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:
-        with (workshop / f"{name}.csv").open("w", newline="", encoding="utf-8") as file:
-            rows = csv.writer(file)
-            rows.writerow(report["table"])
-            for row in zip(*report["table"].values(), strict=True):
-                rows.writerow(["" if value is None else f"{value:.6g}" for value in row])
-        write_json(workshop / f"{name}.json", report)
-        _write_drawn(made.strip, drawing, workshop / name, kinds, chosen)
-    return [folder / f"{name}.{kind}" for kind in kinds]
+    """Table, numbers, drawing, print and bodies: all that the installed libraries allow, or none."""
+    more = {"pdf": find_spec("matplotlib") is not None, "step": not step_trouble()}
+    kinds = ["csv", "svg", "dxf", "json", *(kind for kind, possible in more.items() if possible)]
+    files = {kind: f"{chosen['name']}.{kind}" for kind in kinds}
+    with write_together(chosen["output"], files.values(), force=chosen["force"]) as workshop:
+        write_text(workshop / files["csv"], rows)
+        write_json(workshop / files["json"], report)
+        for kind in ("svg", "dxf"):
+            save(drawing, workshop / files[kind])
+        if "pdf" in files:
+            from elastica_cad.plot.template_pages import save_template
+
+            save_template(drawing, workshop / files["pdf"], paper=chosen["paper"])
+        if "step" in files:
+            from elastica_cad.kernel.step_files import write_strip_step
+
+            write_strip_step(strip, workshop / files["step"])
+    return [chosen["output"] / file for file in files.values()]
 
 
 def _tell(made: Batten, table: dict[str, FloatArray]) -> None:
@@ -251,12 +232,15 @@ def _tell(made: Batten, table: dict[str, FloatArray]) -> None:
         f"{made.spec.label}: {made.spec.length:.1f} mm{lying}, between ends {made.chord:.1f} mm apart: camber "
         f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
     )
-    strip = made.strip
-    say(
-        f"end force {made.end_force:.3g} N, {strip.mass:.4g} g, largest strain {100 * strip.max_strain:.2f} % at "
-        f"{strip.max_strain_at:.0f} mm ({strip.sheet.name} bears {100 * strip.strain_limit:.2f} %)"
-    )
+    _tell_load(made.strip, made.end_force)
     say(f"{'mm':>9} {'inch':>8} {quantity + ' mm':>13} {'inch':>7} {'strain %':>9} {'safety':>7}")
     for s, s_inch, size, inch, strain, safety in zip(*table.values(), strict=True):
         told = f"{safety:7.2f}" if np.isfinite(safety) else f"{'-':>7}"
         say(f"{s:9.1f} {s_inch:8.3f} {size:13.2f} {inch:7.4f} {100 * strain:9.3f} {told}")
+
+
+def _tell_load(strip: Strip, end_force: float) -> None:
+    say(
+        f"end force {end_force:.3g} N, {strip.mass:.4g} g, largest strain {100 * strip.max_strain:.2f} % at "
+        f"{strip.max_strain_at:.0f} mm ({strip.sheet.name} bears {100 * strip.strain_limit:.2f} %)"
+    )
