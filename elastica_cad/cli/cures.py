@@ -19,7 +19,7 @@ from elastica_cad.cli.running.design_mends import mends
 from elastica_cad.cli.running.typed_command import TRYING, command_line
 from elastica_cad.errors import ElasticaError
 from elastica_cad.files import read_drawing
-from elastica_cad.formats.design_files.reshaping import CORNERS, box_around
+from elastica_cad.formats.design_files.reshaping import CORNERS, box_around_curves
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 Words: TypeAlias = tuple[str, ...]
@@ -271,7 +271,7 @@ def _handled(refused: _Refused) -> Iterator[Words]:
         return
     if not curves:  # the one that was asked for is not there
         return
-    (left, low), (right, high) = box_around(curves)
+    (left, low), (right, high) = box_around_curves(curves)
     home = dict(zip(CORNERS, ((left, low), (right, low), (right, high), (left, high)), strict=True))
     places = {name: asked[name] for name in CORNERS if asked[name] is not None}
     handles = asked["handles"]

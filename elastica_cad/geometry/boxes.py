@@ -16,6 +16,17 @@ def box_about(points: FloatArray) -> FloatArray:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
+def box_around(boxes: FloatArray) -> FloatArray:
+    """The box (2, d) about boxes (n, 2, d).
+
+    Examples
+    --------
+    >>> box_around(np.array([[[0, 1], [2, 3]], [[1, 0], [3, 2]]])).tolist()
+    [[0, 0], [3, 3]]
+    """
+    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+
+
 def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
     """Do boxes (..., 2, d) overlap or touch?
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.curve_derivatives import cross, norm
 from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.many_segments import ManySegments
 from elastica_cad.geometry.paths.path import Path
@@ -139,7 +140,7 @@ def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment])
     chord, bulge = arc.end - arc.start, arc.at(0.5) - arc.start
     way = np.sign(chord[0] * bulge[1] - chord[1] * bulge[0])
     x, y = (points - arc.start).T
-    clear = _length(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius
+    clear = norm(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius
     return bool(np.all(clear & (way * (chord[0] * y - chord[1] * x) > 0)))
 
 
@@ -168,7 +169,7 @@ def _corners(
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
     side = (radius * np.sign(turn))[:, None]
     reach = radius * np.tan(np.abs(turn) / 2)
-    x = np.column_stack([1 - reach / _length(s), reach / _length(t)])
+    x = np.column_stack([1 - reach / norm(s), reach / norm(t)])
     x = np.minimum(np.maximum(x, 0.0), 1.0)
     open_ = np.arange(before.size)
     ends = np.zeros((4, before.size, 2))
@@ -208,21 +209,17 @@ def _corners(
 
 def _turn(s: FloatArray, t: FloatArray) -> FloatArray:
     """Angles (n,) from directions s to directions t (n, 2)."""
-    return np.asarray(np.arctan2(s[:, 0] * t[:, 1] - s[:, 1] * t[:, 0], (s * t).sum(axis=1)))
-
-
-def _length(v: FloatArray) -> FloatArray:
-    return np.asarray(np.hypot(v[:, 0], v[:, 1]))
+    return np.asarray(np.arctan2(cross(s, t), (s * t).sum(axis=1)))
 
 
 def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
     """Points (n, 2) moved to the left of their velocities by distances (n, 1)."""
     left = np.column_stack([-velocities[:, 1], velocities[:, 0]])
-    return np.asarray(points + distance * left / _length(velocities)[:, None], dtype=float)
+    return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
 
 
 def _size(segment: Segment) -> float:
     """mm, of a spline not less than its length."""
     if isinstance(segment, Spline):
-        return float(_length(np.diff(segment.curve.control_points, axis=0)).sum())
+        return float(norm(np.diff(segment.curve.control_points, axis=0)).sum())
     return segment.length

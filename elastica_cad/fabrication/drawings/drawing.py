@@ -10,6 +10,7 @@ from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
+from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import is_similarity, transform_points
@@ -104,8 +105,7 @@ class Drawing:
         """
         if not self.strokes:
             raise InputError(f"the drawing {self.name!r} is empty: it has neither paths nor texts")
-        corners = np.array([item.path.bounds for item in self.strokes])
-        return np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
+        return box_around(np.array([item.path.bounds for item in self.strokes]))
 
     def on(self, *layers: str) -> tuple[Path, ...]:
         """The paths (without texts) on the named layers."""

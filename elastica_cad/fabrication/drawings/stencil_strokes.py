@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment
 
@@ -173,8 +174,7 @@ def _box(segment: Line | Arc) -> FloatArray:
     """Least and largest x and y of a line, or of the circle of an arc."""
     if isinstance(segment, Arc):
         return np.array([segment.center - segment.radius, segment.center + segment.radius])
-    ends = np.array([segment.start, segment.end])
-    return np.array([ends.min(axis=0), ends.max(axis=0)])
+    return box_about(np.array([segment.start, segment.end]))
 
 
 def _long(pieces: Sequence[Line | Arc], whole: Line | Arc, width: float) -> list[Line | Arc]:

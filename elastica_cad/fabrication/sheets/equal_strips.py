@@ -12,6 +12,7 @@ from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
@@ -214,7 +215,4 @@ def _off(segment: Segment, points: FloatArray) -> FloatArray:
 
 def _box(segment: Segment) -> FloatArray:
     """A box around a segment, of its control points where it is a spline."""
-    if not isinstance(segment, Spline):
-        return segment.bounds
-    p = segment.curve.control_points
-    return np.array([p.min(axis=0), p.max(axis=0)])
+    return box_about(segment.curve.control_points) if isinstance(segment, Spline) else segment.bounds

@@ -18,6 +18,7 @@ from elastica_cad.fabrication.slots.mating_marks import end_numbers
 from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.paths.many_segments import total_length
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -74,8 +75,7 @@ class Piece:
     @cached_property
     def bounds(self) -> FloatArray:
         """[[x_min, y_min], [x_max, y_max]] of the outer cuts, mm, exact; all else lies inside."""
-        corners = np.array([path.bounds for path in self.drawing.on(CUT_OUTER)])
-        return np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
+        return box_around(np.array([path.bounds for path in self.drawing.on(CUT_OUTER)]))
 
     @property
     def size(self) -> tuple[float, float]:

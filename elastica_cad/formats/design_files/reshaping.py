@@ -8,6 +8,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 
@@ -15,10 +16,9 @@ CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 """Handles of the box around the drawn curves, by name."""
 
 
-def box_around(curves: Sequence[PlaneCurve]) -> FloatArray:
+def box_around_curves(curves: Sequence[PlaneCurve]) -> FloatArray:
     """Lower left and upper right corner (2, 2) of the box around curves, mm."""
-    bounds = np.array([curve.bounds for curve in curves])
-    return np.array([bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)])
+    return box_around(np.array([curve.bounds for curve in curves]))
 
 
 def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
@@ -39,7 +39,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
     for name in places:
         if name not in CORNERS:
             raise InputError(f"a box has no corner {name!r}: use {', '.join(CORNERS)}")
-    (left, low), (right, high) = box_around(curves)
+    (left, low), (right, high) = box_around_curves(curves)
     if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
         raise InputError(
             f"the box around the curve measures {right - left:.4g} by {high - low:.4g} mm: too thin for handles "

@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.continuity import in_millimetres, refuse_standstill
 from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, quotient
 from elastica_cad.geometry.curves.projective_maps import keeps_shape, map_spline
@@ -282,8 +283,7 @@ class NurbsCurve:
     @cached_property
     def bounds(self) -> FloatArray:
         """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
-        points = self.evaluate(self._pieces.stationary())
-        return np.array([points.min(axis=0), points.max(axis=0)])
+        return box_about(self.evaluate(self._pieces.stationary()))
 
     @cached_property
     def _pieces(self) -> RationalPieces:

@@ -9,8 +9,10 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.boxes import box_about
+from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.spline_table import SplineTable, swept
+from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 _FLATTEST_MM = 1e-7
@@ -171,8 +173,7 @@ class Arc:
         low, high = sorted((self.start_angle, self.end_angle))
         quarter = np.pi / 2
         poles = quarter * np.arange(np.ceil(low / quarter), np.floor(high / quarter) + 1)
-        points = self._on(np.array([low, high, *poles]))
-        return np.array([points.min(axis=0), points.max(axis=0)])
+        return box_about(self._on(np.array([low, high, *poles])))
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Points (..., 2) at u in [0, 1], uniform in arc length."""
@@ -306,7 +307,7 @@ class Spline:
         half = np.diff(knots)[:, None] / 2
         t = (knots[:-1, None] + half * (1 + x)).ravel()
         p, d = self.curve.position_and_velocity(t)
-        return float(0.5 * np.sum((half * w).ravel() * swept(p - origin, d)))
+        return float(0.5 * np.sum((half * w).ravel() * cross(p - origin, d)))
 
     def reversed(self) -> "Spline":
         """The spline run the other way."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.curves.arc_length import arc_lengths
-from elastica_cad.geometry.curves.curve_derivatives import quotient
+from elastica_cad.geometry.curves.curve_derivatives import cross, quotient
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
@@ -116,7 +116,7 @@ class SplineTable:
         which = np.repeat(row, x.size)
         point, velocity = self.motion(which, u.ravel())
         origin = origin[which] if origin.ndim > 1 else origin
-        shares = ((half / size)[:, None] * weight).ravel() * swept(point - origin, velocity)
+        shares = ((half / size)[:, None] * weight).ravel() * cross(point - origin, velocity)
         return np.asarray(0.5 * np.bincount(which, shares, minlength=len(self.curves)), dtype=float)
 
     def trimmed(self, start: FloatArray, end: FloatArray) -> list[PlaneCurve]:
@@ -141,11 +141,6 @@ class SplineTable:
         nearest = gap.argmin(axis=1)[:, None]
         near = np.take_along_axis(gap, nearest, axis=1)[:, 0] <= SAME_KNOT * np.ptp(self.domain, axis=1)
         return np.where(near, np.take_along_axis(self.knots, nearest, axis=1)[:, 0], t)
-
-
-def swept(arm: FloatArray, velocity: FloatArray) -> FloatArray:
-    """Twice the area (n,) that arms (n, 2) sweep per unit of the parameter."""
-    return np.asarray(arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0])
 
 
 def _de_boor(
