@@ -35,6 +35,19 @@ def is_whole(value: object) -> TypeGuard[int]:
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
+def require_positive(value: object, what: str, unit: str = "mm") -> None:
+    """Refuse what is no finite number above 0.
+
+    Raises
+    ------
+    InputError
+        `what` names the value.
+    """
+    if not (is_number(value) and value > 0):
+        told = repr(value) if isinstance(value, str) else value
+        raise InputError(f"{what} is {told}: it must be positive, in {unit}")
+
+
 def require_path(path: object) -> Path:
     """The path that a user named.
 

@@ -8,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
-from elastica_cad._values import is_number, several
+from elastica_cad._values import require_positive, several
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.asked_gravity import (
     AskedGravity,
@@ -160,8 +160,8 @@ class StripSpec(EqualByValue):
             raise InputError(f"frame is {self.frame!r}: give a Frame, the plane of the curve, or None")
         for name in ("max_width", "min_width"):
             width = getattr(self, name)
-            if width is not None and not (is_number(width) and width > 0):
-                raise InputError(f"{name} is {width!r}: it must be positive, in mm")
+            if width is not None:
+                require_positive(width, name)
         require_style(self.style)
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.geometry.paths.path import Path
@@ -41,9 +42,7 @@ class HoldingTabs:
 
     def __post_init__(self) -> None:
         for name in ("width", "spacing"):
-            value = getattr(self, name)
-            if not (np.isfinite(value) and value > 0):
-                raise InputError(f"holding tab {name} is {value}: it must be positive, in mm")
+            require_positive(getattr(self, name), f"holding tab {name}")
         if self.least < 1 or self.least != int(self.least):
             raise InputError(f"holding tabs: least is {self.least}, give a whole number from 1")
 

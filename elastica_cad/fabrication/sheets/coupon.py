@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -74,8 +75,7 @@ def coupon_drawing(
     """
     free = coupon_overhang(sheet) if overhang is None else overhang
     for value, name in ((free, "overhang"), (width, "width"), (clamp, "clamp")):
-        if not (np.isfinite(value) and value > 0):
-            raise InputError(f"coupon {name} is {value}: it must be positive, in mm")
+        require_positive(value, f"coupon {name}")
     if free < 2 * TICK_MM:
         raise InputError(
             f"a coupon of {free:g} mm overhang is too short for its scale: use {2 * TICK_MM:g} mm or more"
@@ -117,8 +117,7 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
     [[0.0, 0.0], [100.0, 10.0]]
     """
     for value, name in ((length, "length"), (width, "width")):
-        if not (np.isfinite(value) and value > 0):
-            raise InputError(f"reference bar {name} is {value}: it must be positive, in mm")
+        require_positive(value, f"reference bar {name}")
     figure, height = f"{length:g} mm", 0.4 * width
     if text_width(figure, height) > 0.9 * length:
         raise InputError(f"a reference bar of {length:g} by {width:g} mm is too short for its figures")

@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.bent_boundary import BoundaryMaker, Map
 from elastica_cad.fabrication.solids.bent_map import BentMap, bent_maps
@@ -81,8 +82,7 @@ class FlatSolid:
     joints: Mapping[str, Frame] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.thickness) and self.thickness > 0):
-            raise InputError(f"plate thickness is {self.thickness}: it must be positive, in mm")
+        require_positive(self.thickness, "plate thickness")
         if not all(path.closed for path in (self.outline, *self.holes)):
             raise InputError("a plate is made of closed loops: one of the paths given is open")
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_positive
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.strip.styles import (
     Backing,
@@ -66,8 +66,7 @@ class Laminated:
     def __post_init__(self) -> None:
         if isinstance(self.backing, str):
             object.__setattr__(self, "backing", Sheet.named(self.backing))
-        if not (is_number(self.least_backing) and self.least_backing > 0):
-            raise InputError(f"least_backing is {self.least_backing!r}: it must be positive, in mm")
+        require_positive(self.least_backing, "least_backing")
         if not (is_number(self.dots) and self.dots >= 0):
             raise InputError(f"dots are {self.dots!r} mm across: give a diameter, 0 for none")
 

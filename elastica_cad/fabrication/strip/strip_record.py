@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.holding.lap_joint import closes
@@ -126,8 +126,8 @@ class Strip:
         require_style(self.style)
         for name in ("max_width", "min_width"):
             value = getattr(self, name)
-            if value is not None and not (is_number(value) and value > 0):
-                raise InputError(f"{name} is {value!r}: it must be positive, in mm")
+            if value is not None:
+                require_positive(value, name)
         printable(self.label, "the label")
         object.__setattr__(self, "creep", require_creep(self.creep))
         if self.is_closed:

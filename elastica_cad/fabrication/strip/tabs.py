@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, several
+from elastica_cad._values import is_number, require_positive, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line
@@ -147,8 +147,8 @@ class Tab:
             raise InputError(
                 f"tab length is {self.length!r}: use 0 for no tab, or {SHORTEST_MM:g} mm or more"
             )
-        if self.width is not None and not (is_number(self.width) and self.width > 0):
-            raise InputError(f"tab width is {self.width!r}: it must be positive, in mm")
+        if self.width is not None:
+            require_positive(self.width, "tab width")
         if self.corner_radius and self.chamfer:
             raise InputError("a tab has either a corner radius or a chamfer, not both")
         if self.taper and (self.corner_radius or self.chamfer):

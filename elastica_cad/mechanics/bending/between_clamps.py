@@ -9,7 +9,7 @@ from math import radians
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -135,8 +135,7 @@ def elastica_between(
     if side not in (1, -1):
         raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
     if end is None:
-        if not (np.isfinite(length) and length > 0):
-            raise InputError(f"length is {length}: it must be positive, in mm")
+        require_positive(length, "length")
         if near is None:
             raise InputError(
                 "a strip whose end is free turns about its start: give the angle of a clamp there"

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
@@ -167,8 +168,7 @@ def anticlastic_widths(
         raise InputError(f"stiffness {K.shape} and curvature {kappa.shape} must be rows of the same length")
     if not (np.all(np.isfinite(K)) and np.all(K > 0)):
         raise InputError(f"stiffness is not positive at station {int(np.argmin(np.nan_to_num(K, nan=-1.0)))}")
-    if not (np.isfinite(max_width) and max_width > 0):
-        raise InputError(f"max_width is {max_width}: it must be positive, in mm")
+    require_positive(max_width, "max_width")
 
     # every station could be the widest one: the scale c is the largest that keeps them all within max_width
     widest = max_width * anticlastic_factor(max_width, kappa, thickness=h, poisson_ratio=nu)
@@ -275,8 +275,7 @@ class WidthLaw:
 
 
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
-    if not (np.isfinite(thickness) and thickness > 0):
-        raise InputError(f"thickness is {thickness}: it must be positive, in mm")
+    require_positive(thickness, "thickness")
     if not (np.isfinite(poisson_ratio) and 0 <= poisson_ratio < 1):
         raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1")
     return float(thickness), float(poisson_ratio)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -125,7 +126,7 @@ class PolynomialLaw(MaterialLaw):
         for name in ("quadratic", "quartic"):
             if not np.isfinite(getattr(self, name)):
                 raise InputError(f"{name} coefficient of the law is {getattr(self, name)}: it must be finite")
-        _require_positive(self.curvature_scale, "curvature scale")
+        require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
@@ -174,7 +175,7 @@ class PlasticLaw(MaterialLaw):
     curvature_limit: float
 
     def __post_init__(self) -> None:
-        _require_positive(self.curvature_limit, "curvature limit")
+        require_positive(self.curvature_limit, "the law's curvature limit", "1/mm")
 
     @classmethod
     def of(cls, sheet: Sheet) -> "PlasticLaw":
@@ -236,7 +237,7 @@ class ElasticPlasticLaw(MaterialLaw):
     curvature_limit: float
 
     def __post_init__(self) -> None:
-        _require_positive(self.curvature_limit, "curvature limit")
+        require_positive(self.curvature_limit, "the law's curvature limit", "1/mm")
 
     @classmethod
     def of(cls, sheet: Sheet) -> "ElasticPlasticLaw":
@@ -381,8 +382,3 @@ class TabulatedLaw(MaterialLaw):
     @property
     def _end_slope(self) -> float:
         return float(self._curve(self.curvatures[-1], 1))
-
-
-def _require_positive(value: float, name: str) -> None:
-    if not (np.isfinite(value) and value > 0):
-        raise InputError(f"the law's {name} is {value}: it must be positive, in 1/mm")

@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -168,13 +169,12 @@ class Rod:
         supports = require_supports(supports)
         if samples is not None:
             whole_number(samples, "samples", 3)
-        if bending_stiffness is not None and not (np.isfinite(bending_stiffness) and bending_stiffness > 0):
-            raise InputError(f"bending stiffness is {bending_stiffness}: it must be positive, in N mm2")
+        if bending_stiffness is not None:
+            require_positive(bending_stiffness, "bending stiffness", "N mm2")
         place = np.asarray(start, dtype=float)
         if place.shape != (2,):
             raise InputError(f"start must be two numbers, mm, got {start!r}")
-        if not (np.isfinite(length) and length > 0):
-            raise InputError(f"rod length is {length}: it must be positive, in mm")
+        require_positive(length, "rod length")
         profile, n = _profile_of(stiffness, length, samples)
         lowest, _ = profile.extremes
         if lowest <= 0:

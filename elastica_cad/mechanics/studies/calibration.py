@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -94,7 +95,7 @@ class Calibration:
         if (max_strain is None) == (least_radius is None):
             raise InputError("give either max_strain or least_radius: how far the sheet can be bent")
         if least_radius is not None:
-            _require(least_radius, "least radius", "mm")
+            require_positive(least_radius, "least radius", "mm")
             max_strain = self.thickness / (2 * least_radius)
         spread = 2 * (self.youngs_modulus_uncertainty or 0.0)
         limits: Range = (max(0.0, self.youngs_modulus - spread), self.youngs_modulus + spread)
@@ -136,8 +137,8 @@ def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
     >>> round(cantilever_droop(100.0, 100.0), 3)  # w L^3 / E I = 1
     12.347
     """
-    _require(overhang, "overhang", "mm")
-    _require(elasto_gravity_length, "elasto-gravity length", "mm")
+    require_positive(overhang, "overhang", "mm")
+    require_positive(elasto_gravity_length, "elasto-gravity length", "mm")
     strip = Rod.straight(
         overhang,
         samples=_NODES,
@@ -200,7 +201,7 @@ def calibrate_cantilever(
             raise InputError(f"{name} error is {value}: it can't be negative")
     for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
         if number is not None:
-            _require(number, name, unit)
+            require_positive(number, name, unit)
     fitted = [_fit(L, d) for L, d in zip(lengths, drops, strict=True)]
     values = np.array([value for value, _ in fitted])
     sigmas = reading_error * np.array([slope for _, slope in fitted])
@@ -229,8 +230,8 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
             f"{lengths.size} overhangs and {drops.size} droops: give one droop for each overhang"
         )
     for L, d in zip(lengths, drops, strict=True):
-        _require(L, "overhang", "mm")
-        _require(d, "droop", "mm")
+        require_positive(L, "overhang", "mm")
+        require_positive(d, "droop", "mm")
         if d >= L:
             raise InputError(
                 f"a droop of {d:g} mm is more than an overhang of {L:g} mm allows: measure the drop of the "
@@ -283,8 +284,3 @@ def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float
         return mean, inner
     scatter = float(np.sqrt(np.average((values - mean) ** 2, weights=weights) / (values.size - 1)))
     return mean, max(inner, scatter)
-
-
-def _require(value: float, name: str, unit: str) -> None:
-    if not (np.isfinite(value) and value > 0):
-        raise InputError(f"{name} is {value}: it must be positive, in {unit}")

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, system_of
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
@@ -95,8 +96,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     """Width of the narrowest place, mm; refused where `loss` would leave nothing of it."""
     if max_width is None:
         raise InputError("a loss of width needs max_width, the width of the widest place, mm")
-    if not (np.isfinite(max_width) and max_width > 0):
-        raise InputError(f"max_width is {max_width}: it must be positive, in mm")
+    require_positive(max_width, "max_width")
     least = max_width / float(np.max(rod.stiffness))
     if loss >= least:
         raise InputError(
