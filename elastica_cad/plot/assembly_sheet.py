@@ -3,18 +3,16 @@
 from collections.abc import Iterator, Sequence
 from io import BytesIO
 from os import PathLike
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import MissingDependencyError, how_to_install
-from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
-from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
-from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.model.assembly import Holder, SingleHolder, single_holders
 from elastica_cad.fabrication.model.assembly_steps import AssemblyStep, list_assembly_steps
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -32,8 +30,6 @@ EDGE_MM = 0.5  # how closely outlines are followed
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
 PAINT_DPI = 300  # of painted strips: thousands of vector patches take minutes to open
 MOST_NUMBERS = 120  # more would cover the picture
-
-Plate: TypeAlias = BasePlate | Ring | Rib
 
 
 def save_assembly_sheet(
@@ -177,18 +173,9 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     return figure
 
 
-def _flat(holders: Sequence[Holder]) -> Iterator[Plate | EndFixture]:
-    for holder in holders:
-        if isinstance(holder, SlottedFrame):
-            yield from holder.rails
-            yield from holder.ribs
-        elif isinstance(holder, BasePlate | Ring | Rib | EndFixture):
-            yield holder
-
-
 def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArray, FloatArray, str]]:
     """Loops (n, 3) of plates and blocks, drawn off by `far` mm, the place that tells their depth, their colour."""
-    for holder in _flat(holders):
+    for holder in single_holders(holders):
         shift = _shift(holder, far)
         if isinstance(holder, EndFixture):
             yield _block(holder.tab) + shift, holder.tab.tip + shift, PLATE
@@ -203,7 +190,7 @@ def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArra
             yield loop, depth + above, HOLE if k else PLATE
 
 
-def _shift(holder: Plate | EndFixture, far: float) -> FloatArray:
+def _shift(holder: SingleHolder, far: float) -> FloatArray:
     """Away from the strips; a rib further than the rails that it joins."""
     if isinstance(holder, EndFixture):
         return 0.5 * far * holder.tab.frame.x_axis
@@ -221,7 +208,7 @@ def _block(tab: PlacedTab) -> FloatArray:
 
 def _targets(holders: Sequence[Holder], far: float) -> Iterator[tuple[str, FloatArray]]:
     """Where each tab goes, as drawn."""
-    for holder in _flat(holders):
+    for holder in single_holders(holders):
         shift = _shift(holder, far)
         if isinstance(holder, EndFixture):
             yield holder.tab.name, holder.tab.frame.origin + shift

@@ -11,8 +11,8 @@ from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color,
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
-from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.model.assembly import Holder, single_holders
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.plot.slabs import trapezoids
@@ -25,13 +25,7 @@ EDGE_SHARE = 0.01
 
 def level_plates(holders: Sequence[Holder]) -> tuple[BasePlate | Ring, ...]:
     """The plates that tabs go through, which part what is drawn before them from what is drawn after."""
-    found: list[BasePlate | Ring] = []
-    for holder in holders:
-        if isinstance(holder, SlottedFrame):
-            found += holder.rails
-        elif isinstance(holder, BasePlate | Ring):
-            found.append(holder)
-    return tuple(found)
+    return tuple(holder for holder in single_holders(holders) if isinstance(holder, BasePlate | Ring))
 
 
 def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
@@ -39,25 +33,18 @@ def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[Flo
 
     Slots that tabs fill are drawn as if they were not cut.
     """
-    for holder in holders:
+    for holder in single_holders(holders):
         if isinstance(holder, EndFixture):
             for prism in holder.solid.added:
                 yield _patches(prism, (prism.outline, *prism.holes), FIXTURE_COLOR, size)
-        elif isinstance(holder, SlottedFrame):
-            yield from holder_patches((*holder.rails, *holder.ribs), size)
         else:
             yield _patches(holder.solid, _loops(holder), sheet_color(holder.sheet), size)
 
 
 def _loops(holder: Plate) -> tuple[Path, ...]:
-    """Outline and openings, without slots."""
-    solid = holder.solid
-    if isinstance(holder, BasePlate):
-        return (solid.outline, *(() if holder.opening is None else (holder.opening,)))
-    if isinstance(holder, Ring):
-        middle = (Path.circle((0.0, 0.0), holder.radii[0]),) if holder.radii[0] else ()
-        return (solid.outline, *middle)
-    return (solid.outline, *solid.holes)
+    """Outline and opening, without slots."""
+    opening = None if isinstance(holder, Rib) else holder.opening
+    return (holder.outline, *(() if opening is None else (opening,)))
 
 
 def _patches(

@@ -214,14 +214,7 @@ def base_plate(
     """
     sheet = Sheet.of(sheet)
     ground = frame or Frame()
-    for value, what in (
-        (play, "play"),
-        (clearance, "clearance"),
-        (slot_width or 0.0, "slot width"),
-        (border, "border"),
-    ):
-        if not (np.isfinite(value) and value >= 0):
-            raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
+    check_sizes(name, play=play, clearance=clearance, slot_width=slot_width or 0.0, border=border)
     if shape not in ("hull", "rectangle", "ring"):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
     widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
@@ -250,6 +243,13 @@ def base_plate(
     told = accept_faults(find_shoulder_faults(name, deep), anyway)
     plate = plate_with(slots, sheet, ground, border=border, shape=shape, name=name, shop=shop, anyway=anyway)
     return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
+
+
+def check_sizes(name: str, **sizes: float) -> None:
+    """Refuse sizes of a plate below 0."""
+    for what, value in sizes.items():
+        if not (np.isfinite(value) and value >= 0):
+            raise InputError(f"{name}: {what.replace('_', ' ')} is {value}: it must be 0 mm or more")
 
 
 def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:

@@ -223,13 +223,11 @@ class EndFixture:
         removed = [self._pocket(), *self._clamp_holes(body), *self._tip_hole(body)]
         if self.foot:
             span = reach + np.array([-self.foot, self.foot])
-            corners = [
-                (span[0], 0.0),
-                (span[1], 0.0),
-                (span[1], self.foot_height),
-                (span[0], self.foot_height),
-            ]
-            added.append(self._prism(_on_floor(corners, along, up, height), self.across))
+            low, high = height * up, (height + self.foot_height) * up
+            left, right = span[:, None] * along
+            added.append(
+                self._prism(np.array([left + low, right + low, right + high, left + high]), self.across)
+            )
             middles = (span[0] + self.foot / 2, span[1] - self.foot / 2)
             removed += [self._screw_hole(x) for x in middles if self.screw]
         return PrismSolid(tuple(added), (*removed, *self._letters()), {"tab": self.tab.frame})
@@ -325,13 +323,6 @@ def end_fixtures(
         EndFixture(tab, ground, number=None, **sizes).leaning(strip, end)
         for (tab, strip, end), ground in zip(held, grounds, strict=True)
     )
-
-
-def _on_floor(
-    corners: list[tuple[float, float]], along: FloatArray, up: FloatArray, height: float
-) -> FloatArray:
-    """Points (n, 2) given along the floor and above it, in the profile's frame."""
-    return np.array([x * along + (height + y) * up for x, y in corners])
 
 
 def _polygon(corners: FloatArray) -> Path:

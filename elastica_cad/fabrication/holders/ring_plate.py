@@ -16,6 +16,7 @@ from elastica_cad.fabrication.holders.base_plate import (
     LEAST_OPENING_SHARE,
     TabSlot,
     around,
+    check_sizes,
     check_slots,
     tab_slot,
 )
@@ -81,13 +82,23 @@ class Ring:
     seated: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
 
+    @cached_property
+    def outline(self) -> Path:
+        """Its rim, in the frame."""
+        return Path.circle((0.0, 0.0), self.radii[1])
+
+    @cached_property
+    def opening(self) -> Path | None:
+        """A closed loop in its middle that is cut out; None of a cap."""
+        return Path.circle((0.0, 0.0), self.radii[0]) if self.radii[0] else None
+
     @property
-    def _middle(self) -> tuple[Path, ...]:
-        return (Path.circle((0.0, 0.0), self.radii[0]),) if self.radii[0] else ()
+    def _others(self) -> tuple[Path, ...]:
+        return (*self.holes, *(() if self.opening is None else (self.opening,)))
 
     @cached_property
     def _inner(self) -> tuple[Path, ...]:
-        return (*(slot.path for slot in self.slots), *self.holes, *self._middle)
+        return (*(slot.path for slot in self.slots), *self._others)
 
     def checked(self, shop: Shop | None = None, *, anyway: bool = False) -> "Ring":
         """The ring with what is to be said of it; one that cannot be cut is refused without `anyway`.
@@ -97,24 +108,23 @@ class Ring:
         InputError
             Slots that meet or are far wider than their tabs, thin bridges, a ring larger than the stock.
         """
-        outline = Path.circle((0.0, 0.0), self.radii[1])
-        others = (*self.holes, *self._middle)
-        told = check_slots(self.name, self.sheet, outline, self.slots, others, shop=shop, anyway=anyway)
+        told = check_slots(
+            self.name, self.sheet, self.outline, self.slots, self._others, shop=shop, anyway=anyway
+        )
         return replace(self, warnings=told)
 
     @property
     def solid(self) -> FlatSolid:
         """The plate in space, behind its frame."""
         thickness = self.sheet.thickness
-        outline = Path.circle((0.0, 0.0), self.radii[1])
-        return FlatSolid(outline, self._inner, thickness, self.frame.shifted(z=-thickness))
+        return FlatSolid(self.outline, self._inner, thickness, self.frame.shifted(z=-thickness))
 
     @cached_property
     def drawing(self) -> Drawing:
         """The cut pattern seen from the strips, with its name near the rim where there is room."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
         paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
-        paths.append(LayeredPath(CUT_OUTER, Path.circle((0.0, 0.0), self.radii[1])))
+        paths.append(LayeredPath(CUT_OUTER, self.outline))
         return Drawing(self.name, tuple(paths), self._label())
 
     @property
@@ -193,9 +203,7 @@ def ring_plate(
         far wider than their tabs, bridges too thin to cut.
     """
     sheet = Sheet.of(sheet)
-    for value, what in ((border, "border"), (play, "play"), (clearance, "clearance")):
-        if not (np.isfinite(value) and value >= 0):
-            raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
+    check_sizes(name, border=border, play=play, clearance=clearance)
     first = tabs[0]
     if first.length == 0:
         raise InputError(f"{name}: strips without tabs cannot be held by a ring: give them tabs")

@@ -18,7 +18,8 @@ from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, 
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 
-Holder: TypeAlias = BasePlate | SlottedFrame | Rib | Ring | EndFixture
+SingleHolder: TypeAlias = BasePlate | Rib | Ring | EndFixture
+Holder: TypeAlias = SingleHolder | SlottedFrame
 """What holds the strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""
 
 Shape = TypeVar("Shape")
@@ -86,7 +87,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
             solids[id(strip)] = BentSolid.layers(strip)
         colors = tuple(sheet_color(sheet) for sheet in bent_sheets(strip))
         strips.append(AssemblyPart(name, solids[id(strip)], colors, one.frame, strip))
-    return (*_numbered(strips), *_numbered([part for holder in holders for part in _holder_parts(holder)]))
+    return (*_numbered(strips), *_numbered([_holder_part(holder) for holder in single_holders(holders)]))
 
 
 def shape_parts(
@@ -100,19 +101,30 @@ def shape_parts(
         yield part, made[id(part.solids)]
 
 
-def _holder_parts(holder: Holder) -> Iterator[AssemblyPart]:
-    if isinstance(holder, SlottedFrame):
-        plates: tuple[BasePlate | Rib, ...] = (*holder.rails, *holder.ribs)
-        for plate in plates:
-            yield from _holder_parts(plate)
-    elif isinstance(holder, BasePlate | Rib | Ring):
-        yield AssemblyPart(holder.name, (holder.solid,), (sheet_color(holder.sheet),))
-    elif isinstance(holder, EndFixture):
-        yield AssemblyPart(holder.label, (holder.solid,), (FIXTURE_COLOR,))
-    else:
-        raise InputError(
-            f"strips are held by base plates, slotted frames and end fixtures, not by {type(holder).__name__}"
-        )
+def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:
+    """Holders one by one: of slotted frames their rails and ribs.
+
+    Raises
+    ------
+    InputError
+        Something else among them.
+    """
+    for holder in holders:
+        if isinstance(holder, SlottedFrame):
+            yield from holder.rails
+            yield from holder.ribs
+        elif isinstance(holder, SingleHolder):
+            yield holder
+        else:
+            raise InputError(
+                f"strips are held by base plates, slotted frames and end fixtures, not by {type(holder).__name__}"
+            )
+
+
+def _holder_part(holder: SingleHolder) -> AssemblyPart:
+    if isinstance(holder, EndFixture):
+        return AssemblyPart(holder.label, (holder.solid,), (FIXTURE_COLOR,))
+    return AssemblyPart(holder.name, (holder.solid,), (sheet_color(holder.sheet),))
 
 
 def _numbered(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:

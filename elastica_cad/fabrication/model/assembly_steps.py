@@ -8,8 +8,7 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import tab_name
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
-from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.model.assembly import Holder, single_holders
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.strip.tabs import ENDS
 
@@ -71,10 +70,8 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
     """Names of tabs with what holds them."""
-    for holder in holders:
-        if isinstance(holder, SlottedFrame):
-            yield from _places((*holder.rails, *holder.ribs))
-        elif isinstance(holder, BasePlate | Ring):
+    for holder in single_holders(holders):
+        if isinstance(holder, BasePlate | Ring):
             yield from ((slot.name, f"slot {slot.name} of {holder.name}") for slot in holder.slots)
             if isinstance(holder, Ring):
                 yield from ((name, f"on {holder.name}") for name in holder.seated)
