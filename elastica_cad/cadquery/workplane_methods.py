@@ -1,12 +1,13 @@
 """The method `elasticStrip` of workplanes and sketches."""
 
 from collections.abc import Callable, Iterable
-from typing import Any, Literal, TypeAlias, Unpack
+from typing import Any, Literal, TypeAlias, Unpack, get_args
 
 import cadquery as cq
 
 from elastica_cad.cadquery.strip_shapes import (
     StripCompound,
+    StripFace,
     StripSolid,
     make_body,
     make_strip_of,
@@ -18,7 +19,7 @@ from elastica_cad.fabrication.strip.tabs import ENDS
 from elastica_cad.kernel.strip_on_path import StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
 
-Form: TypeAlias = Literal["flat", "bent"]
+Form: TypeAlias = Literal["flat", "bent", "outline"]
 
 METHOD = "elasticStrip"
 CHAIN = 1e-4  # mm: ends of pending edges that are meant to meet
@@ -61,47 +62,55 @@ def _workplane_strip(
         The material, or the name of a built-in one.
     max_width : float
         As in `strip_outline`.
-    form : "flat" or "bent"
-        Flat it lies on the workplane, the start of its free part at the origin; bent it stands on the edges,
-        which are moved to the points of the stack, where there are some.
+    form : "flat", "bent" or "outline"
+        Flat it lies on the workplane, the start of its free part at the origin, as its outline does, which is a
+        face to be extruded; bent it stands on the edges, which are moved to the points of the stack, where there
+        are some.
     combine, clean
-        As in `Workplane.eachpoint`.
+        As in `Workplane.eachpoint`; of solids only.
     **options
         As in `strip_outline`.
 
     Returns
     -------
     Workplane
-        With a strip for every chain of edges on its stack, at every point of the stack; their end faces are tagged
-        "start" and "end".
+        With a strip for every chain of edges on its stack, at every point of the stack; the end faces of solids
+        are tagged "start" and "end".
     """
-    if form not in ("flat", "bent"):
-        raise InputError(f"form {form!r} is not known: choose flat or bent")
+    if form not in get_args(Form):
+        raise InputError(f"form {form!r} is not known: choose flat, bent or outline")
+    if form == "outline" and combine:
+        raise InputError(
+            "an outline is a face, which joins no solid: extrude it first, or choose form='flat'"
+        )
     pending = [*self.ctx.popPendingEdges(False), *self.ctx.popPendingWires(False)]
     drawn = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
     if not drawn:
         raise InputError("there is no curve: draw one on the workplane, or select edges")
-    bodies = []
+    bodies: list[StripFace | StripSolid | StripCompound] = []
     for chain in cq.Wire.combine(_edges(drawn), CHAIN):
         made = make_strip_of(chain, sheet, max_width=max_width, workplane=self.plane, **options)
+        if form == "outline":
+            bodies.append(strip_outline(made.strip))
+            continue
         records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
         bodies.append(make_body(records, made))
     tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]
-    local = form == "flat" or bool(points)  # what is drawn in place stays as it was made
+    local = form != "bent" or bool(points)  # what is drawn in place stays as it was made
     if local and form == "bent":
         bodies = [body.moved(self.plane.location.inverse) for body in bodies]
     left = iter([body for body in bodies for _ in places])
     put = []
 
-    def at_place(place: cq.Location) -> StripSolid | StripCompound:
+    def at_place(place: cq.Location) -> StripFace | StripSolid | StripCompound:
         put.append(next(left).moved(place) if local else next(left))
         return put[-1]
 
     made = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
     for end in ENDS:
-        self.newObject([body.end_face(end) for body in put]).tag(end)
+        self.newObject([body.end_face(end) for body in put if not isinstance(body, StripFace)]).tag(end)
     return made
 
 

@@ -22,7 +22,7 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.tabs import Tab, pair_of_tabs
 from elastica_cad.fabrication.strip_checks import (
     check_compensate,
     check_joint,
@@ -175,11 +175,7 @@ class StripSpec(EqualByValue):
             )
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH)
-        ends, slots = several("ends", self.ends, Tab, "Tab"), several("slots", self.slots, Slot, "Slot")
-        if len(ends) != 2:
-            raise InputError(
-                f"ends are {len(ends)} tabs: give two, for the start and the end; Tab(0) is none"
-            )
+        ends, slots = pair_of_tabs(self.ends), several("slots", self.slots, Slot, "Slot")
         check_joint(self.joint, self.curve)
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")

@@ -92,6 +92,24 @@ class TestWorkplane:
         assert box.xmin == pytest.approx(-12, abs=1e-5)
         assert work.faces(tag="start").val().Center().toTuple() == pytest.approx((-12, 6.6, 0), abs=1e-5)
 
+    def test_outlines_are_extruded_where_points_are(self):
+        drawn = cq.Workplane("XZ", origin=(0, 7, 0)).spline(POINTS).pushPoints([(0, 0), (0, 60)])
+        faces = drawn.elasticStrip(SHEET, form="outline", **OPTIONS)
+        one, two = faces.vals()
+        assert one.geomType() == "PLANE"
+        assert two.strip.label == "A1"
+        assert two.Center().z - one.Center().z == pytest.approx(60)
+        strip = flat_strip(cq.Workplane().spline(POINTS), SHEET, **OPTIONS)
+        sheets = faces.extrude(0.8, combine=False)
+        volumes = [solid.Volume() for solid in sheets.solids().vals()]
+        assert volumes == pytest.approx([strip.Volume()] * 2, rel=1e-6)
+        assert sheets.val().BoundingBox().ymax == pytest.approx(7, abs=1e-5)
+
+    def test_outlines_join_no_solid(self):
+        drawn = cq.Workplane().box(400, 60, 10).faces(">Z").workplane().spline(POINTS)
+        with pytest.raises(InputError, match="an outline is a face, which joins no solid: extrude it first"):
+            drawn.elasticStrip(SHEET, form="outline", combine=True, **OPTIONS)
+
     def test_combines(self):
         base = cq.Workplane().box(400, 60, 10).faces(">Z").workplane()
         work = base.spline(POINTS).elasticStrip(SHEET, combine=True, **OPTIONS)
@@ -146,7 +164,7 @@ class TestBadInput:
             cq.Workplane().elasticStrip(SHEET, max_width=3)
 
     def test_unknown_form(self):
-        with pytest.raises(InputError, match="flat or bent"):
+        with pytest.raises(InputError, match="flat, bent or outline"):
             cq.Workplane().spline(POINTS).elasticStrip(SHEET, max_width=3, form="rolled")
 
     def test_no_edge(self):

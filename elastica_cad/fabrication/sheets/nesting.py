@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.fabrication.sheets.pieces import Piece
@@ -130,10 +131,14 @@ def nest_pieces(
     problems, EJOR 141, 2002). Boxes are the exact bounds of what is cut, so boxes that keep the margin prove
     that curves keep it.
     """
+    if np.shape(sheet_size) != (2,) or not all(map(is_number, sheet_size)):
+        raise InputError(f"sheet size is {sheet_size!r}: give its width and height, two numbers of mm")
     width, height = (float(v) for v in sheet_size)
-    if kerf is not None and not np.isfinite(kerf):
-        raise InputError(f"the kerf is {kerf}: it must be a finite number of mm, 0 for none")
-    if not (np.isfinite([width, height, margin]).all() and min(width, height) > 0 and margin >= 0):
+    if not (kerf is None or is_number(kerf)):
+        raise InputError(f"the kerf is {kerf!r}: it must be a finite number of mm, 0 for none")
+    if not is_number(margin):
+        raise InputError(f"the margin is {margin!r}: it must be a number of mm, 0 or more")
+    if not (min(width, height) > 0 and margin >= 0):
         raise InputError(
             f"sheet size is {width:g} by {height:g} mm with a margin of {margin:g} mm: sizes must be positive and "
             "the margin 0 or more"

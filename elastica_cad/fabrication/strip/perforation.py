@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.styles import Layout, Width, refine_stations, stations_of, width_profile
@@ -84,9 +84,7 @@ class Perforated:
         if not (is_number(self.hole_ratio) and 0 < self.hole_ratio < 1):
             raise InputError(f"hole_ratio is {self.hole_ratio!r}: it must lie between 0 and 1")
         for name in ("least_ligament", "least_hole"):
-            value = getattr(self, name)
-            if not (is_number(value) and value > 0):
-                raise InputError(f"{name} is {value!r}: it must be positive, in mm")
+            require_positive(getattr(self, name), name)
         if not (is_number(self.corner_radius) and self.corner_radius >= 0):
             raise InputError(f"corner_radius is {self.corner_radius!r}: it must be 0 mm or more")
         if self.sides not in ("spline", "arc"):

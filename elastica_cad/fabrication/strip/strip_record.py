@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import require_positive, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.holding.lap_joint import closes
@@ -34,7 +34,7 @@ from elastica_cad.fabrication.strip.styles import (
     require_style,
     stations_of,
 )
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.tabs import Tab, pair_of_tabs
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
@@ -129,6 +129,8 @@ class Strip:
             if value is not None:
                 require_positive(value, name)
         printable(self.label, "the label")
+        object.__setattr__(self, "ends", pair_of_tabs(self.ends))
+        object.__setattr__(self, "slots", several("slots", self.slots, Slot, "Slot"))
         object.__setattr__(self, "creep", require_creep(self.creep))
         if self.is_closed:
             object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))

@@ -7,7 +7,7 @@ from typing import Protocol, TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.flat_outline import Ends, long_sides
@@ -288,8 +288,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
     elif callable(width):
         profile = Profile.fit(width, length, tolerance=WIDTH_MM)
     else:
-        if not (is_number(width) and width > 0):
-            raise InputError(f"{name} is {width!r}: it must be positive, in mm")
+        require_positive(width, name)
         value = float(width)
         return Profile(np.repeat([0.0, length], 4), np.full(4, value))
     if profile.extremes[0] <= 0:

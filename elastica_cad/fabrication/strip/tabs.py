@@ -7,6 +7,7 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
+from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_positive, several
 from elastica_cad.errors import InputError
@@ -255,3 +256,19 @@ def _chain(points: list[tuple[float, float]]) -> tuple[Line, ...]:
     """Lines between successive points, without the ones of no length."""
     rows: list[FloatArray] = [np.array(p) for p in points]
     return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))
+
+
+def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
+    """The tabs of both ends.
+
+    Raises
+    ------
+    InputError
+        Something else, or not two of them.
+    """
+    found = several("ends", tabs, Tab, "Tab")
+    if len(found) != 2:
+        raise InputError(
+            f"ends are {counted(len(found), 'tab')}: give two, for the start and the end; Tab(0) is none"
+        )
+    return found[0], found[1]

@@ -161,7 +161,7 @@ class TestLoads:
         ({"sheet": "paper"}, "unknown sheet"),
         ({"frame": (0, 0, 0)}, "give a Frame"),
         ({"max_width": 0}, "max_width is 0: it must be positive"),
-        ({"min_width": math.nan}, "min_width is nan: it must be positive"),
+        ({"min_width": math.nan}, "min_width is nan: it must be a number above 0"),
         ({"max_width": "wide"}, "max_width is 'wide'"),
         ({"style": "plain"}, r"give Plain\(\)"),
         ({"limits": 3.5}, "limits is 3.5: give a Limits record"),
@@ -172,7 +172,7 @@ class TestLoads:
         ({"natural_curvature": "0"}, "natural_curvature is '0'"),
         ({"samples": 2}, "samples is 2"),
         ({"samples": 1.5}, "samples is 1.5"),
-        ({"ends": Tab(5)}, "ends are 1 tabs"),
+        ({"ends": Tab(5)}, "ends are 1 tab: give two"),
         ({"ends": (5, 5)}, "ends hold 5: give Tab records"),
         ({"slots": (5,)}, "slots hold 5: give Slot records"),
         ({"label": 7}, "label is 7"),
@@ -209,7 +209,8 @@ def test_gravity_of_a_record_is_taken_as_it_is():
 @pytest.mark.parametrize("name", ["max_width", "min_width"])
 @pytest.mark.parametrize("width", [-5.0, 0.0, math.nan, "20"])
 def test_a_width_is_positive(name, width):
-    with pytest.raises(InputError, match=f"{name} is {width!r}: it must be positive, in mm"):
+    wanted = "positive" if width in (-5.0, 0.0) else "a number above 0"
+    with pytest.raises(InputError, match=f"{name} is {width!r}: it must be {wanted}, in mm"):
         spec(**{name: width})
 
 

@@ -11,6 +11,8 @@ from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.model.touching_widths import touching_widths
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.nesting import nest_pieces
+from elastica_cad.fabrication.sheets.pieces import strip_pieces
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -37,6 +39,7 @@ SHEET = Sheet.named("birch-plywood-0.8")
 ROD = Rod.straight(100.0, samples=21)
 POINTS = [(0, 0), (20, 30), (50, 40), (80, 30), (100, 0)]
 STRIP = Strip(ROD, SHEET, max_width=20)
+PIECES = strip_pieces(Model([Placed(STRIP)]).parts)
 
 SLIPS = {
     "tab length is '10'": lambda: Tab("10"),
@@ -63,7 +66,11 @@ SLIPS = {
     "weight alpha is '1'": lambda: Weight("1"),
     "gravity length is '96'": lambda: Gravity("96"),
     "gravity direction 'down'": lambda: Gravity(96, "down"),
-    "max_width is '20'": lambda: Strip(ROD, SHEET, max_width="20"),
+    "max_width is '20': it must be a number above 0": lambda: Strip(ROD, SHEET, max_width="20"),
+    "ends are 0 tabs: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=()),
+    "ends are 1 tab: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=Tab(5)),
+    "ends hold 5: give Tab records": lambda: Strip(ROD, SHEET, max_width=20, ends=(5, 5)),
+    "slots hold 3: give Slot records": lambda: Strip(ROD, SHEET, max_width=20, slots=[3]),
     "the rod is a str: give a Rod": lambda: Strip("rod", SHEET, max_width=20),
     "style is 'plain': give": lambda: Strip(ROD, SHEET, max_width=20, style="plain"),
     "the label is 3: give a text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
@@ -89,6 +96,11 @@ SLIPS = {
     "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
     "the name of a sheet is needed, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
+    "curve 2 of 2 is a int: give PlaneCurve": lambda: nearest_rods([ROD.curve, 1], Limits()),
+    "the kerf is 'a': it must be a finite number": lambda: nest_pieces(PIECES, kerf="a"),
+    "the margin is '2': it must be a number": lambda: nest_pieces(PIECES, margin="2"),
+    "sheet size is '600x400'": lambda: nest_pieces(PIECES, sheet_size="600x400"),
+    "sheet size is 600": lambda: nest_pieces(PIECES, sheet_size=600),
     "nearest_rods takes a list of curves, not a str": lambda: nearest_rods("arch.dxf", Limits()),
     "strips are 3: give a list of Placed": lambda: touching_widths(3),
     "strips are 'ab'": lambda: touching_widths("ab"),

@@ -78,9 +78,10 @@ def test_one_record_a_curve():
 
 
 def test_a_curve_that_fails_does_not_lose_the_others():
-    found = nearest_rods([ARCHES[0], "no curve", ARCHES[2]], Limits(ratio=1.3))
+    nearby, short = Limits(ratio=1.3), Limits(length=(1, 2))
+    found = nearest_rods(ARCHES, [nearby, short, nearby])
     assert [near.status for near in found] == [Status.MET, Status.FAILED, Status.MET]
-    assert "PlaneCurve" in found[1].message
+    assert "the rod may be at most 2 mm long" in found[1].message
 
 
 def test_executors_that_die_leave_what_they_did():

@@ -115,7 +115,7 @@ MODEL_TABLES: dict[str, Keys] = {
     },
     "base": {
         **_PLATES,
-        "height": (NUMBER, "of its upper face, mm"),
+        "height": (NUMBER, "of its upper face, mm; 0 unless given"),
         **_SHAPE,
         **_ENDS,
         **_FIT,
