@@ -16,7 +16,8 @@ from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -87,8 +88,8 @@ class BentMap:
             degree = DEGREE
         else:
             knots, degree = self._common_knots(segment, even, first, last)
-            sites = _sites(knots, degree)
-            rows = _interpolated(sites, values(sites), knots, degree)
+            sites = interpolation_sites(knots, degree)
+            rows = interpolated(sites, values(sites), knots, degree)
         return [SpaceCurve(knots, rows[:, 3 * k : 3 * k + 3], degree) for k in range(len(heights))]
 
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
@@ -248,10 +249,10 @@ def _fitted(
     while True:
         counts = [min(max(DEGREE - smooth.get(e, DEGREE - 1), 1), DEGREE) for e in edges[1:-1].tolist()]
         knots = np.repeat(edges, [DEGREE + 1, *counts, DEGREE + 1])
-        sites = _sites(knots, DEGREE)
+        sites = interpolation_sites(knots, DEGREE)
         probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
         values = function(np.concatenate([sites, probes]))
-        rows = _interpolated(sites, values[: sites.size], knots, DEGREE)
+        rows = interpolated(sites, values[: sites.size], knots, DEGREE)
         excess = (
             np.abs(BSpline.construct_fast(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
         )
@@ -274,17 +275,3 @@ def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
     """The edges (n + 1,) with every span cut into as many equal parts as `parts` (n,) says."""
     width = np.repeat(np.diff(edges) / parts, parts)
     return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
-
-
-def _sites(knots: FloatArray, degree: int) -> FloatArray:
-    """Greville abscissae, the ends exactly at the ends."""
-    sites = greville(knots, degree)
-    sites[[0, -1]] = knots[[0, -1]]
-    return sites
-
-
-def _interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
-    """Coefficients of the spline that has `values` at `sites`."""
-    from scipy.interpolate import make_interp_spline
-
-    return np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c, dtype=float)

@@ -11,7 +11,8 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
 from elastica_cad.geometry.paths.trim import clamp_ends, trim_curves
-from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
 
 SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
@@ -77,7 +78,7 @@ def _smoothed(segment: Segment) -> Segment:
     """The segment with single knots in place of double ones at which its curvature does not really jump."""
     if not isinstance(segment, Spline) or segment.curve.weights is not None:
         return segment
-    from scipy.interpolate import BSpline, make_interp_spline
+    from scipy.interpolate import BSpline
 
     curve = clamp_ends(segment.curve)
     degree, first, last = curve.degree, *curve.domain
@@ -91,9 +92,8 @@ def _smoothed(segment: Segment) -> Segment:
     jump = np.abs(rows(sides[1], SMOOTH) - rows(sides[0], SMOOTH)).max(axis=1)
     counts = counts - (double & (jump * reach**2 < NO_JUMP))
     whole = np.repeat(knots, counts)
-    sites = greville(whole, degree)
-    sites[[0, -1]] = first, last
-    points = np.asarray(make_interp_spline(sites, rows(sites), k=degree, t=whole).c, dtype=float)
+    sites = interpolation_sites(whole, degree)
+    points = interpolated(sites, rows(sites), whole, degree)
     points[[0, -1]] = curve.control_points[[0, -1]]
     return Spline(PlaneCurve.of_sound(whole, points, degree, None))
 
@@ -140,13 +140,10 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
     """A clamped graph with its end spans carried on, or cut back, to a domain that differs a little."""
     if (first, last) == curve.domain:
         return curve
-    from scipy.interpolate import BSpline, make_interp_spline
+    from scipy.interpolate import BSpline
 
     degree, knots = curve.degree, curve.knots.copy()
     knots[: degree + 1], knots[-degree - 1 :] = first, last
-    sites = greville(knots, degree)
-    sites[[0, -1]] = first, last
+    sites = interpolation_sites(knots, degree)
     values = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)(sites)
-    return PlaneCurve.of_sound(
-        knots, np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c), degree, None
-    )
+    return PlaneCurve.of_sound(knots, interpolated(sites, values, knots, degree), degree, None)

@@ -20,7 +20,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.knot_runs import greville
+from elastica_cad.geometry.polynomials.spline_function import interpolation_sites
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
@@ -287,7 +287,6 @@ def _clamped(edge: Edge, degree: int) -> tuple[FloatArray, FloatArray]:
     knots = np.concatenate([np.full(degree + 1, first), np.repeat(values, counts), np.full(degree + 1, last)])
     if knots.size == edge.knots.size and np.array_equal(knots, edge.knots):
         return knots, edge.homogeneous
-    sites = greville(knots, degree)
-    sites[0], sites[-1] = first, last
+    sites = interpolation_sites(knots, degree)
     target = edge.spans.basis(sites) @ edge.homogeneous
     return knots, np.asarray(np.linalg.solve(bezier_spans(knots, degree).basis(sites), target), dtype=float)

@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
+from elastica_cad.geometry.polynomials.knot_runs import greville
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,3 +87,17 @@ def spline_through(x: FloatArray, values: FloatArray, degree: int) -> tuple[Floa
     if info != 0:
         raise np.linalg.LinAlgError("places of an interpolation are too close together")
     return knots, np.asarray(coefficients, dtype=float)
+
+
+def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
+    """Where splines over clamped knots take values (m,): Greville abscissae, the ends exactly at the ends."""
+    sites = greville(knots, degree)
+    sites[[0, -1]] = knots[[0, -1]]
+    return sites
+
+
+def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
+    """Coefficients (m, ...) of the spline over given knots that has `values` (m, ...) at `sites` (m,)."""
+    from scipy.interpolate import make_interp_spline
+
+    return np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c, dtype=float)
