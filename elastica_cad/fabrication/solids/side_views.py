@@ -1,16 +1,15 @@
 """Side views of tapered strips: closed outlines in the plane of the curve, which their width extrudes."""
 
-from itertools import pairwise
-
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import lines_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Line, Segment, Spline
+from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
 
 FACE_MM = 1e-4
@@ -53,20 +52,11 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
     across = [np.array([-d[1], d[0]]) for d in directions]
     low_start, high_start = start - ends[0] * across[0], start + ends[0] * across[0]
     low_end, high_end = end - ends[1] * across[1], end + ends[1] * across[1]
-    corners: list[FloatArray] = [high_start, high_start + back, low_start + back, low_start]
-    segments += _lines(corners)
+    segments += lines_through([high_start, high_start + back, low_start + back, low_start])
     segments.append(Spline(right))
-    segments += _lines([low_end, low_end + ahead, high_end + ahead, high_end])
+    segments += lines_through([low_end, low_end + ahead, high_end + ahead, high_end])
     segments.append(Spline(left).reversed())
     return Path(tuple(segments), closed=True)
-
-
-def _lines(corners: list[FloatArray]) -> list[Segment]:
-    return [
-        Line((float(a[0]), float(a[1])), (float(b[0]), float(b[1])))
-        for a, b in pairwise(corners)
-        if np.hypot(*(b - a)) > 0
-    ]
 
 
 def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:

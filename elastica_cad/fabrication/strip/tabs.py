@@ -1,5 +1,6 @@
 """The ends of a strip: tabs to hold it by, with holes, rounded or chamfered corners."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from math import hypot, sqrt
@@ -194,19 +195,19 @@ class Tab:
                 f"a taper of {self.taper:g} mm leaves nothing of a tab {w:.4g} mm wide: make it smaller"
             )
         if length == 0:
-            return _chain([(0.0, -w / 2), (0.0, w / 2)])
+            return lines_through([(0.0, -w / 2), (0.0, w / 2)])
         near, far = length - cut, w / 2 - max(cut, self.taper)
         edge = self._outer_edge(far)
         if not cut:
-            return _chain([(0.0, -w / 2), *edge, (0.0, w / 2)])
+            return lines_through([(0.0, -w / 2), *edge, (0.0, w / 2)])
         if self.chamfer:
-            return _chain([(0.0, -w / 2), (near, -w / 2), *edge, (near, w / 2), (0.0, w / 2)])
+            return lines_through([(0.0, -w / 2), (near, -w / 2), *edge, (near, w / 2), (0.0, w / 2)])
         return (
-            *_chain([(0.0, -w / 2), (near, -w / 2)]),
+            *lines_through([(0.0, -w / 2), (near, -w / 2)]),
             Arc((near, -far), cut, -np.pi / 2, 0.0),
-            *_chain(edge),
+            *lines_through(edge),
             Arc((near, far), cut, 0.0, np.pi / 2),
-            *_chain([(near, w / 2), (0.0, w / 2)]),
+            *lines_through([(near, w / 2), (0.0, w / 2)]),
         )
 
     def _outer_edge(self, far: float) -> list[tuple[float, float]]:
@@ -252,7 +253,7 @@ class Tab:
         return tuple(Path.circle((hole.at, hole.across), hole.diameter / 2) for hole in self.holes)
 
 
-def _chain(points: list[tuple[float, float]]) -> tuple[Line, ...]:
+def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[Line, ...]:
     """Lines between successive points, without the ones of no length."""
     rows: list[FloatArray] = [np.array(p) for p in points]
     return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))
