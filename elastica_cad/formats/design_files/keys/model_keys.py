@@ -1,6 +1,6 @@
 """Keys of the tables that tell of a whole model: patterns, joints, what holds strips, sheets, cutting."""
 
-from elastica_cad.formats.design_files.keys.strip_keys import MAKING
+from elastica_cad.formats.design_files.keys.strip_keys import CURVE, MAKING
 from elastica_cad.formats.design_files.keys.values import (
     COUNT,
     FLAG,
@@ -75,8 +75,7 @@ MODEL_TABLES: dict[str, Keys] = {
     "own sheet": _OWN_SHEET,
     "revolution": {
         "points": (points(2), "[distance from the axis, height] that the meridian goes through, mm"),
-        "curve": (either(TEXT, table("curve file"), table("curve formulae"), table("curve ellipse"),
-                         table("curve spline")), "in place of points: a profile that the meridian comes near to"),
+        "curve": (CURVE, "in place of points: a profile that the meridian comes near to"),
         "a": (NUMBER, "in place of points: moment at the origin over stiffness and distance"),
         "b": (vector(2), "change of that, 1/mm"),
         "start": (vector(2), "where the meridian begins, mm"),

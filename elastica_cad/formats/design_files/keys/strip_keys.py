@@ -21,7 +21,7 @@ from elastica_cad.formats.design_files.keys.values import (
 )
 from elastica_cad.mechanics.loads.supports import EndName
 
-_CURVE = either(
+CURVE = either(
     TEXT, table("curve file"), table("curve formulae"), table("curve ellipse"), table("curve spline")
 )
 
@@ -70,7 +70,7 @@ STRIP: Keys = {
     "label": (TEXT, "engraved, and its name in messages; {i} is the number"),
     "count": (COUNT, "so many strips, i = 1, 2, ..."),
     "let": (NAMES, "names for formulae of this strip"),
-    "curve": (_CURVE, "a file, formulae, an ellipse or a spline"),
+    "curve": (CURVE, "a file, formulae, an ellipse or a spline"),
     "sections": (table("sections"), "in place of the curve: a strip for every section of a surface"),
     "origin": (vector(3), "where the drawing's origin lies in space, mm"),
     "x_axis": (vector(3), "where the drawing's x axis points"),
@@ -91,7 +91,7 @@ STRIP_TABLES: dict[str, Keys] = {
         "stations": (NUMBERS, "from 0 to the length of the strip, mm; one twice is a step"),
         "curvatures": (NUMBERS, "at each of them, 1/mm, positive to the left; straight between"),
     },
-    "blank drawn": {"curve": (_CURVE, "in which it lies before it is bent")},
+    "blank drawn": {"curve": (CURVE, "in which it lies before it is bent")},
     "mass": {"at": (NUMBER, "place along the strip, mm"), "mass": (NUMBER, "g")},
     "loads": {
         "alpha": (NUMBER, "weight per length, N/mm"),
