@@ -115,10 +115,7 @@ def kit_of(
 def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:
     """The model whose strips have the plates that join them, clear of the slots that neighbours cut."""
     asked = {entry.label: entry.spec.shop for entry in entries}
-    known = {
-        id(strip): joined_within(strip, _for_nests(strip, asked.get(strip.label, spec.shop), spec))
-        for strip in model.strips
-    }
+    known = {id(strip): joined_within(strip, _shop_of(strip, spec, asked)) for strip in model.strips}
     if all(known[id(strip)] is strip for strip in model.strips):
         return model
     return model.with_strips([known[id(strip)] for strip in model.strips])
@@ -128,10 +125,7 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
     """Strips that are longer than the stock, by name, where the shop joins pieces."""
     asked = {entry.label: entry.spec.shop for entry in entries}
     found = {
-        part.name: spliced(
-            part.strip.labelled(part.name),
-            _for_nests(part.strip, asked.get(part.strip.label, spec.shop), spec),
-        )
+        part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, asked))
         for part in model.parts
     }
     ends = ("1", "2") if _numbers_ends(model, spec) else ("", "")
@@ -143,8 +137,9 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
     return bool(spec.holders or model.plates)
 
 
-def _for_nests(strip: Strip, shop: Shop, spec: KitSpec) -> Shop:
-    """The shop, whose stock is what the margins of a nested sheet leave where that is less."""
+def _shop_of(strip: Strip, spec: KitSpec, asked: Mapping[str, Shop]) -> Shop:
+    """The shop asked for, whose stock is what the margins of a nested sheet leave where that is less."""
+    shop = asked.get(strip.label, spec.shop)
     if shop.lap is None:
         return shop
     lost = 2 * spec.nesting.margin + widened_by(strip.sheet, spec.cutting.kerf)
