@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
@@ -102,6 +102,26 @@ def test_a_heavy_laminate_whose_programs_go_to_and_fro_is_found(points, base, ba
     assert -rod.nodal_load[:, 1] * rod.bending_stiffness == pytest.approx(newtons, rel=1e-5)
     bent = bend(rod)
     assert np.hypot(*(bent.position - rod.position).T).max() < 1e-5 * rod.length
+
+
+def test_a_base_of_varying_width_that_does_not_settle_is_found_with_one_width():
+    """A base of 19.6 to 20.4 mm: what the sentence says to do gives a strip that rests in the curve."""
+    points = [(0, 0), (140, -84), (280, -95.2), (420, -112), (560, 0)]
+    curve = PlaneCurve.spline(points, degree=4)
+    base, backing = (
+        Sheet(name, h, E, density=rho, max_strain=0.02)
+        for name, h, E, rho in (("base", 0.25, 890, 950), ("backing", 0.48, 1020, 910))
+    )
+    section = LaminatedSection(base, backing)
+    varying = Profile.interpolate([0.0, curve.length / 2, curve.length], [19.6, 20.4, 19.6])
+    with pytest.raises(
+        NotConvergedError, match=r"do not settle .*: give the base one width all along, which"
+    ):
+        optimal_laminate(curve, section, varying, direction=(0, -1))
+    laminate = optimal_laminate(curve, section, 20.0, direction=(0, -1))
+    assert laminate.base_width == pytest.approx(20.0)
+    bent = bend(laminate.rod)
+    assert np.hypot(*(bent.position - laminate.rod.position).T).max() < 1e-5 * curve.length
 
 
 def test_a_hung_mass_is_carried():

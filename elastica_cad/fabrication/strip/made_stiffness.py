@@ -76,8 +76,9 @@ def stiffness_shares(
     "slots": the cuts and the idle triangles beside them. "narrow tabs": idle corners at ends that are wider than
     their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. "leaning
     ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when its twist is held
-    by its mirror image. "anticlastic bending": `anticlastic_factor` of the width, of a ligament in a perforated
-    strip. "borders that curl": `laminate_factor` of a laminate. Causes that change nothing are left out.
+    by its mirror image, for a Poisson ratio near 0.3: in sheets of 0 to 0.1 it keeps more (up to 7 and 4 % at 25
+    degrees). "anticlastic bending": `anticlastic_factor` of the width, of a ligament in a perforated strip.
+    "borders that curl": `laminate_factor` of a laminate. Causes that change nothing are left out.
 
     Parameters
     ----------
