@@ -21,7 +21,10 @@ def is_number(value: object) -> TypeGuard[float]:
     """
     if isinstance(value, bool | np.bool_) or not isinstance(value, float | int | np.integer | np.floating):
         return False
-    return isfinite(value)
+    try:
+        return isfinite(value)
+    except OverflowError:  # a whole number beyond all others
+        return False
 
 
 def is_whole(value: object) -> TypeGuard[int]:

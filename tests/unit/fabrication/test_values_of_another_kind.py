@@ -122,3 +122,11 @@ def test_one_sentence(says):
 def test_one_record_stands_for_a_row_of_it():
     assert Tab(10, holes=Hole(5, 3)).holes == (Hole(5, 3),)
     assert Tab(10, holes=[Hole(5, 3)]).holes == (Hole(5, 3),)
+
+
+@pytest.mark.parametrize(
+    "make", [Tab, Rod.straight, lambda huge: Strip(ROD, SHEET, max_width=huge)], ids=["tab", "rod", "strip"]
+)
+def test_whole_numbers_beyond_all_floats_are_refused(make):
+    with pytest.raises(InputError, match="it must be"):
+        make(10**400)
