@@ -1,4 +1,4 @@
-"""Running sums: lengths up to points along them, and numbers within groups."""
+"""Running sums: lengths and turns up to points along them, and numbers within groups."""
 
 import numpy as np
 
@@ -14,6 +14,17 @@ def lengths_along(points: FloatArray) -> FloatArray:
     [0.0, 5.0, 6.0]
     """
     return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+
+
+def turns_along(angles: FloatArray) -> FloatArray:
+    """How far (n,) angles (n,) have turned, to either side, up to each of them.
+
+    Examples
+    --------
+    >>> turns_along(np.array([0.5, 1.5, 0.5])).tolist()
+    [0.0, 1.0, 2.0]
+    """
+    return np.append(0.0, np.cumsum(np.abs(np.diff(angles))))
 
 
 def numbers_in_groups(counts: IntArray) -> IntArray:

@@ -28,6 +28,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.running_sums import turns_along
 from elastica_cad.mechanics.bending.bend_forward import bend
 
 if TYPE_CHECKING:
@@ -266,7 +267,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     for slot in strip.slots:
         clear &= _keeps_off(slot, strip.width, s, lap)
     rod = strip.rod
-    turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
+    turned = turns_along(rod.angle)
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
     found: list[tuple[float, ...]] = []
     for layer, most in zip(strip.layers, longest, strict=True):

@@ -18,7 +18,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
-from elastica_cad.geometry.running_sums import numbers_in_groups
+from elastica_cad.geometry.running_sums import numbers_in_groups, turns_along
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 DEGREE = 5  # of the bent faces
@@ -228,8 +228,7 @@ def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
 
 def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
     """Every stretch divided so that no span turns by much more than 0.2 rad."""
-    turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
-    at = np.interp(edges, rod.s, turned)
+    at = np.interp(edges, rod.s, turns_along(rod.angle))
     rows = [
         np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST_TURN))))[:-1]
         for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)

@@ -5,6 +5,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.path_intersections import self_crossing
+from elastica_cad.geometry.running_sums import turns_along
 
 STEP_RAD = 0.03
 """Turn between the points of the section: chords then stray by a ten-thousandth of the radius."""
@@ -38,7 +39,7 @@ def self_contact(strip: Strip) -> tuple[float, float] | None:
     away = np.hypot(*(middle - meeting).T)
     one = s[np.argmin(away)]
     # between two places that meet a curve turns by half a circle or more
-    turned = _turned(angle)
+    turned = turns_along(angle)
     elsewhere = np.abs(turned - turned[np.argmin(away)]) > np.pi / 2
     other = s[np.argmin(np.where(elsewhere, away, np.inf))]
     places = min(one, other), max(one, other)
@@ -56,7 +57,9 @@ def _thickness(strip: Strip) -> float:
 def _closed_contact(strip: Strip) -> tuple[float, float] | None:
     """The same of a closed strip, whose ends and lap meet by intent."""
     rod = strip.rod
-    kept = np.unique(np.searchsorted(_turned(rod.angle), np.arange(0.0, _turned(rod.angle)[-1], STEP_RAD)))
+    kept = np.unique(
+        np.searchsorted(turns_along(rod.angle), np.arange(0.0, turns_along(rod.angle)[-1], STEP_RAD))
+    )
     kept = kept[kept < len(rod.s) - 1]
     ring = rod.position[kept]
     meeting = self_crossing(ring, closed=True)
@@ -69,7 +72,7 @@ def _closed_contact(strip: Strip) -> tuple[float, float] | None:
 def _middle(strip: Strip) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Stations (n,), points (n, 2) and angles (n,) of the middle line with its tabs."""
     rod = strip.rod
-    turned = _turned(rod.angle)
+    turned = turns_along(rod.angle)
     kept = np.unique(np.searchsorted(turned, np.arange(0.0, turned[-1], STEP_RAD)))
     kept = np.union1d(kept, [0, len(rod.s) - 1])
     parts = [(rod.s[kept], rod.position[kept], rod.angle[kept])]
@@ -83,8 +86,3 @@ def _middle(strip: Strip) -> tuple[FloatArray, FloatArray, FloatArray]:
         parts = [*parts, rows] if way > 0 else [(rows[0][::-1], line[::-1], angle), *parts]
     s, middle, angle = (np.concatenate(column) for column in zip(*parts, strict=True))
     return s, middle, angle
-
-
-def _turned(angle: FloatArray) -> FloatArray:
-    """Turn up to each station (n,), to either side, rad."""
-    return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(angle)))])
