@@ -26,6 +26,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
+from elastica_cad.mechanics.material.sheet import Sheet
 
 Writer: TypeAlias = Callable[[Path], object]
 
@@ -95,13 +96,18 @@ def kit_of(
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
     pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
+    shared = dict[tuple[str, Sheet | None, Nesting], list[tuple[str, tuple[Piece, ...]]]]()
     for asked in spec.holders:
         made, sentence = asked.made(model, spec.shop, anyway=spec.anyway)
         plates = [one for one in made if not isinstance(one, EndFixture)]
         cut = tuple(replace(plate.piece, name=f"{model.name}-{plate.name}") for plate in plates)
-        nests += _nest(cut, asked.nesting, spec, f"{model.name}-{asked.name}-nest")
+        shared.setdefault((asked.kind, asked.sheet, asked.nesting), []).append((asked.name, cut))
         pieces, holders = (*pieces, *cut), [*holders, *made]
         told += [sentence] if sentence else []
+    for (_, _, nesting), parts in shared.items():
+        names = "-".join(name for name, _ in parts)
+        laid = [piece for _, cut in parts for piece in cut]
+        nests += _nest(laid, nesting, spec, f"{model.name}-{names}-nest")
     told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)], model.placed)
     told += tell_missing_slots(model.placed, model.joints)
     held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())

@@ -12,6 +12,7 @@ from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.formats.design_files.tables import Slips
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 ARC = "curve.ellipse = { semi_axes = [90, 60], start = 0.2, end = 2.9 }"
@@ -227,6 +228,28 @@ def test_rings_and_bases_for_some_of_the_strips(read):
     (holder,) = read(HEAD + f"{AROUND}[rings]\nsheet = 'hdf-1.5'\nstrips = 'Q*'\n").kit.holders
     with pytest.raises(InputError, match=r"rings: no strip is called Q\*: there are R1, R2"):
         holder.made(model)
+
+
+def test_bases_of_one_sheet_are_laid_on_the_same(read):
+    asked = (("left", "12", "hdf-1.5"), ("right", "34", "hdf-1.5"), ("back", "56", "card-200gsm"))
+    tables = "".join(
+        f"[[base]]\nsheet = '{sheet}'\nstrips = 'R[{which}]'\nends = 'start'\nname = '{name}'\n"
+        for name, which, sheet in asked
+    )
+    design = read(HEAD + f"ends.length = 12\n{AROUND}{tables}")
+    kit = kit_of(design.model(), design.kit)
+    laid = {nest.name: list(nest.pieces) for nest in kit.nests[1:]}
+    assert laid == {
+        "design-left-right-nest-1-hdf-1.5": ["design-left", "design-right"],
+        "design-back-nest-1-card-200gsm": ["design-back"],
+    }
+    roomy = tables.replace("name = 'left'", "name = 'left'\nsheet_size = [700, 400]")
+    apart = read(HEAD + f"ends.length = 12\n{AROUND}{roomy}")
+    assert [nest.name for nest in kit_of(apart.model(), apart.kit).nests[1:]] == [
+        "design-left-nest-1-hdf-1.5",
+        "design-right-nest-1-hdf-1.5",
+        "design-back-nest-1-card-200gsm",
+    ]
 
 
 def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
