@@ -15,7 +15,7 @@ MEETING_SHARE = 1e-4
 def closes(rod: Rod) -> bool:
     """Do the ends of a rod meet, one going on in the other?"""
     gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
-    turn = np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0])))
+    turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
     return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
 
 

@@ -1,5 +1,6 @@
 """Strips that close: their verdict, where they are joined, and the shape that the joint leaves them."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -146,6 +147,13 @@ def test_widths_make_up_for_the_lap_and_close(name):
     assert better.held_deviation < min(plain.held_deviation / 3, 1.5e-4 * plain.rod.length)
     start, end = better.end_widths
     assert end == pytest.approx(start, abs=0.01)
+
+
+def test_whether_it_closes_is_a_plain_truth_value():
+    """As JSON takes it; of closed strips it had been one of numpy's."""
+    arc = PlaneCurve.arc((0, 0), 60, 0, 2)
+    told = [make_strip(curve, PLY, max_width=20).is_closed for curve in (CIRCLE, arc)]
+    assert json.dumps(told) == "[true, false]"
 
 
 def test_without_a_lap_the_shape_is_the_drawn_one():
