@@ -132,12 +132,12 @@ def nest_pieces(
     that curves keep it.
     """
     if np.shape(sheet_size) != (2,) or not all(map(is_number, sheet_size)):
-        raise InputError(f"sheet size is {sheet_size!r}: give its width and height, two numbers of mm")
+        raise InputError(f"sheet size is {sheet_size!r}: give its width and height, two finite numbers of mm")
     width, height = (float(v) for v in sheet_size)
     if not (kerf is None or is_number(kerf)):
         raise InputError(f"the kerf is {kerf!r}: it must be a finite number of mm, 0 for none")
     if not is_number(margin):
-        raise InputError(f"the margin is {margin!r}: it must be a number of mm, 0 or more")
+        raise InputError(f"the margin is {margin!r}: it must be 0 mm or more")
     if not (min(width, height) > 0 and margin >= 0):
         raise InputError(
             f"sheet size is {width:g} by {height:g} mm with a margin of {margin:g} mm: sizes must be positive and "

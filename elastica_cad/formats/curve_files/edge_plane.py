@@ -42,7 +42,7 @@ def plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     if off > tolerance:
         raise InputError(
             f"a curve leaves its plane by {off:.3g} mm (its z runs over {np.ptp(points[:, 2]):.4g} mm): "
-            "a strip bends in one plane only; project the curve onto a plane before export"
+            "a strip bends in one plane only; project the curve onto a plane first"
         )
     up = np.array([0.0, 0.0, 1.0])
     y_axis = up - (up @ normal) * normal

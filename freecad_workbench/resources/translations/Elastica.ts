@@ -3211,7 +3211,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane before export</source>
+        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane first</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

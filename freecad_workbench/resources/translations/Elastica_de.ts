@@ -3223,7 +3223,7 @@
         <translation>die Biegesteifigkeit des Stabs verlangt eine Breite von %1 mm, mehr als MaxWidth %2 mm: dickeres oder steiferes Material wählen</translation>
     </message>
     <message>
-        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane before export</source>
+        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane first</source>
         <translation>eine Kurve verlässt ihre Ebene um %1 mm (ihr z läuft über %2 mm): ein Streifen biegt sich nur in einer Ebene; die Kurve vorher auf eine Ebene projizieren</translation>
     </message>
     <message>

@@ -3223,7 +3223,7 @@
         <translation>杆的抗弯刚度要求宽 %1 mm，超过 MaxWidth %2 mm：请选用更厚或更硬的板材</translation>
     </message>
     <message>
-        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane before export</source>
+        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane first</source>
         <translation>曲线偏离其平面 %1 mm（z 跨 %2 mm）：条带只能在一个平面内弯曲；请先把曲线投影到平面</translation>
     </message>
     <message>

@@ -98,7 +98,7 @@ SLIPS = {
     "the name of a sheet is needed, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
     "curve 2 of 2 is a int: give PlaneCurve": lambda: nearest_rods([ROD.curve, 1], Limits()),
     "the kerf is 'a': it must be a finite number": lambda: nest_pieces(PIECES, kerf="a"),
-    "the margin is '2': it must be a number": lambda: nest_pieces(PIECES, margin="2"),
+    "the margin is '2': it must be 0 mm or more": lambda: nest_pieces(PIECES, margin="2"),
     "sheet size is '600x400'": lambda: nest_pieces(PIECES, sheet_size="600x400"),
     "sheet size is 600": lambda: nest_pieces(PIECES, sheet_size=600),
     "nearest_rods takes a list of curves, not a str": lambda: nearest_rods("arch.dxf", Limits()),
