@@ -48,9 +48,7 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
     """
     if not (is_number(value) and value > 0):
         told = repr(value) if isinstance(value, str) else value
-        wanted = (
-            "positive" if isinstance(value, float | np.number) or is_number(value) else "a number above 0"
-        )
+        wanted = "positive" if is_number(value) else "a number above 0"
         raise InputError(f"{what} is {told}: it must be {wanted}, in {unit}")
 
 

@@ -86,7 +86,7 @@ def test_reactions_balance():
     [
         ({}, "max_width or min_width"),
         ({"max_width": 0.0}, "positive"),
-        ({"max_width": float("nan")}, "positive"),
+        ({"max_width": float("nan")}, "a number above 0"),
         ({"max_width": 10.0, "min_width": 9.0}, "below min_width"),
         ({"max_width": 10.0, "ends": (ec.Tab(5, corner_radius=6.0), ec.Tab(5))}, "corners"),
         ({"max_width": 10.0, "ends": (ec.Tab(5, holes=(Hole(2.5, 4.9),)), ec.Tab(5))}, None),
