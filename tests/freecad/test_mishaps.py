@@ -16,3 +16,9 @@ def test_what_goes_wrong_is_in_sight_and_is_undone(tmp_path):
     assert "touch along a line" in found["told in the panel"]
     assert found["made in error"] == found["within again"] == failing
     assert found["apart"] == found["undone"] == standing
+    assert found["marked"] == [[]] * 6
+    assert found["filled"] == "Face"
+    assert found["strip on it"].startswith("A flat strip takes this curve.")
+    assert "B-spline through their ends" in found["lines"][0]
+    assert found["lines"][1] == 0
+    assert "polyline of 3 straight pieces" in found["polygon"]

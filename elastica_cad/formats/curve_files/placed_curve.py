@@ -70,6 +70,11 @@ def place_chain(
         out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
         turn = np.arctan2(np.linalg.norm(np.cross(out, onward)), out @ onward)
         if turn > TANGENT:
+            if len(run) > 2 and all(edge.degree == 1 for edge in run):
+                raise InputError(
+                    f"the edges are a polyline of {len(run)} straight pieces, with corners between them: draw a "
+                    "spline through its points for the strip to follow"
+                )
             x, y, z = before.end
             raise InputError(
                 f"edges meet at a corner of {np.degrees(turn):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) "

@@ -1067,6 +1067,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The selected lines are pieces of a polyline, as FreeCAD reads it from a file: draw a B-spline through their ends (workbench Draft) and select that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2672,6 +2676,10 @@
     </message>
     <message>
         <source>edges meet at a corner of %1 degrees at (%2, %3, %4) mm: make them tangent or round the corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edges are a polyline of %1 straight pieces, with corners between them: draw a spline through its points for the strip to follow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

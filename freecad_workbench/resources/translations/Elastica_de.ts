@@ -1071,6 +1071,10 @@
         <translation>Bitte zuerst zwei oder mehr Streifen auswählen.</translation>
     </message>
     <message>
+        <source>The selected lines are pieces of a polyline, as FreeCAD reads it from a file: draw a B-spline through their ends (workbench Draft) and select that.</source>
+        <translation>Die ausgewählten Linien sind Stücke eines Linienzugs, wie FreeCAD ihn aus einer Datei liest: einen B-Spline durch ihre Enden zeichnen (Arbeitsbereich Draft) und diesen auswählen.</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -2685,6 +2689,10 @@
     <message>
         <source>edges meet at a corner of %1 degrees at (%2, %3, %4) mm: make them tangent or round the corner</source>
         <translation>Kanten treffen sich in einer Ecke von %1 Grad bei (%2, %3, %4) mm: sie tangential machen oder die Ecke runden</translation>
+    </message>
+    <message>
+        <source>the edges are a polyline of %1 straight pieces, with corners between them: draw a spline through its points for the strip to follow</source>
+        <translation>die Kanten sind ein Linienzug aus %1 geraden Stücken, mit Ecken dazwischen: einen Spline durch seine Punkte zeichnen, dem der Streifen folgt</translation>
     </message>
     <message>
         <source>a spline of degree %1 has %2 control points; it needs %3: draw it anew</source>

@@ -1071,6 +1071,10 @@
         <translation>请先选择两个或更多条带。</translation>
     </message>
     <message>
+        <source>The selected lines are pieces of a polyline, as FreeCAD reads it from a file: draw a B-spline through their ends (workbench Draft) and select that.</source>
+        <translation>所选直线是一条折线的各段（FreeCAD 从文件中如此读入）：请过其端点画一条 B 样条（Draft 工作台）并选择它。</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>轴</translation>
     </message>
@@ -2685,6 +2689,10 @@
     <message>
         <source>edges meet at a corner of %1 degrees at (%2, %3, %4) mm: make them tangent or round the corner</source>
         <translation>边在 (%2, %3, %4) mm 处以 %1 度角相交：使其相切或把角倒圆</translation>
+    </message>
+    <message>
+        <source>the edges are a polyline of %1 straight pieces, with corners between them: draw a spline through its points for the strip to follow</source>
+        <translation>这些边是由 %1 段直线组成的折线，段间有拐角：请过其各点画一条样条曲线供条带跟随</translation>
     </message>
     <message>
         <source>a spline of degree %1 has %2 control points; it needs %3: draw it anew</source>

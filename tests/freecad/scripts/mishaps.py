@@ -1,23 +1,34 @@
-"""What goes wrong at a maker's desk, and how it is undone: strips that stand in each other."""
+"""What goes wrong at a maker's desk, how it is undone, and curves that others drew."""
 
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
+import FreeCADGui as Gui
+import Part
 from inside import (
     ARCH,
+    OUT,
+    Dialog,
+    QtWidgets,
     answers,
     begun,
     button,
+    choose,
+    click,
     fit,
     open_panel,
     panel,
     picture,
+    press,
     run,
     sketch,
+    told,
     trigger,
+    typed,
     until,
     window,
 )
@@ -63,9 +74,71 @@ def strips_within_each_other():
     App.closeDocument(document.Name)
 
 
+def undone_and_redone():
+    """Undo and redo leave nothing marked as if it were to be made anew."""
+    document = begun("Undone")
+    one = strip_on(document, "One", UPRIGHT)
+    open_panel("Elastica_Perforate", one)
+    button()
+    choose(one)
+    press("Elastica_Nest")
+    until(lambda: document.getObject("Nest"))
+    Gui.ActiveDocument.setEdit("Nest")
+    until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
+    typed("SheetWidth", "800 mm")
+    button()
+    for command, number in (("Std_Undo", 3), ("Std_Redo", 3)):
+        for _ in range(number):
+            trigger(command)
+            until(lambda: not document.isTouched(), 5)
+            marked = [obj.Name for obj in document.Objects if "Touched" in obj.State]
+            answers.setdefault("marked", []).append(marked)
+    App.closeDocument(document.Name)
+
+
+def curves_of_other_hands():
+    """What FreeCAD reads from files: a filled shape of a drawing, a polyline as lines."""
+    import importSVG
+
+    document = begun("Read")
+    drawing = OUT / "filled.svg"
+    drawing.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="150mm" viewBox="0 0 200 150">'
+        "<!-- Created with Inkscape (http://www.inkscape.org/) -->"
+        '<circle id="ring" cx="80" cy="70" r="60" fill="#cccccc"/></svg>'
+    )
+    asked = Dialog(lambda box: box.button(QtWidgets.QMessageBox.Yes).click())  # 96 dots in an inch?
+    importSVG.insert(str(drawing), document.Name)
+    asked.stop()
+    filled = document.Objects[0]
+    answers["filled"] = filled.Shape.ShapeType
+    open_panel("Elastica_Strip", filled)
+    answers["strip on it"] = panel().form.message.text()
+    button("Cancel")
+    corners = [(0, 0), (40, 35), (90, 45), (150, 0)]
+    lines = []
+    for start, end in pairwise(corners):
+        lines.append(document.addObject("Part::Feature", "Line"))
+        lines[-1].Shape = Part.makeLine(App.Vector(*start, 0), App.Vector(*end, 0))
+    before = len(document.Objects)
+    choose(*lines)
+    press("Elastica_Strip")
+    until(told)
+    answers["lines"] = [told(), len(document.Objects) - before]
+    click(QtWidgets.QApplication.activeWindow().findChild(QtWidgets.QPushButton))
+    until(lambda: not told())
+    polygon = document.addObject("Part::Feature", "Polygon")
+    polygon.Shape = Part.makePolygon([App.Vector(*place, 0) for place in corners])
+    open_panel("Elastica_Strip", polygon)
+    answers["polygon"] = panel().form.message.text()
+    button("Cancel")
+    App.closeDocument(document.Name)
+
+
 def work():
     window()
-    strips_within_each_other()
+    for one in (strips_within_each_other, undone_and_redone, curves_of_other_hands):
+        one()
 
 
 run(work)

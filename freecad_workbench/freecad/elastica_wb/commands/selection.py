@@ -8,6 +8,7 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 from freecad.elastica_wb.curves.copies import COPYING, contents, not_repeated, originals
 from freecad.elastica_wb.curves.sketch_curves import is_outline, is_sketch, linked
 from freecad.elastica_wb.features.baseplate import is_base_plate
@@ -21,6 +22,7 @@ from freecad.elastica_wb.live.sketches import edited_sketch, followers
 from elastica_cad.errors import InputError
 
 JOIN_MM = 1e-4  # as edges are joined that a strip follows
+LINE = "Part::GeomLine"
 OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
 
 
@@ -50,7 +52,24 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
         raise InputError(
             translate("Elastica", "Select a sketch with a spline, or an edge of an object, first.")
         )
+    if _are_pieces(found):
+        raise InputError(
+            translate(
+                "Elastica",
+                "The selected lines are pieces of a polyline, as FreeCAD reads it from a file: draw a B-spline "
+                "through their ends (workbench Draft) and select that.",
+            )
+        )
     return found
+
+
+def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
+    """Are they straight edges of different objects, some of which meet in a row of three or more?"""
+    shapes = [source.Shape for source, names in curves if not names and not is_sketch(source)]
+    lines = [shape.Edges[0] for shape in shapes if [e.Curve.TypeId for e in shape.Edges] == [LINE]]
+    if not 3 <= len(lines) == len(curves):
+        return False
+    return any(len(row) > 2 for row in Part.sortEdges(lines))
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:

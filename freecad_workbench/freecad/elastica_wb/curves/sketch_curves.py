@@ -134,7 +134,8 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 def is_outline(shape: Any) -> bool:
     """Is it one plane face without holes, as Draft makes of a closed curve? Then its outline is meant."""
     faces = shape.Faces
-    return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].Surface.TypeId == "Part::GeomPlane"
+    # FreeCAD's reader of SVG scales faces, which makes a spline surface of a plane
+    return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None
 
 
 def container(obj: Any) -> App.Placement:

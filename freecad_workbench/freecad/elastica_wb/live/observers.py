@@ -209,11 +209,15 @@ def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
 
     ours = [obj for obj in ours if lives(obj)]
     stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, set(changed))]
+    # FreeCAD marks what it brings back as if it were to be made anew
+    restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
+    for strip in filter(is_strip, restored):
+        strip.purgeTouched()
     names = {*changed, *(obj.Name for obj in stale)}
     for obj in (one for one in ours if not is_strip(one)):
         follows = any(source.Name in names for source in obj.OutList)
         failed = "Invalid" in obj.State and (follows or obj.Name in changed)
-        if failed or (follows and is_curve(obj)) or _is_half_undone(obj, changed):
+        if failed or (follows and is_curve(obj)) or _is_half_undone(obj, changed) or obj in restored:
             stale.append(obj)
     users = {user for obj in stale for user in obj.InListRecursive}
     return stale + [obj for obj in ours if obj in users and obj not in stale]
