@@ -2679,6 +2679,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the margin is %1: it must be a number of mm, 0 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheet size is %1: give its width and height, two numbers of mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the edges are a polyline of %1 straight pieces, with corners between them: draw a spline through its points for the strip to follow</source>
         <translation type="unfinished"></translation>
     </message>

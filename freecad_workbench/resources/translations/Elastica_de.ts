@@ -2691,6 +2691,14 @@
         <translation>Kanten treffen sich in einer Ecke von %1 Grad bei (%2, %3, %4) mm: sie tangential machen oder die Ecke runden</translation>
     </message>
     <message>
+        <source>the margin is %1: it must be a number of mm, 0 or more</source>
+        <translation>der Rand ist %1: er muss eine Zahl in mm sein, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>sheet size is %1: give its width and height, two numbers of mm</source>
+        <translation>Plattengröße ist %1: Breite und Höhe angeben, zwei Zahlen in mm</translation>
+    </message>
+    <message>
         <source>the edges are a polyline of %1 straight pieces, with corners between them: draw a spline through its points for the strip to follow</source>
         <translation>die Kanten sind ein Linienzug aus %1 geraden Stücken, mit Ecken dazwischen: einen Spline durch seine Punkte zeichnen, dem der Streifen folgt</translation>
     </message>

@@ -2691,6 +2691,14 @@
         <translation>边在 (%2, %3, %4) mm 处以 %1 度角相交：使其相切或把角倒圆</translation>
     </message>
     <message>
+        <source>the margin is %1: it must be a number of mm, 0 or more</source>
+        <translation>边距为 %1：须为以 mm 计的数，0 或更大</translation>
+    </message>
+    <message>
+        <source>sheet size is %1: give its width and height, two numbers of mm</source>
+        <translation>板材尺寸为 %1：请给出宽和高，即两个以 mm 计的数</translation>
+    </message>
+    <message>
         <source>the edges are a polyline of %1 straight pieces, with corners between them: draw a spline through its points for the strip to follow</source>
         <translation>这些边是由 %1 段直线组成的折线，段间有拐角：请过其各点画一条样条曲线供条带跟随</translation>
     </message>
