@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
 from freecad.elastica_wb.host.resources import translate
 
 LARGEST = 1e9  # of numbers without a limit of their own
@@ -148,6 +148,10 @@ def _is_quantity(widget: Any) -> bool:
     return str(widget.metaObject().className()) in ("Gui::QuantitySpinBox", "Gui::PrefQuantitySpinBox")
 
 
+def _takes_numbers(widget: Any) -> bool:
+    return isinstance(widget, QtWidgets.QAbstractSpinBox) and not isinstance(widget, QtWidgets.QSpinBox)
+
+
 def _widen(box: Any) -> None:
     """Take every length while it is typed; what is too large is refused where it is used.
 
@@ -164,6 +168,12 @@ class _Keeper(QtCore.QObject):
     def eventFilter(self, widget: Any, event: Any) -> bool:
         """A wheel over a widget that has no focus is not for it; a typed number is as exact as it is typed."""
         kind = event.type()
+        point = str(widget.locale().decimalPoint())
+        if kind == QtCore.QEvent.KeyPress and event.text() == "." != point and _takes_numbers(widget):
+            # FreeCAD's box leaves the point out as one of thousands: 0.5 mm would be 5 mm, and shown as 0.5
+            typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
+            QtWidgets.QApplication.sendEvent(widget, typed)
+            return True
         if kind == QtCore.QEvent.Wheel and not widget.hasFocus():
             event.ignore()
             return True
