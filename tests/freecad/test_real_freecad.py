@@ -282,7 +282,7 @@ def test_a_hostile_user(tmp_path):
     assert curves == [""] * 4
     for said, words in (
         (corner, "corner"),
-        (polygon, "corner of 72 degrees"),
+        (polygon, "polyline of 5 straight pieces"),
         (point, "no curve"),
         (space, "plane"),
     ):

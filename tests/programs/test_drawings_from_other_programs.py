@@ -76,15 +76,18 @@ for look in $(seq 120); do
     [ -n "$window" ] && break
     sleep 0.5
 done
-sleep 2
+sleep 4
 xdotool windowfocus "$window"
 for typed in "${@:2}"; do
     xdotool type --delay 20 "$typed"
     xdotool key Return
     sleep 0.5
 done
-xdotool key ctrl+s
-sleep 3
+for look in $(seq 30); do
+    xdotool key ctrl+s
+    sleep 1
+    head -c 40 "$1" | grep -q dxfrw && break
+done
 kill $program
 """
 
