@@ -88,6 +88,7 @@ campaign-trust: $(VENV)/test-installed
 	-$(TRUST).commands --runs 3000 --minutes $(MINUTES) --out $(OUT)/campaign
 	-$(TRUST).met_checks --solves 10000 --minutes $(MINUTES) --out $(OUT)/campaign
 	-$(TRUST).written --strips 1000 --minutes $(MINUTES) --out $(OUT)/campaign
+	-$(TRUST).designs --designs 2000 --minutes $(MINUTES) --out $(OUT)/campaign
 	-$(TRUST).faults --out $(OUT)/campaign
 	-$(TRUST).soak --minutes $(MINUTES) --out $(OUT)/campaign
 	-$(TRUST).mutants --count 400 --minutes $(MINUTES) --out $(OUT)/campaign

@@ -8,6 +8,7 @@ import pytest
 from tests.campaign.trust import (
     changed_lines,
     commands,
+    designs,
     equivalent,
     files,
     ledger,
@@ -62,6 +63,12 @@ def test_a_wrong_verdict_would_be_noticed():
 @pytest.mark.parametrize("number", range(6))
 def test_strips_at_random_can_be_cut(number, tmp_path):
     ended, wrong = written.drawn(2026, number, tmp_path)
+    assert wrong == [], ended
+
+
+@pytest.mark.parametrize("number", range(3))
+def test_designs_changed_at_random_are_made_or_refused_in_a_sentence(number, tmp_path):
+    ended, wrong = designs.made(2026, number, tmp_path)
     assert wrong == [], ended
 
 

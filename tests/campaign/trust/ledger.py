@@ -114,6 +114,10 @@ def _told(kind, record, seed):
             f"{module} --seed {seed}",
             f"{sums['runs']} runs, {sums['faults']} faults; longest {sums['longest_s']} s",
         )
+    elif kind == "designs":
+        sums = record["sums"]
+        made = ", ".join(f"{n} with {name}" for name, n in sorted(sums["ends"].items()))
+        yield f"{module} --seed {seed}", f"{sums['designs']} designs ({made}), {sums['wrong']} wrong"
     elif kind == "mets":
         sums = record["sums"]
         met = ", ".join(f"{n} {name}" for name, n in sums["ends"].items())

@@ -33,6 +33,9 @@ SLIVER_MM2 = 1e-6
 
 STOCK_MM = (900.0, 600.0)
 
+TOUCHING = "parts touch or cross"
+"""Said of pieces, of which each has a cut of its own."""
+
 
 def strip_of(rng):
     """A strip as somebody might ask for: any style, ends and slots."""
@@ -119,7 +122,7 @@ def faults(path, size=None):
     if len(inner) and len(holes.query(inner, predicate="intersects")[0]) > len(inner):
         found.append("holes touch or cross")
     if len(parts.query(outer, predicate="intersects")[0]) > len(outer):
-        found.append("parts touch or cross")
+        found.append(TOUCHING)
     if size and not all(shapely.box(0, 0, *size).contains(one) for one in outer):
         found.append("a part leaves the sheet")
     return found
