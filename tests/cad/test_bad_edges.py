@@ -87,7 +87,7 @@ REFUSED = {
     "closed with a corner": (
         lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (4, 5, 0)), line((4, 5, 0), (0, 0, 0))],
         {},
-        "corner of",
+        "polyline of 3 straight pieces",
     ),
     "degenerate": (lambda: [degenerate()], {}, "degenerate"),
     "corner": (lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (9, 5, 0))], {}, "corner of 90 degrees"),
