@@ -29,6 +29,6 @@ def test_a_point_is_a_comma_where_numbers_are_written_with_one(tmp_path):
     found = launching.run_window("decimals.py", tmp_path, language="German")
     assert found["12,5"] == found["12.5"]
     text, value = found["12.5"]
-    assert text in ("12,5 mm", "12,50 mm")  # FreeCAD 1.1 writes two decimals
+    assert text.startswith("12,5")  # with the unit and two decimals or without, by the release
     assert value == 12.5
     assert found["angle"] == 0.5
