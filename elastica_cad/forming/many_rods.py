@@ -49,7 +49,7 @@ def nearest_rods(
     Raises
     ------
     InputError
-        No curves, something else among them, or sequences of another length.
+        No curves, or sequences of another length.
 
     Examples
     --------
@@ -70,12 +70,6 @@ def nearest_rods(
     curves = list(curves)
     if not curves:
         raise InputError("nearest_rods got no curves: give one at least")
-    for i, curve in enumerate(curves, start=1):
-        if not isinstance(curve, PlaneCurve):
-            raise InputError(
-                f"curve {i} of {len(curves)} is a {type(curve).__name__}: give PlaneCurve records, as "
-                "PlaneCurve.fit(points) makes one"
-            )
     count = len(curves)
     columns = (
         _spread("limits", limits, count), _spread("keep", keep, count), _spread("gravity", gravity, count),

@@ -96,7 +96,6 @@ SLIPS = {
     "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
     "the name of a sheet is needed, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
-    "curve 2 of 2 is a int: give PlaneCurve": lambda: nearest_rods([ROD.curve, 1], Limits()),
     "the kerf is 'a': it must be a finite number": lambda: nest_pieces(PIECES, kerf="a"),
     "the margin is '2': it must be 0 mm or more": lambda: nest_pieces(PIECES, margin="2"),
     "sheet size is '600x400'": lambda: nest_pieces(PIECES, sheet_size="600x400"),

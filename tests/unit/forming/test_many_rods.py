@@ -79,9 +79,11 @@ def test_one_record_a_curve():
 
 def test_a_curve_that_fails_does_not_lose_the_others():
     nearby, short = Limits(ratio=1.3), Limits(length=(1, 2))
-    found = nearest_rods(ARCHES, [nearby, short, nearby])
-    assert [near.status for near in found] == [Status.MET, Status.FAILED, Status.MET]
+    curves = [*ARCHES, "no curve"]
+    found = nearest_rods(curves, [nearby, short, nearby, nearby])
+    assert [near.status for near in found] == [Status.MET, Status.FAILED, Status.MET, Status.FAILED]
     assert "the rod may be at most 2 mm long" in found[1].message
+    assert "PlaneCurve" in found[3].message
 
 
 def test_executors_that_die_leave_what_they_did():
