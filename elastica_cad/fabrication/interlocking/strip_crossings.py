@@ -14,6 +14,7 @@ from elastica_cad.fabrication.interlocking.ruled_intersection import (
     margins,
 )
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.geometry.running_sums import lengths_along
 
 NODE_PARTS = 4
 """Parts of each stretch between nodes, among which edges are bracketed."""
@@ -85,7 +86,7 @@ class Crossing:
         nodes = (self.locus.nodes - self.start) / (self.end - self.start)
         x = np.union1d(np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)])
         points = self.at(x)
-        return x, _lengths(points.position), points
+        return x, lengths_along(points.position), points
 
     @property
     def length(self) -> float:
@@ -100,7 +101,7 @@ class Crossing:
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
         for _ in range(2):  # between nodes x is smooth: the secant method takes a few steps
-            done = _lengths(self.at(np.linspace(x[k], middle, 5)).position)[-1]
+            done = lengths_along(self.at(np.linspace(x[k], middle, 5)).position)[-1]
             middle += (half - done) * pace
         return float(middle)
 
@@ -109,7 +110,7 @@ class Crossing:
         x, along, _ = self.course
         if min(start, end) < 0 or max(start, end) > 1:
             x = np.linspace(min(start, end), max(start, end), LENGTH_POINTS)
-            along = _lengths(self.at(x).position)
+            along = lengths_along(self.at(x).position)
         low, high = np.interp([start, end], x, along)
         count = int(np.clip(abs(high - low) / pitch, 5, 64)) + 1
         return np.concatenate([[start], np.interp(np.linspace(low, high, count)[1:-1], along, x), [end]])
@@ -154,11 +155,6 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
     for locus in intersect_surfaces(a, b):
         found += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
     return tuple(found)
-
-
-def _lengths(position: FloatArray) -> FloatArray:
-    """Lengths (n,) up to points (n, 3) along them, mm."""
-    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(position, axis=0), axis=1))])
 
 
 def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> list[tuple[float, float]]:

@@ -81,20 +81,25 @@ def words(rng, commands):
 
 def prepared(folder, rng):
     """Files that commands read, now and then a broken one."""
-    from elastica_cad.cli.commands import elastica
-
     (folder / "bow.txt").write_text("2 4\n0 0\n40 60\n90 60\n130 0\n")
-    here = os.getcwd()
-    os.chdir(folder)
-    try:
-        for kind in ("arch", "sections"):
-            elastica.main(["new", kind, "-q"], standalone_mode=False)
-    finally:
-        os.chdir(here)
+    begin(folder, "arch", "sections")
     if rng.random() < 0.2:
         name, kind = rng.choice((("bow.txt", "txt"), ("arch.toml", "toml"), ("bowl.obj", "obj")))
         sound = originals(kind)
         (folder / name).write_bytes(mutated(rng, kind, rng.choice(sound), rng.choice(sound)))
+
+
+def begin(folder, *kinds):
+    """Designs as `elastica new` writes them."""
+    from elastica_cad.cli.commands import elastica
+
+    here = os.getcwd()
+    os.chdir(folder)
+    try:
+        for kind in kinds:
+            elastica.main(["new", kind, "-q", "--force"], standalone_mode=False)
+    finally:
+        os.chdir(here)
 
 
 def run(said, folder, typed):

@@ -6,7 +6,6 @@ python -m tests.campaign.trust.designs --designs 2000 --seed 1 --minutes 60
 """
 
 import json
-import os
 import random
 import shutil
 import tomllib
@@ -129,7 +128,8 @@ def made(seed: int, number: int, folder: Path) -> tuple[str, list[str]]:
     """How one design ended, and what is wrong with that."""
     rng = random.Random(f"{seed} {number}")
     kind = rng.choice(KINDS)
-    _begin(folder, kind)
+    shutil.rmtree(folder / "out", ignore_errors=True)
+    commands.begin(folder, kind)
     design = tomllib.loads((folder / f"{kind}.toml").read_text(encoding="utf-8"))
     if kind in FEWER:
         *way, last = FEWER[kind]
@@ -152,19 +152,6 @@ def made(seed: int, number: int, folder: Path) -> tuple[str, list[str]]:
         found = written.faults(file)
         wrong += [f"{file.name}: {fault}" for fault in found if not (close and fault == written.TOUCHING)]
     return f"code {ended[0]}", [f"{kind}: {'; '.join(changes)}", *wrong] if wrong else []
-
-
-def _begin(folder: Path, kind: str) -> None:
-    """A design as `elastica new` writes it, alone in a folder."""
-    from elastica_cad.cli.commands import elastica
-
-    shutil.rmtree(folder / "out", ignore_errors=True)
-    here = os.getcwd()
-    os.chdir(folder)
-    try:
-        elastica.main(["new", kind, "-q", "--force"], standalone_mode=False)
-    finally:
-        os.chdir(here)
 
 
 def main() -> None:

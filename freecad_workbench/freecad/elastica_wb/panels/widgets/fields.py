@@ -168,12 +168,13 @@ class _Keeper(QtCore.QObject):
     def eventFilter(self, widget: Any, event: Any) -> bool:
         """A wheel over a widget that has no focus is not for it; a typed number is as exact as it is typed."""
         kind = event.type()
-        point = str(widget.locale().decimalPoint())
-        if kind == QtCore.QEvent.KeyPress and event.text() == "." != point and _takes_numbers(widget):
-            # FreeCAD's box leaves the point out as one of thousands: 0.5 mm would be 5 mm, and shown as 0.5
-            typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
-            QtWidgets.QApplication.sendEvent(widget, typed)
-            return True
+        if kind == QtCore.QEvent.KeyPress and event.text() == "." and _takes_numbers(widget):
+            point = str(widget.locale().decimalPoint())
+            if point != ".":
+                # FreeCAD's box leaves the point out as one of thousands: 0.5 mm would be 5 mm, and shown as 0.5
+                typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
+                QtWidgets.QApplication.sendEvent(widget, typed)
+                return True
         if kind == QtCore.QEvent.Wheel and not widget.hasFocus():
             event.ignore()
             return True
