@@ -7,6 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.revolution import meridian_search
 from elastica_cad.forming.revolution.meridian import meridian, meridian_through
 
 pytestmark = pytest.mark.core
@@ -290,6 +291,21 @@ def test_winding_between_points_is_no_meridian():
     """Nodes alone could be satisfied here, by a curve that misses the equation between them."""
     with pytest.raises(NotConvergedError, match="no meridian was found near these points"):
         meridian_through([(60, 0), (600, 10), (60, 20), (600, 30), (60, 40)])
+
+
+def test_more_nodes_are_not_tried_where_fewer_did_not_help(monkeypatch):
+    points = [[27.1, 13.3], [25.9, 21.3], [47.5, 29.5], [43, 50.6], [33.1, 76.9], [43.2, 78.5]]
+    nodes = []
+    init = meridian_search._Equations.__init__
+
+    def noted(self, count, closes, asked):
+        nodes.append(asked)
+        init(self, count, closes, asked)
+
+    monkeypatch.setattr(meridian_search._Equations, "__init__", noted)
+    with pytest.raises(NotConvergedError, match="no meridian was found near these points"):
+        meridian_through(points)
+    assert len(nodes) <= 3
 
 
 def test_a_strongly_bent_meridian_gets_nodes_enough():

@@ -49,6 +49,9 @@ FINER = 3
 BETWEEN = 8
 """Places in the room of a node at which a solution is looked at between the nodes."""
 
+STUCK = 0.1
+"""Where twice the nodes leave more than this share of what was missed with fewer, still more lead nowhere."""
+
 SETTLED = 1e-10
 """Least squares end where a step changes nothing by more than this share of the size."""
 
@@ -136,9 +139,9 @@ def search_meridian(points: FloatArray) -> FoundMeridian:
         exact, places = unknown is not None, points
         if unknown is None:
             places, unknown = _nearest(points, equations, points, guess)
-        found = equations.curve(unknown, places)
+        found, off, before = equations.curve(unknown, places), equations.missed(unknown, places), np.inf
         for _ in range(FINER):
-            if found.missed < GOOD or not found.missed < ROUGH:
+            if found.missed < GOOD or not found.missed < ROUGH or GOOD < off > STUCK * before:
                 break
             finer = _Equations(len(points), closes, 2 * equations.nodes)
             unknown, equations = equations.at(finer.stations, unknown), finer
@@ -146,8 +149,8 @@ def search_meridian(points: FloatArray) -> FoundMeridian:
             if mended is None:
                 places, mended = _nearest(points, equations, places, unknown)
             unknown = mended
-            found = equations.curve(unknown, places)
-    if not (found.missed < GOOD and float(np.abs(equations.off(unknown, places)).max()) < GOOD):
+            found, off, before = equations.curve(unknown, places), equations.missed(unknown, places), off
+    if not (found.missed < GOOD and off < GOOD):
         raise NotConvergedError("no meridian was found near these points")
     return found
 
@@ -204,6 +207,10 @@ class _Equations:
             last, turning = angles[-1, -1], self.slope[-1] @ angles[-1]
             rows.append([turning * np.cos(last) - half[-1, 0] * (b1 * np.cos(last) + b2 * np.sin(last))])
         return np.concatenate(rows)
+
+    def missed(self, unknown: FloatArray, points: FloatArray) -> float:
+        """By how much they are missed at most."""
+        return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
         """Derivatives (m, count + 2 n) by the unknowns and by the points."""
