@@ -14,7 +14,7 @@ from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
-from elastica_cad.kit.kit_contents import Kit, kit_of
+from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
 from elastica_cad.kit.kit_files import kit_report, left_behind, left_out, write_kit
 
 MOST_SAID = 6
@@ -93,10 +93,8 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     answer(kit_report(kit) | {"folder": output})
     voice().files += [str(output / name) for name in kit.files]
     listed = kit.cut_list
-    placed = len(kit.model.placed)
-    strips = counted(placed, "strip") + (f" ({kit.model.shape_count} different)" if placed > 1 else "")
     pieces = f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}"
-    say(f"{kit.model.name}: {strips}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
+    say(f"{kit.model.name}: {count_strips(kit.model)}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
     drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
     moved = [

@@ -6,6 +6,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from elastica_cad._counts import counted
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holders.crowded_blocks import crowded_blocks
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
@@ -174,6 +175,12 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
         told += accept_faults(found, anyway or spec.anyway)
     known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(told) if text not in known)
+
+
+def count_strips(model: Model) -> str:
+    """How many strips there are, and how many of several differ in shape."""
+    count = len(model.placed)
+    return counted(count, "strip") + (f" ({model.shape_count} different)" if count > 1 else "")
 
 
 def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -> tuple[NestedSheet, ...]:

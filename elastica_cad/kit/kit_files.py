@@ -22,7 +22,7 @@ from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.file_access.text_files import write_json, write_text
 from elastica_cad.formats.reports.start_page import compose_start_page
-from elastica_cad.kit.kit_contents import Kit, Writer, kit_of
+from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
 from elastica_cad.mechanics.material.sheet import Sheet
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
@@ -169,7 +169,7 @@ def save_model(
     >>> model = Model([Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="arch")
     >>> with TemporaryDirectory() as folder:
     ...     print(save_model(model, folder, step=False, pictures=False).summary)
-    arch: 1 strip (1 different) on 1 sheet
+    arch: 1 strip on 1 sheet
     """
     spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding), shop=shop, anyway=anyway)
     if not isinstance(model, Model):
@@ -179,8 +179,7 @@ def save_model(
     folder = require_path(folder)
     kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
-    count, unlike, sheets = len(model.placed), model.shape_count, len(kit.nests)
-    summary = f"{model.name}: {counted(count, 'strip')} ({unlike} different) on {counted(sheets, 'sheet')}"
+    summary = f"{model.name}: {count_strips(model)} on {counted(len(kit.nests), 'sheet')}"
     return SavedKit(folder, tuple(kit.files), left_out(step=step, pictures=pictures), summary)
 
 
@@ -229,10 +228,9 @@ def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:
 
 def _start_page(kit: Kit) -> str:
     """What was made, in sentences, with links."""
-    listed, count = kit.cut_list, len(kit.model.placed)
+    listed = kit.cut_list
     lines = [
-        f"{counted(count, 'strip')}, {kit.model.shape_count} different; "
-        f"{counted(listed.count, 'piece')}, "
+        f"{count_strips(kit.model)}; {counted(listed.count, 'piece')}, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
         *(
             f"{nest.name}: {_taken(len(nest.pieces))} {100 * nest.share:.0f} % of a sheet of "

@@ -78,6 +78,7 @@ REFUSED = {
         {},
         "no curve that the kernel can follow",
     ),
+    "no edge at all": (lambda: [], {}, "no edge was given: give at least one edge or wire"),
     "not plane": (
         lambda: [helix()],
         {},

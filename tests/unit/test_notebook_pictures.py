@@ -9,6 +9,9 @@ from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -31,13 +34,15 @@ def test_words_are_short(strip):
         assert len(repr(record)) < 120
     assert repr(check_equilibrium(ARCH)).startswith("<EquilibriumCheck realizable, ")
     assert repr(ARCH) == f"<PlaneCurve of degree 4, 5 control points, {ARCH.length:.4g} mm>"
+    assert repr(model) == "<Model 'one', 1 strip, 0 joints>"
     assert repr(sheet).startswith("<NestedSheet 'one-nest-1")
     assert repr(strip.width).endswith(f"{strip.width.extremes[0]:.4g} to 30>")
     assert f"ratio {strip.rod.ratio:.4g}" in repr(strip.rod)
 
 
 def test_pictures_are_sound_and_hold_the_shape(strip):
-    for record in (ARCH, strip.rod, strip, strip.drawing()):
+    near, failed = nearest_rod(ARCH), NearestRod.failed(ARCH, "too wild")
+    for record in (ARCH, strip.rod, strip, strip.drawing(), near, failed):
         root = ElementTree.fromstring(record._repr_svg_())
         width, height = float(root.get("width")), float(root.get("height"))
         assert 0 < width <= 640
@@ -51,6 +56,26 @@ def test_pictures_are_sound_and_hold_the_shape(strip):
     shape = (float(root.get("width")) - 16) / (float(root.get("height")) - 16)
     assert shape == pytest.approx((high - low)[0] / (high - low)[1], rel=0.02)
     assert len(strip.drawing().on(CUT_OUTER)) == 1
+
+
+def test_a_nearest_rod_is_drawn_over_its_target():
+    near = nearest_rod(ARCH, Limits(ratio=1.05))
+    drawn, found = ElementTree.fromstring(near._repr_svg_()).findall("{http://www.w3.org/2000/svg}path")
+    ends = [[one.get("d").strip("M").split()[i].split(",") for i in (0, -1)] for one in (drawn, found)]
+    np.testing.assert_allclose(np.array(ends[0], float), np.array(ends[1], float), atol=0.02)
+    assert drawn.get("d") != found.get("d")
+
+
+def test_a_sheet_is_a_table_of_its_figures():
+    table = ElementTree.fromstring(Sheet.named("birch-plywood-0.8")._repr_html_())
+    rows = [[cell.text for cell in row] for row in table.findall("tr")]
+    assert ["thickness", "0.8", "mm"] in [[name, value, unit] for name, value, _, unit in rows]
+    spread = {name: told for name, _, told, _ in rows}
+    assert spread["youngs modulus"] == "8200 to 10300"
+    assert spread["kerf"] is None or " to " in spread["kerf"]
+    assert (
+        "<b>" not in Sheet("<b>", thickness=1, youngs_modulus=1e3, density=500, max_strain=0.01)._repr_html_()
+    )
 
 
 def test_a_label_is_text_in_the_table(strip):

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from elastica_cad._counts import counted
 from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike
 from elastica_cad._values import several
@@ -78,7 +79,8 @@ class Model:
         return distinct_names(self.placed)[index]
 
     def __repr__(self) -> str:
-        return f"<Model {self.name!r}, {len(self.placed)} strips, {len(self.joints)} joints>"
+        strips, joints = counted(len(self.placed), "strip"), counted(len(self.joints), "joint")
+        return f"<Model {self.name!r}, {strips}, {joints}>"
 
     def _repr_html_(self) -> str:
         rows = [

@@ -41,9 +41,11 @@ def placed_curve(
     Raises
     ------
     InputError
-        Edges that are not plane, have no length, do not meet or meet at a corner, or that lie in another plane than
-        `plane`.
+        No edges, or edges that are not plane, have no length, do not meet or meet at a corner, or that lie in
+        another plane than `plane`.
     """
+    if not edges:
+        raise InputError("no edge was given: give at least one edge or wire for the strip to follow")
     runs = join_runs([(edge,) for edge in edges], JOIN)
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")

@@ -42,7 +42,7 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
 HOLDERS: tuple[HolderKind, ...] = get_args(HolderKind)
 """In the order in which kits hold them."""
 
-_PLACES = ("thickness", "height", "floor")  # numbers that are no sizes of a holder
+_NO_SIZES = ("thickness", "height", "floor", "margin")  # numbers of a holder that its maker does not take
 
 
 def _read_holders(top: Table, sheets: dict[str, Sheet], nesting: Nesting) -> Iterator[HolderSpec]:
@@ -62,7 +62,7 @@ def _read_holder(
     """One of them; those of a list have numbers in their names unless they bring their own."""
     keys = MODEL_TABLES[kind]
     table.only(*keys)
-    sizes = (key for key, (value, _) in keys.items() if value is NUMBER and key not in _PLACES)
+    sizes = (key for key, (value, _) in keys.items() if value is NUMBER and key not in _NO_SIZES)
     options: dict[str, Any] = {**table.numbers(*sizes)}
     if "name" in keys and (number or table.has("name")):
         options["name"] = table.text("name", f"{kind.removesuffix('s')}-{number}")

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import MET, Keep, Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 if TYPE_CHECKING:
@@ -186,6 +187,12 @@ class NearestRod:
 
     def __repr__(self) -> str:
         return f"<NearestRod {self.status.name}, {self.deviation:.3g} mm from its target, {self.found!r}>"
+
+    def _repr_svg_(self) -> str:
+        """The drawn curve, and over it the rod."""
+        drawn = [(self.target.sample(DRAWN_POINTS).position, GREY, False)]
+        found = [] if self.found is None else [(self.found.position, BLUE, False)]
+        return svg_of_lines(drawn + found, repr(self))
 
     def __str__(self) -> str:
         if self.found is None:

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_leaves import find_leaves
 from elastica_cad.forming.nearest.nearest_record import NearestRod
@@ -14,6 +15,10 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
+from elastica_cad.mechanics.stiffness.optimal_balance import far_too_heavy
+
+_UNBEARABLE = 50.0
+"""Gravity lengths in a curve from which it is its weight that leaves no rod to begin with."""
 
 
 def nearest_rod(
@@ -79,6 +84,8 @@ def nearest_rod(
     ------
     InputError
         Limits that contradict each other or the curve.
+    NotConvergedError
+        No rod to begin with: a curve too wild, or a weight far too much for the stiffness.
 
     References
     ----------
@@ -97,4 +104,9 @@ def nearest_rod(
     }  # fmt: skip
     if isinstance(section, LeavesLaw):
         return find_leaves(curve, limits or Limits(), keep or Keep(), section, **asked)
-    return find_rod(curve, limits, keep, section, start=start, **asked)
+    try:
+        return find_rod(curve, limits, keep, section, start=start, **asked)
+    except NotConvergedError as error:
+        if gravity is None or curve.length < _UNBEARABLE * gravity.length:
+            raise
+        raise NotConvergedError(far_too_heavy(gravity, curve.length)) from error

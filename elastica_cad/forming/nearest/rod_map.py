@@ -260,10 +260,11 @@ class StripGrid:
             angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.all_angles[0], late
         position = np.zeros((n + 1, 2, columns))
         step = position[1:]
-        np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
-        np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
-        step[:, :, u.length] += T / n
-        np.cumsum(step, axis=0, out=step)
+        with np.errstate(over="ignore", invalid="ignore"):  # who asks finds angles beyond all measure
+            np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
+            np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
+            step[:, :, u.length] += T / n
+            np.cumsum(step, axis=0, out=step)
         position[:, 0, u.position.start] += 1
         position[:, 1, u.position.start + 1] += 1
         return Sensitivities(self, rod, angles, moments, position)

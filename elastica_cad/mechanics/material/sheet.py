@@ -8,6 +8,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
+from elastica_cad._notebook import html_table
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
@@ -279,6 +280,15 @@ class Sheet:
         given: Range | None = getattr(self, f"{quantity}_range")
         value = float(getattr(self, quantity))
         return (value, value) if given is None else given
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for name, unit in UNITS.items():
+            low, high = self.range_of(name)
+            spread = f"{low:g} to {high:g}" if low < high else ""
+            number = f"{getattr(self, name):g}"
+            rows.append({"": name.replace("_", " "), "value": number, "in practice": spread, "unit": unit})
+        return html_table(f"Sheet {self.name!r}", rows)
 
     def toml(self) -> str:
         """The sheet as an entry of a sheets file, as `load_sheets` reads it."""

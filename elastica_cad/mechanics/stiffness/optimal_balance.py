@@ -111,12 +111,17 @@ class WeightedPanels:
 
     def refuse(self) -> NoReturn:
         """Raise `NotRealizable`: the moment grows along the curve beyond what numbers can tell."""
-        reason = (
-            "The weight is far too much for the stiffness (a gravity length of "
-            f"{self.gravity.length:.4g} mm on a curve of {self.check.length:.4g} mm): use a lighter or "
-            "stiffer sheet, or look at the units (200 gsm card: 96 mm)."
-        )
+        reason = far_too_heavy(self.gravity, self.check.length)
         raise NotRealizable(replace(self.check, realizable=False, reasons=(reason,)))
+
+
+def far_too_heavy(gravity: Gravity, length: float) -> str:
+    """What is told of a curve of `length` mm that its weight bends beyond what numbers can tell."""
+    return (
+        "The weight is far too much for the stiffness (a gravity length of "
+        f"{gravity.length:.4g} mm on a curve of {length:.4g} mm): use a lighter or "
+        "stiffer sheet, or look at the units (200 gsm card: 96 mm)."
+    )
 
 
 def point_weights(panels: Panels, masses: Sequence[PointMass], supports: Supports) -> FloatArray:

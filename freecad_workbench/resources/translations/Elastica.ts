@@ -2667,6 +2667,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>no edge was given: give at least one edge or wire for the strip to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
         <translation type="unfinished"></translation>
     </message>

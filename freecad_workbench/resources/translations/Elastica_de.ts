@@ -2679,6 +2679,10 @@
         <translation>die Kante hat keine Länge: eine Kurve zeichnen, der der Streifen folgt</translation>
     </message>
     <message>
+        <source>no edge was given: give at least one edge or wire for the strip to follow</source>
+        <translation>es wurde keine Kante gegeben: mindestens eine Kante oder einen Draht angeben, dem der Streifen folgt</translation>
+    </message>
+    <message>
         <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
         <translation>die Kanten bilden %1 getrennte Ketten: ein Streifen folgt einer Kette von Kanten, die aneinanderstoßen</translation>
     </message>

@@ -2679,6 +2679,10 @@
         <translation>该边没有长度：请画一条供条带跟随的曲线</translation>
     </message>
     <message>
+        <source>no edge was given: give at least one edge or wire for the strip to follow</source>
+        <translation>没有给出任何边：请至少给出一条供条带跟随的边或线框</translation>
+    </message>
+    <message>
         <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
         <translation>这些边组成 %1 条分离的链：条带只跟随一条首尾相接的链</translation>
     </message>

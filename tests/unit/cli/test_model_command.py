@@ -11,6 +11,7 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
 from elastica_cad.fabrication.model.assembly_steps import list_assembly_steps
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.design_files.design_file import read_design
@@ -305,6 +306,18 @@ def test_the_stock_of_a_design_holds_for_its_plates_too(design, tmp_path):
     assert "base: 324.3 x 147.5 mm is larger than the stock of 600 x 120 mm in mdf-3" in refused.output
 
 
+def test_plates_keep_their_own_distance(design):
+    """A piece of the base lies as far from the sheet's edge as its own margin says, those of strips as theirs."""
+    design.write_text(DESIGN.replace("height = 10", "height = 10\nmargin = 17"))
+    read = read_design(design, ec.read_curves)
+    corners = [
+        np.concatenate([path.points(0.01) for path in nest.on(CUT_OUTER)]).min(axis=0)
+        for nest in kit_of(read.model(), read.kit).nests
+    ]
+    assert corners[0] == pytest.approx([2, 2], abs=0.5)
+    assert corners[1] == pytest.approx([17, 17], abs=0.5)
+
+
 def test_the_start_page_shows_and_links_every_file(design, tmp_path):
     out = tmp_path / "out"
     assert run("model", design, "-o", out, "--no-step").exit_code == 0
@@ -312,6 +325,7 @@ def test_the_start_page_shows_and_links_every_file(design, tmp_path):
     linked = {unquote(one) for one in re.findall(r'(?:href|src)="([^"]+)"', page)}
     written = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
     assert linked == written - {"index.html"}
+    assert "2 strips (1 different); 3 pieces, " in page
     assert "kit-nest-1-birch-plywood-0.8: 2 pieces take 8 % of a sheet of 600 by 400 mm." in page
 
 
@@ -320,7 +334,7 @@ def test_the_start_page_of_a_single_strip_counts_one(tmp_path):
     alone.write_text(DESIGN.replace("count = 2", "count = 1").split("[base]")[0])
     assert run("model", alone, "-o", tmp_path / "out", "--no-step", "--no-pictures").exit_code == 0
     page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
-    assert "1 strip, 1 different; 1 piece, " in page
+    assert "1 strip; 1 piece, " in page
     assert ": 1 piece takes " in page
 
 

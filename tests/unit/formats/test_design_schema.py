@@ -169,6 +169,7 @@ strips = "S*"
 sheet = "mdf-3"
 thickness = 3.2
 sheet_size = [600, 400]
+margin = 3
 height = 0
 shape = "ring"
 name = "foot"
@@ -186,6 +187,7 @@ strips = ["S*"]
 sheet = "mdf-3"
 thickness = 3
 sheet_size = [600, 400]
+margin = 3
 shape = "ring"
 name = "ring"
 ends = "end"
@@ -199,6 +201,7 @@ strips = "S*"
 sheet = "mdf-3"
 thickness = 3
 sheet_size = [600, 400]
+margin = 3
 ribs = 2
 depth = 15
 tongue = 9
@@ -221,6 +224,7 @@ strips = "S*"
 sheet = "mdf-3"
 thickness = 3
 sheet_size = [600, 400]
+margin = 3
 """,
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\nthickness = 0.3\nstrips = 12\ngap = 9\n'
     "rings = 'card-200gsm'\nends = { length = 9 }\n"

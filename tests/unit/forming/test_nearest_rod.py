@@ -440,3 +440,11 @@ def test_a_failed_record_has_no_rod():
     assert not failed.met
     with pytest.raises(NotConvergedError, match="it rained"):
         _ = failed.rod
+
+
+@pytest.mark.parametrize("length", [1e-3, 1.0])
+def test_a_weight_beyond_all_rods_is_told_as_that(length):
+    """No warning of numpy's, and no advice on the curve, which is well: weightless it is followed."""
+    assert nearest_rod(ARCH).met
+    with pytest.raises(NotConvergedError, match=r"weight is far too much for the stiffness .* use a lighter"):
+        nearest_rod(ARCH, gravity=Gravity(length))

@@ -50,6 +50,7 @@ _PLATES: Keys = {
     "sheet": (TEXT, "of the plates"),
     "thickness": (NUMBER, "of that sheet where it is another, mm"),
     "sheet_size": (vector(2), "of the sheets that plates are cut from, mm"),
+    "margin": (NUMBER, "least distance between parts on these sheets, mm"),
 }  # fmt: skip
 _FIT: Keys = {
     "play": (NUMBER, "room beside a tab on either side, mm"),
