@@ -14,7 +14,7 @@ from elastica_cad.formats.curve_files.placed_curve import edge_chains, placed_cu
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import sub_shapes
-from elastica_cad.kernel.ocp_import import Shape, kernel
+from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
 
@@ -44,7 +44,7 @@ def plane_curve(
 
 def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
     k = kernel()
-    shape = getattr(shape, "wrapped", shape)
+    shape = bare(shape)
     if isinstance(shape, k.TopoDS_Shape):
         return bool(sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE))
     return isinstance(shape, list | tuple) and any(map(_has_faces, shape))
@@ -53,7 +53,7 @@ def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
 def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
     """The rotation of the first edge's place, None where it has none."""
     k = kernel()
-    shape = getattr(shape, "wrapped", shape)
+    shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):
         return next((_turned(item) for item in shape), None)
     edge = next(iter(sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)), None)
@@ -83,7 +83,7 @@ def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
 def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     """All edges of a shape, a wrapper of one, or several of these, in order."""
     k = kernel()
-    shape = getattr(shape, "wrapped", shape)
+    shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):
         if isinstance(shape, str) or not isinstance(shape, Iterable):
             raise InputError(

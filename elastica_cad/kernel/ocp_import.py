@@ -13,6 +13,16 @@ from elastica_cad.errors import MissingDependencyError, how_to_install
 Shape: TypeAlias = Any
 """A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
 
+
+def bare(shape: Any) -> Any:
+    """The kernel's own shape in an object that wraps one, nothing in one that is empty; else the object."""
+    try:
+        inside = getattr(shape, "wrapped", shape)
+    except AssertionError:  # build123d's, of an empty shape
+        return ()
+    return () if inside is None and shape is not None else inside
+
+
 MODULES = (
     "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools", "GeomAbs",
     "GeomConvert", "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",

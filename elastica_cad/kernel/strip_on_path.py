@@ -13,6 +13,7 @@ from elastica_cad.fabrication.strip.tabs import StripEnd, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
+from elastica_cad.kernel.ocp_import import bare
 from elastica_cad.kernel.strip_body import MadeStrip, StripBody
 from elastica_cad.kernel.strip_warnings import warn, warn_of_contact, warn_of_strain
 from elastica_cad.mechanics.loads.supports import Supports
@@ -197,7 +198,7 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
         alone = isinstance(planes, Frame | str) or not isinstance(planes, Iterable)
         rows = (planes,) if alone else planes
         planes = SectionSpec(GivenCuts(tuple(map(_frame_of, rows))), half=half)
-    curves, reports = planes.curves(shape_surface(getattr(body, "wrapped", body)))
+    curves, reports = planes.curves(shape_surface(bare(body)))
     for text in reports:
         warn(text)
     found: tuple[SectionCurve, ...] = curves

@@ -6,7 +6,7 @@ import build123d as bd
 import numpy as np
 import pytest
 
-from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip
+from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip, section_strips
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -189,3 +189,15 @@ def test_what_is_no_edge_is_told_what_to_give(given):
     told = r"needed, not \w+: through points draw a spline first, of a builder give its line"
     with pytest.raises(InputError, match=told):
         BentStrip(given, "birch-plywood-0.8", max_width=30)
+
+
+@pytest.mark.parametrize("given", [bd.Curve(), bd.Compound(), [bd.Curve()], bd.Curve([])])
+def test_shapes_that_hold_nothing_are_told_as_no_edge(given):
+    """What a filter or a boolean leaves nothing of: build123d asserts that a shape is there."""
+    with pytest.raises(InputError, match="no edge was given: give at least one edge or wire"):
+        BentStrip(given, "birch-plywood-0.8", max_width=30)
+
+
+def test_a_body_that_holds_nothing_cannot_be_cut():
+    with pytest.raises(InputError, match="a body to cut is a face, shell or solid"):
+        section_strips(bd.Part(), bd.Plane.XZ, "birch-plywood-0.8", max_width=30)

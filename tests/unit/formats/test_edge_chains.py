@@ -184,8 +184,10 @@ def test_edges_that_do_not_make_one_smooth_chain_are_refused():
         placed_curve([side, up])
     with pytest.raises(InputError, match="make 2 separate chains"):
         placed_curve([side, Edge.polyline([(0, 9, 0), (40, 9, 0)])])
-    with pytest.raises(InputError, match="the edge has no length"):
+    with pytest.raises(InputError, match="no edge was given: give at least one"):
         placed_curve([])
+    with pytest.raises(InputError, match="the edge has no length: draw a curve"):
+        placed_curve([Edge.polyline([(3, 4, 0), (3, 4, 0)])])
     drop = Edge([0] * 4 + [1] * 4, np.array([(0, 0, 0), (60, 40, 0), (60, -40, 0), (0, 0, 0)]), 3)
     with pytest.raises(InputError, match=r"a corner of 113 degrees at \(0, 0, 0\) mm"):
         placed_curve([drop])
