@@ -108,7 +108,7 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
     """
     if TRYING.get() or "-" in words:  # standard input has been read
         return ""
-    if "choose another folder" in said:  # trials write elsewhere, and would prove nothing
+    if re.search("choose another (folder|place)|exists already", said):  # trials write elsewhere: no proof
         return ""
     for mended, result in _mended(group, tuple(words), said):
         return f"This works: {mended}, then `{command_line(*words)}`{result}."

@@ -15,7 +15,7 @@ from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
-from elastica_cad.kit.kit_files import kit_report, left_behind, left_out, write_kit
+from elastica_cad.kit.kit_files import check_kit_folder, kit_report, left_behind, left_out, write_kit
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
@@ -70,6 +70,7 @@ def model(
     if holding is not None:
         cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
         read = replace(read, kit=replace(read.kit, cutting=cutting))
+    check_kit_folder(read.name, output, force=force)
     strips, files = count(1), count(1)
     made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))

@@ -19,7 +19,7 @@ from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
-from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.file_transaction import check_folder, write_together
 from elastica_cad.formats.file_access.text_files import write_json, write_text
 from elastica_cad.formats.reports.start_page import compose_start_page
 from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
@@ -27,6 +27,8 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
 """Folders of a kit; the start page, lists and the report lie beside them."""
+
+START_PAGE = "index.html"
 
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Kinds of files that workshops make parts of."""
@@ -66,6 +68,17 @@ def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -
     told = [f"no {kind}: {how_to_install('matplotlib')}" for asked, kind in drawn if asked and missing]
     trouble = step_trouble() if step else ""
     return (*told, *([f"no STEP: {trouble}"] if trouble else []))
+
+
+def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
+    """Refuse a folder that the kit of a model of this name cannot be written to, before the model is made.
+
+    Raises
+    ------
+    InputError
+        It cannot be written to, or lists of the kit exist in it, without `force`.
+    """
+    check_folder(folder, _lists(file_word(name)), force=force)
 
 
 def write_kit(
@@ -177,20 +190,27 @@ def save_model(
             f"the model is a {type(model).__name__}: give a Model, such as Model([Placed(strip)])"
         )
     folder = require_path(folder)
+    check_kit_folder(model.name, folder, force=force)
     kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     summary = f"{model.name}: {count_strips(model)} on {counted(len(kit.nests), 'sheet')}"
     return SavedKit(folder, tuple(kit.files), left_out(step=step, pictures=pictures), summary)
 
 
+def _lists(word: str) -> tuple[str, ...]:
+    """The files of every kit: the cut list as a table and as text, the report, the start page."""
+    return f"{word}-cut-list.csv", f"{word}-cut-list.txt", f"{word}.json", START_PAGE
+
+
 def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     """Say which files there will be, and how each is written."""
     name, files = file_word(kit.model.name), kit.files
     listed = kit.cut_list.in_files(_homes(kit, parts=parts))
+    table, text, report, page = _lists(name)
     if pictures:
         files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, listed, path))
-    files[f"{name}-cut-list.csv"] = ("cut list", lambda path: write_text(path, listed.csv))
-    files[f"{name}-cut-list.txt"] = ("cut list", lambda path: write_text(path, str(listed)))
+    files[table] = ("cut list", lambda path: write_text(path, listed.csv))
+    files[text] = ("cut list", lambda path: write_text(path, str(listed)))
     if step:
         files.update(_assemblies(kit, f"{MODEL}/{name}"))
     if pictures:
@@ -211,8 +231,8 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
         _add_drawing(kit, stem, piece.drawing, piece.sheet, "part")
     if step:
         files.update(_blocks(kit))
-    files[f"{name}.json"] = ("report", lambda path: write_json(path, kit_report(kit)))
-    files["index.html"] = ("this page", lambda path: write_text(path, _start_page(kit)))
+    files[report] = ("report", lambda path: write_json(path, kit_report(kit)))
+    files[page] = ("this page", lambda path: write_text(path, _start_page(kit)))
 
 
 def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:
@@ -240,7 +260,7 @@ def _start_page(kit: Kit) -> str:
         *_block_lines(kit),
         "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A.",
     ]
-    files = {file: what for file, (what, _) in kit.files.items() if file != "index.html"}
+    files = {file: what for file, (what, _) in kit.files.items() if file != START_PAGE}
     return compose_start_page(kit.model.name, lines, kit_report(kit)["reports"], files)
 
 

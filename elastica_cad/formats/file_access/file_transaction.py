@@ -46,14 +46,10 @@ def write_together(
     ...     Path(base, "out", "a.txt").read_text()
     'done'
     """
-    target, names = Path(os.path.realpath(os.fspath(folder))), list(names)
-    try:  # a folder that may not be looked into, or a name that no disk takes, is found here already
-        if target.exists() and not target.is_dir():
-            raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
-        if target.is_dir():
-            _check(target, names, force=force)
-        ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
-        workshop = ground / f".elastica-{token_hex(8)}"
+    names = list(names)
+    with _refusals(folder):
+        target, ground = _places(folder, names, force=force)
+        workshop = _workshop(ground)
         remove_left_behind(ground, ".elastica-*")
         try:
             workshop.mkdir()
@@ -64,9 +60,55 @@ def write_together(
                 _move(workshop, target, names, force=force)
         finally:
             shutil.rmtree(workshop, ignore_errors=True)
+
+
+def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False) -> None:
+    """Refuse a folder that files of these names cannot be written to, before they are worked out.
+
+    Parameters
+    ----------
+    folder, names, force
+        As for `write_together`.
+
+    Raises
+    ------
+    InputError
+        As `write_together` would.
+
+    Examples
+    --------
+    >>> check_folder(".", ["a-name-of-no-file-yet.txt"])
+    """
+    with _refusals(folder):
+        _, ground = _places(folder, names, force=force)
+        probe = _workshop(ground)
+        probe.mkdir()
+        probe.rmdir()
+
+
+def _workshop(ground: Path) -> Path:
+    """A temporary folder's path that nobody else has."""
+    return ground / f".elastica-{token_hex(8)}"
+
+
+@contextmanager
+def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
+    """What the system refuses, as a sentence."""
+    try:
+        yield
     except OSError as problem:
         reason = "no permission" if isinstance(problem, PermissionError) else problem.strerror or str(problem)
         raise InputError(f"files can't be written to {folder}: {reason}; choose another folder") from problem
+
+
+def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool) -> tuple[Path, Path]:
+    """The folder with links followed, checked, and the lowest of those above it that is there."""
+    target = Path(os.path.realpath(os.fspath(folder)))
+    # a folder that may not be looked into, or a name that no disk takes, is found here already
+    if target.exists() and not target.is_dir():
+        raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
+    _check(target, names, force=force)
+    return target, next(parent for parent in (target, *target.parents) if parent.is_dir())
 
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
@@ -79,7 +121,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
             os.replace(Path(workshop, name), target / name)
 
 
-def _check(target: Path, names: Sequence[str], *, force: bool) -> None:
+def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
     """Refuse files that are there already, or stand where a folder is to be."""
     for path in (target / name for name in names):
         files = [one for one in path.parents if one.exists() and not one.is_dir()]

@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 import elastica_cad as ec
+from elastica_cad.cli import model_command
 from elastica_cad.cli.commands import elastica
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
 from elastica_cad.fabrication.model.assembly_steps import list_assembly_steps
@@ -125,6 +126,31 @@ def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
     assert "exists already" in run("model", design, "-o", out, "--no-step").stderr
     assert [path.name for path in out.iterdir()] == ["kit.json"]
     assert taken.read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("out", "sentence"),
+    [
+        ("kit", "exists already: choose another name, or allow it to be overwritten"),
+        ("file", "file is a file, not a folder: choose another folder for the files"),
+        ("file/kit", "file is a file, and a folder is to be there: choose another folder"),
+        (f"{'long' * 80}", "File name too long; choose another folder"),
+    ],
+)
+def test_where_nothing_can_be_written_is_told_before_the_model_is_made(
+    design, tmp_path, monkeypatch, out, sentence
+):
+    made = []
+    monkeypatch.setattr(model_command, "kit_of", lambda *_, **__: made.append("model"))
+    (tmp_path / "file").write_text("mine")
+    (tmp_path / "kit").mkdir()
+    (tmp_path / "kit" / "index.html").write_text("mine")
+    result = run("model", design, "-o", tmp_path / out)
+    assert result.exit_code == 2
+    assert sentence in result.stderr
+    assert "This works" not in result.stderr
+    assert not made
+    assert not list(tmp_path.glob("**/.elastica-*"))
 
 
 def test_bad_designs_are_one_sentence(design):
