@@ -134,11 +134,18 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
     MissingDependencyError
         Meshes need trimesh, CAD bodies a kernel.
     """
-    if Path(path).suffix.lower() not in KERNEL_SUFFIXES:
-        from elastica_cad.formats.surface_files.file_surface import mesh_surface
-
-        return mesh_surface(path, unit=unit, scale=scale)
     path = require_file(path)
+    suffix = path.suffix.lower()
+    if suffix not in KERNEL_SUFFIXES:
+        from elastica_cad.formats.surface_files.file_surface import mesh_surface
+        from elastica_cad.formats.surface_files.mesh_files import MESH_SUFFIXES
+
+        if suffix not in MESH_SUFFIXES:
+            known = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
+            raise InputError(
+                f"{path} ends in {suffix!r}, which is no mesh or CAD body known here: use {known}"
+            )
+        return mesh_surface(path, unit=unit, scale=scale)
     try:
         from elastica_cad.kernel.shape_sections import shape_surface
         from elastica_cad.kernel.step_files import read_step_shape

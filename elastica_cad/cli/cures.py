@@ -108,7 +108,8 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
     """
     if TRYING.get() or "-" in words:  # standard input has been read
         return ""
-    if re.search("choose another (folder|place)|exists already", said):  # trials write elsewhere: no proof
+    # trials write elsewhere, and would prove nothing
+    if re.search("choose another (folder|place)|exists already|name a folder before", said):
         return ""
     for mended, result in _mended(group, tuple(words), said):
         return f"This works: {mended}, then `{command_line(*words)}`{result}."
@@ -230,8 +231,22 @@ def _respelt(refused: _Refused) -> Iterator[Words]:
 def _chosen(refused: _Refused) -> Iterator[Words]:
     """One curve of a file that holds several."""
     count = re.search(r"--curve 1 \.\. --curve (\d+)", refused.said)
-    for number in range(1, min(int(count[1]), MOST_TRIALS) + 1) if count else ():
-        yield (*refused.words, "--curve", str(number))
+    if count is None:
+        return
+    typed = [span for one in refused.command.params if "--curve" in one.opts for span in refused.typed(one)]
+    gone = {i for span in typed for i in range(*span)}
+    rest = tuple(word for i, word in enumerate(refused.words) if i not in gone)
+    for number in range(1, min(int(count[1]), MOST_TRIALS) + 1):
+        yield (*rest, "--curve", str(number))
+
+
+def _alone(refused: _Refused) -> Iterator[Words]:
+    """The first of several files, as a pattern of the shell gives them."""
+    extra = re.search(r"unexpected extra arguments? \((.*)\)", refused.said)
+    more = extra[1].split(" ") if extra else []
+    places = [i for i, word in enumerate(refused.words) if word in more]
+    if places and [refused.words[i] for i in places] == more:
+        yield tuple(word for i, word in enumerate(refused.words) if i not in places)
 
 
 def _closer(refused: _Refused) -> Iterator[Words]:
@@ -329,5 +344,5 @@ def _dropped(refused: _Refused) -> Iterator[Words]:
 
 
 WAYS: tuple[Callable[[_Refused], Iterator[Words]], ...] = (
-    _respelt, _nearly_named, _chosen, _closer, _handled, _within, _added, _dropped,
+    _alone, _respelt, _nearly_named, _chosen, _closer, _handled, _within, _added, _dropped,
 )  # fmt: skip

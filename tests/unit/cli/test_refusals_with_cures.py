@@ -128,6 +128,7 @@ REFUSED = [
     ("check wave.dxf", "--sheet card-200gsm --max-width 14 --nearest"),
     ("check arch.dfx", "check arch.dxf"),
     ("check tall.dxf --start clampd", "--start clamped"),
+    ("strip tall.dxf --sheet pom-1 --max-width 30 --curve 3 -o out", "--max-width 30 -o out --curve 1"),
     ("strip corner.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
     ("strip ring.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
     ("check corner.svg", "strip corner.svg --sheet"),
@@ -467,3 +468,27 @@ def test_no_command_is_told_where_parts_would_share_a_file(tmp_path):
     for command in re.findall(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr):
         made = typed(shlex.split(command), tmp_path)
         assert made.returncode == 0, made.stderr
+
+
+@pytest.mark.parametrize("command", ["check", "strip"])
+def test_of_several_files_the_first_is_named(command, tmp_path):
+    """A pattern such as *.dxf comes as several words."""
+    for name in "ab":
+        write_curves([ec.PlaneCurve.spline([(0, 0), (40, 60), (100, 0)], degree=2)], tmp_path / f"{name}.dxf")
+    made_of = ["--sheet", "birch-plywood-0.8", "--max-width", "12", "-o", "out"]
+    rest = made_of if command == "strip" else []
+    refused = typed([command, "a.dxf", "b.dxf", *rest], tmp_path)
+    assert refused.returncode == 2
+    assert "unexpected extra argument (b.dxf)" in refused.stderr
+    told = re.search(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr)
+    assert shlex.split(told[1]) == [command, "a.dxf", *rest]
+    assert typed(shlex.split(told[1]), tmp_path).returncode == 0
+
+
+def test_no_command_is_told_where_the_folder_reads_as_an_option(tmp_path):
+    """Trials write elsewhere, so one had been told that is refused as well."""
+    write_curves([ec.PlaneCurve.spline([(0, 0), (40, 60), (100, 0)], degree=2)], tmp_path / "a.dxf")
+    words = ["strip", "a.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "12", "-o", "-o"]
+    refused = typed(words, tmp_path)
+    assert refused.returncode == 2
+    assert refused.stderr.endswith("name a folder before it, or write ./-o\n")

@@ -298,3 +298,12 @@ def test_a_path_under_a_row_of_names(dome, tmp_path):
     assert_two_along(mesh, path, tmp_path)
     path.write_text("x,y\n-60,0\n60,0\n")
     assert "line 1: 'x,y' is no point" in run("sections", mesh, "--along", path).stderr
+
+
+def test_a_drawing_in_place_of_a_body_is_told_all_that_can_be_cut(tmp_path):
+    drawing = tmp_path / "plan.dxf"
+    drawing.write_text("0\nEOF\n")
+    result = run("sections", drawing, "--radial", 8)
+    assert result.exit_code == 2
+    assert "plan.dxf ends in '.dxf', which is no mesh or CAD body known here: use .obj" in result.output
+    assert ".step" in result.output
