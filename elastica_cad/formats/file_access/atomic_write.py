@@ -3,6 +3,7 @@
 import glob
 import os
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from secrets import token_hex
 from typing import BinaryIO
@@ -80,8 +81,13 @@ def write_atomically(
             check_target(path, force=force)  # another may have come first
             os.replace(temporary, target)
     except OSError as error:
-        reason = "no permission" if isinstance(error, PermissionError) else error.strerror or str(error)
-        raise InputError(f"{path} can't be written: {reason}; choose another place") from error
+        raise InputError(f"{path} can't be written: {reason(error)}; choose another place") from error
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):  # a disk that nobody may write to refuses this too
+            temporary.unlink(missing_ok=True)
     return target
+
+
+def reason(error: OSError) -> str:
+    """Why a file can't be written, for a sentence."""
+    return "no permission" if isinstance(error, PermissionError) else error.strerror or str(error)

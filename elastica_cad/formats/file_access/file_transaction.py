@@ -8,7 +8,7 @@ from pathlib import Path
 from secrets import token_hex
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.atomic_write import check_target
+from elastica_cad.formats.file_access.atomic_write import check_target, reason
 from elastica_cad.formats.file_access.living_writers import LOCK, open_held, remove_left_behind, take_turn
 
 
@@ -53,7 +53,7 @@ def write_together(
         remove_left_behind(ground, ".elastica-*")
         try:
             workshop.mkdir()
-            with open_held(workshop / LOCK):
+            with open_held(workshop / LOCK), _about_its_own_files(workshop):
                 for name in names:
                     Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
                 yield workshop
@@ -97,8 +97,22 @@ def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
     try:
         yield
     except OSError as problem:
-        reason = "no permission" if isinstance(problem, PermissionError) else problem.strerror or str(problem)
-        raise InputError(f"files can't be written to {folder}: {reason}; choose another folder") from problem
+        raise InputError(
+            f"files can't be written to {folder}: {reason(problem)}; choose another folder"
+        ) from problem
+
+
+@contextmanager
+def _about_its_own_files(workshop: Path) -> Iterator[None]:
+    """What cannot be written in the workshop is told without that place: nobody asked for it, and it goes."""
+    try:
+        yield
+    except (InputError, OSError) as problem:
+        cause = problem.__cause__ if isinstance(problem, InputError) else problem
+        place = f"{workshop}{os.sep}"
+        if not isinstance(cause, OSError) or place not in str(problem):
+            raise
+        raise OSError(cause.errno, reason(cause).replace(place, "")) from problem
 
 
 def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool) -> tuple[Path, Path]:

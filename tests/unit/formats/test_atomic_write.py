@@ -1,5 +1,6 @@
 import errno
 import os
+from pathlib import Path
 
 import pytest
 
@@ -61,6 +62,18 @@ def test_what_the_system_refuses_is_said(tmp_path, monkeypatch, code, reason):
     with pytest.raises(InputError, match=f"a.txt can't be written: {reason}"):
         write_atomically(tmp_path / "a.txt", b"x")
     assert not list(tmp_path.iterdir())
+
+
+def test_a_disk_that_is_read_only_is_said(tmp_path, monkeypatch):
+    """Such a disk refuses to remove what is not there, too."""
+
+    def refuse(self, *_, **__):
+        raise OSError(errno.EROFS, os.strerror(errno.EROFS), str(self))
+
+    monkeypatch.setattr(Path, "open", refuse)
+    monkeypatch.setattr(Path, "unlink", refuse)
+    with pytest.raises(InputError, match=r"a\.txt can't be written: Read-only file system; choose another"):
+        write_atomically(tmp_path / "a.txt", b"x")
 
 
 def test_read_only_files_stay(tmp_path, monkeypatch):

@@ -1,5 +1,6 @@
 """What killed programs leave is removed by the next; what a living one writes is left alone; two take turns."""
 
+import errno
 import os
 import signal
 import subprocess
@@ -102,3 +103,36 @@ def test_a_folder_that_no_disk_takes_is_refused(tmp_path):
     folder = write_together(tmp_path / ("far" * 100), ["a.txt"])
     with pytest.raises(InputError, match="choose another folder"), folder:
         pass
+
+
+@pytest.mark.parametrize("told", ["by ours", "by the system", "by another library"])
+def test_a_disk_that_is_full_is_told_by_the_folder_that_was_asked_for(tmp_path, told):
+    """The sentences spoke of the workshop, which is gone then."""
+
+    def full(path):
+        if told == "by another library":
+            raise OSError(f"Cannot open file '{path}'")
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+
+    def write():
+        with write_together(tmp_path, ["a.txt"]) as workshop:
+            path = workshop / "a.txt"
+            write_atomically(path, lambda _: full(path)) if told == "by ours" else full(path)
+
+    with pytest.raises(InputError) as refused:
+        write()
+    why = "Cannot open file 'a.txt'" if told == "by another library" else "No space left on device"
+    assert str(refused.value) == f"files can't be written to {tmp_path}: {why}; choose another folder"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_other_refusals_stay_as_they_are(tmp_path):
+    def refused():
+        with write_together(tmp_path, ["a.txt"]):
+            try:
+                raise OSError(errno.ENOENT, os.strerror(errno.ENOENT), "curve.dxf")
+            except OSError as error:
+                raise InputError("curve.dxf can't be read: give another file") from error
+
+    with pytest.raises(InputError, match=r"curve\.dxf can't be read"):
+        refused()
