@@ -71,10 +71,15 @@ class StripFeature(Feature):
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """No results of before; nothing is hidden while its sketch is open."""
-        _tell_error(obj, error)
-        if not is_edited(obj):
+        """Nothing is hidden while its sketch is open."""
+        if is_edited(obj):
+            self.tell_error(obj, error)
+        else:
             super().failed(obj, error)
+
+    def tell_error(self, obj: Any, error: ElasticaError) -> None:
+        """No results of before."""
+        _tell_error(obj, error)
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:

@@ -125,6 +125,10 @@ class Changes:
         """As after undo."""
         self._after_undo(document)
 
+    def slotRecomputedDocument(self, document: Any) -> None:
+        """FreeCAD leaves out what is made from something that failed."""
+        _shared("give_up", document)
+
     def slotDeletedObject(self, obj: Any) -> None:
         """The sketch with the overlay is deleted."""
         session = _session()
