@@ -99,12 +99,12 @@ class SectionScale:
         scale = max(low, even.scale / self.ratio)
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
-    def settled(self, bend: FloatArray, stiffness: FloatArray) -> Self:
-        """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,), comes up to the largest section.
+    def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray = 0.0) -> Self:
+        """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, comes up to the largest section.
 
         Itself where it has that scale already.
         """
-        law = self.law.bent(bend)
+        law = self.law.bent(bend, rest)
         least, largest = law.limits
         if np.isfinite(largest):
             scale = float(np.min(law.bending_stiffness(np.full(stiffness.size, largest)) / stiffness))

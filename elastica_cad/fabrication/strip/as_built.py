@@ -74,7 +74,7 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     material = left[0]
     # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
     backing = np.minimum(left[1], material) if len(left) > 1 else None
-    law = None if layout.section is None else layout.section.bent(rod.bend_at(s))
+    law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
     asked = rod.profile(s)
     softer = layout.bending_stiffness * asked / has

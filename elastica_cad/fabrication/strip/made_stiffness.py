@@ -220,9 +220,12 @@ def _anticlastic(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
     if nu == 0 or layout.section is not None:  # a section knows its own
         return None
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
-    bent = np.interp(s, rod.s, rod.curvature - rod.natural_curvature)
     return anticlastic_factor(
-        layout.material(s) / pieces, bent, thickness=layout.sheet.thickness, poisson_ratio=nu
+        layout.material(s) / pieces,
+        np.interp(s, rod.s, rod.curvature),
+        thickness=layout.sheet.thickness,
+        poisson_ratio=nu,
+        natural_curvature=rod.rest_at(s),
     )
 
 
@@ -233,5 +236,5 @@ def _curling(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
     base, backing = layout.width(rod.s), layout.backing.width(rod.s)
     section = LaminatedSection(layout.sheet, layout.backing.sheet)
     # the backing lies on the strip's upper side, to the right of the curve: a turn to the left stretches it
-    factor = laminate_factor(base, backing, rod.curvature - rod.natural_curvature, section)
+    factor = laminate_factor(base, backing, rod.curvature, section, rod.natural_curvature)
     return np.interp(s, rod.s, factor)

@@ -239,7 +239,8 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     least, largest = section.limits
     s = stations_of(rod.length, profile)
     limit = largest if np.isfinite(largest) else least
-    scales = section.bent(rod.bend_at(s)).bending_stiffness(np.full(s.size, limit)) / profile(s)
+    law = section.bent(rod.bend_at(s), rod.rest_at(s))
+    scales = law.bending_stiffness(np.full(s.size, limit)) / profile(s)
     B = float(scales.min() if np.isfinite(largest) else scales.max())
     # a heavy rod is in balance under the weight of its own sizes; a light one may be as large as its limits let it,
     # which of its thickness the strain that it was found within is too
@@ -249,7 +250,7 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
         if rod.gravity is not None or bounded or abs(B / solved - 1) < SAME_SCALE:
             B = solved
     size = Profile.fit(
-        lambda s: section.bent(_bend_between_steps(rod, s)).parameter(B * profile(s)), rod.length,
+        lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)), rod.length,
         breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_SHARE * limit,
     )  # fmt: skip
     if section.quantity == "width":

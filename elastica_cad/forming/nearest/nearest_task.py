@@ -126,7 +126,8 @@ class NearestTask:
         scale = None
         if section is not None:
             bent = _nodal_bend(target, natural_curvature, samples)
-            scale = SectionScale.of(section.bent(bent), limits, heavy=gravity is not None)
+            law = section.bent(bent, _nodal_rest(natural_curvature, samples, 1.0))
+            scale = SectionScale.of(law, limits, heavy=gravity is not None)
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
             ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
@@ -170,7 +171,7 @@ class NearestTask:
         if self.section is None or not self.is_scaled_freely:
             return self
         bend = mapped.moments / mapped.stiffness / self.target.size
-        section = self.section.settled(bend, mapped.stiffness)
+        section = self.section.settled(bend, mapped.stiffness, self.rest / self.target.size)
         return self if section is self.section else replace(self, section=section)
 
     @property

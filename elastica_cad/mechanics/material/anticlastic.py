@@ -1,6 +1,7 @@
 """Anticlastic bending: wide thin strips curl across, or are kept from it and get stiffer."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -14,26 +15,36 @@ from elastica_cad.mechanics.material.sheet import Sheet
 SECANTS = 12
 """Steps to a width that bends as stiffly as asked: the last ones only round."""
 
-SLOPES = (0.9, 3.0)
-"""Between which stiffness, in logarithms, grows with width: up to 1.25 for nu = 0.5, 2.5 for 0.9."""
+SLOPES = (0.4, 3.0)
+"""Between which stiffness, in logarithms, grows with width: up to 1.25 for nu = 0.5, 2.5 for 0.9; of blanks that
+are unbent it may grow by half of that only."""
 
 
 def anticlastic_factor(
-    width: ArrayLike, curvature: ArrayLike, *, thickness: float, poisson_ratio: float
+    width: ArrayLike,
+    curvature: ArrayLike,
+    *,
+    thickness: float,
+    poisson_ratio: float,
+    natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """M / (E I kappa) of a rectangular strip bent to a constant curvature: from 1 to 1/(1 - nu^2).
+    """M / (E I (kappa - kappa_0)) of a rectangular strip bent to a constant curvature: from 1 to 1/(1 - nu^2).
 
-    A narrow strip curls across with -nu kappa and bends with E; in a wide one the curl is flattened but for
-    its edges and it bends as a plate, with E/(1 - nu^2). What counts is Searle's number w^2 kappa / h.
+    A narrow strip curls across by -nu (kappa - kappa_0) and bends with E; in a wide one the curl is flattened but
+    for its edges and it bends as a plate, with E/(1 - nu^2). What counts is Searle's number w^2 kappa / h, of the
+    curvature that the strip has in the end: one that is bent straight curls freely.
 
     Parameters
     ----------
     width, curvature : array_like
-        mm and 1/mm (the sign does not matter), broadcast.
+        mm and 1/mm (the sign does not matter where the strip is flat before), broadcast.
     thickness : float
         mm.
     poisson_ratio : float
         nu, across the strip, from 0 to below 1.
+    natural_curvature : array_like
+        kappa_0, before it is bent, 1/mm. A strip that is bent back towards straight and beyond may leave that
+        range, until it snaps over; its factor is kept within.
 
     Returns
     -------
@@ -48,10 +59,11 @@ def anticlastic_factor(
     Notes
     -----
     Least energy of bending and stretching over the deflection v(y) across the strip, D v'''' + E h kappa^2 v
-    = 0 with v'' = -nu kappa, v''' = 0 at the edges (Lamb 1891; Searle 1908; Ashwell 1950). With x = (3 (1 -
-    nu^2))^(1/4) (w^2 kappa / h)^(1/2) and f = (cosh x - cos x)/(sinh x + sin x) the energy is D w kappa^2 g /
-    2, g = 1 - 2 nu^2 f / x, and the moment its derivative by kappa: (g + x g'/4) / (1 - nu^2). Curvature that
-    varies within a few widths, and clamps that keep the ends flat, are outside the formula.
+    = 0 with v'' = -nu b, b = kappa - kappa_0, v''' = 0 at the edges (Lamb 1891; Searle 1908; Ashwell 1950). With
+    x = (3 (1 - nu^2))^(1/4) (w^2 kappa / h)^(1/2) and f = (cosh x - cos x)/(sinh x + sin x) the energy is
+    D w b^2 g / 2, g = 1 - 2 nu^2 f / x, and the moment its derivative by kappa: (g + (b / kappa) x g'/4) /
+    (1 - nu^2). Curvature that varies within a few widths, and clamps that keep the ends flat, are outside the
+    formula.
 
     Examples
     --------
@@ -59,18 +71,26 @@ def anticlastic_factor(
     [1.0, 1.098]
     """
     h, nu = _checked(thickness, poisson_ratio)
-    w, kappa = np.asarray(width, dtype=float), np.abs(np.asarray(curvature, dtype=float))
+    w, kappa, rest = (np.asarray(value, dtype=float) for value in (width, curvature, natural_curvature))
     if not (np.all(np.isfinite(w)) and np.all(w > 0)):
         raise InputError("strip width must be positive, in mm")
-    if not np.all(np.isfinite(kappa)):
+    if not (np.all(np.isfinite(kappa)) and np.all(np.isfinite(rest))):
         raise InputError("curvature must be finite, in 1/mm")
-    x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(kappa / h)
+    x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
-    return np.asarray((1 - nu**2 * (2 * ratio + x * slope / 2)) / (1 - nu**2))
+    # of a strip that is straight in the end x slope vanishes faster than kappa
+    share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
+    factor = (1 - nu**2 * (2 * ratio + share * x * slope / 2)) / (1 - nu**2)
+    return np.asarray(np.clip(factor, 1.0, 1 / (1 - nu**2)))
 
 
 def _plate_width(
-    effective: ArrayLike, curvature: ArrayLike, *, thickness: float, poisson_ratio: float
+    effective: ArrayLike,
+    curvature: ArrayLike,
+    *,
+    thickness: float,
+    poisson_ratio: float,
+    natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
     """Widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width of a strip that bends with E.
 
@@ -80,11 +100,16 @@ def _plate_width(
     911.1
     """
     h, nu = _checked(thickness, poisson_ratio)
-    aim, kappa = np.broadcast_arrays(np.asarray(effective, dtype=float), np.asarray(curvature, dtype=float))
+    aim, kappa, rest = np.broadcast_arrays(
+        *(np.asarray(value, dtype=float) for value in (effective, curvature, natural_curvature))
+    )
     wanted = np.log(aim)
     found, last, error, slope = wanted, wanted, np.zeros(aim.shape), np.ones(aim.shape)
     for _ in range(SECANTS):
-        before, factor = error, anticlastic_factor(np.exp(found), kappa, thickness=h, poisson_ratio=nu)
+        before = error
+        factor = anticlastic_factor(
+            np.exp(found), kappa, thickness=h, poisson_ratio=nu, natural_curvature=rest
+        )
         error = found + np.log(factor) - wanted
         moved = found - last
         steep = (error - before) / np.where(moved == 0, 1.0, moved)
@@ -193,8 +218,8 @@ class WidthLaw:
     sheet : Sheet
     least, largest : float
         Limits of the width, mm; 0 for no least one, or infinity for no largest one.
-    curvature : float or (n,) array
-        |kappa - kappa_0| of the stations, 1/mm; set by `bent`.
+    curvature, natural_curvature : float or (n,) array
+        kappa and kappa_0 of the stations, 1/mm; set by `bent`.
 
     Examples
     --------
@@ -207,6 +232,7 @@ class WidthLaw:
     least: float
     largest: float
     curvature: float | FloatArray = 0.0
+    natural_curvature: float | FloatArray = 0.0
 
     def __post_init__(self) -> None:
         low = require_number(self.least, "width limit")
@@ -236,9 +262,10 @@ class WidthLaw:
         """None: it is of one piece."""
         return None
 
-    def bent(self, curvature: ArrayLike) -> "WidthLaw":
-        """The law at stations bent by kappa - kappa_0 (n,), 1/mm."""
-        return replace(self, curvature=np.abs(np.asarray(curvature, dtype=float)))
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
+        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
+        before = np.asarray(rest, dtype=float)
+        return replace(self, curvature=np.asarray(curvature, dtype=float) + before, natural_curvature=before)
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
         """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
@@ -270,8 +297,12 @@ class WidthLaw:
         return (LayerStrain(self.sheet.name, strain, self.sheet.max_strain),)
 
     @property
-    def _plate(self) -> dict[str, float]:
-        return {"thickness": self.sheet.thickness, "poisson_ratio": self.sheet.poisson_ratio}
+    def _plate(self) -> dict[str, Any]:
+        return {
+            "thickness": self.sheet.thickness,
+            "poisson_ratio": self.sheet.poisson_ratio,
+            "natural_curvature": self.natural_curvature,
+        }
 
 
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:

@@ -14,9 +14,13 @@ LEAST_SHARE = 2e-3
 
 
 def laminate_factor(
-    base_width: ArrayLike, backing_width: ArrayLike, curvature: ArrayLike, section: LaminatedSection
+    base_width: ArrayLike,
+    backing_width: ArrayLike,
+    curvature: ArrayLike,
+    section: LaminatedSection,
+    natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """M / (E I kappa) of a strip of two layers, the narrower one in the middle, bent to a constant curvature.
+    """M / (E I (kappa - kappa_0)) of a strip of two layers, the narrower in the middle, bent to an even curvature.
 
     The borders of the base lie off the neutral axis and carry stress along the bend, which presses them towards
     that axis: they give way, and the strip is softer than its section. Poisson's ratio lets the whole curl too.
@@ -26,6 +30,8 @@ def laminate_factor(
     base_width, backing_width, curvature : array_like
         (n,) or numbers, mm and 1/mm; the curvature is positive where the backing is stretched.
     section : LaminatedSection
+    natural_curvature : array_like
+        kappa_0, before it is bent, 1/mm.
 
     Returns
     -------
@@ -34,9 +40,9 @@ def laminate_factor(
     Notes
     -----
     Least energy, per length, of the deflection w(y) across the strip, outward positive: a plate in plane stress,
-    free to contract, with the strain eps_0 + kappa (z + w) along the strip and -z w'' across; Hermite cubics on
-    half of the section. For one sheet it is `anticlastic_factor`. Curvature that varies within a few widths, and
-    clamps that keep the ends flat, are outside of it.
+    free to contract, with the strain eps_0 + (kappa - kappa_0) z + kappa w along the strip and -z w'' across;
+    Hermite cubics on half of the section. For one sheet it is `anticlastic_factor`. Curvature that varies within a
+    few widths, and clamps that keep the ends flat, are outside of it.
 
     Examples
     --------
@@ -44,23 +50,26 @@ def laminate_factor(
     >>> laminate_factor(24.0, 12.0, [1e-4, 0.01], LaminatedSection(card, card)).round(3).tolist()
     [1.0, 0.91]
     """
-    b1, b2, kappa = (
+    b1, b2, kappa, rest = (
         np.atleast_1d(value).astype(float)
-        for value in np.broadcast_arrays(base_width, backing_width, curvature)
+        for value in np.broadcast_arrays(base_width, backing_width, curvature, natural_curvature)
     )
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
     share = np.linspace(0.0, 1.0, PIECES + 1)
     edges = np.hstack([b2[:, None] * share, b2[:, None] + (b1 - b2)[:, None] * share[1:]]) / 2
-    # w / kappa and its slopes, which stay finite where kappa vanishes, and eps_0 / kappa
+    # over kappa - kappa_0, which leaves them finite where that vanishes: w and its slopes, and eps_0
     unknowns = 2 * edges.shape[1] + 1
     H, f = np.zeros((b1.size, unknowns, unknowns)), np.zeros((b1.size, unknowns))
     elements = []
     for e in range(2 * PIECES):
         form = _energy([base, backing] if e < PIECES else [base])
         w, curl, weight = _hermite(edges[:, e + 1] - edges[:, e])
-        w = np.concatenate([w * kappa[:, None, None], np.ones_like(w[:, :1])], axis=1)
+        w, lever = (
+            np.concatenate([w * by[:, None, None], np.ones_like(w[:, :1])], axis=1)
+            for by in (kappa, kappa - rest)
+        )
         curl = np.concatenate([curl, np.zeros_like(curl[:, :1])], axis=1)
         both, own = np.concatenate([w, curl], axis=2), np.append(np.arange(2 * e, 2 * e + 4), unknowns - 1)
         twice = np.tile(weight, 2)
@@ -68,14 +77,14 @@ def laminate_factor(
         mixed = form[0, 2] * np.einsum("nig,njg,ng->nij", w, curl, weight)
         H[:, own[:, None], own] += quadratic + mixed + np.swapaxes(mixed, 1, 2)
         f[:, own] += np.einsum("nig,ng->ni", form[0, 1] * w + form[1, 2] * curl, weight)
-        elements.append((form, w, curl, weight, own))
+        elements.append((form, w, lever, curl, weight, own))
     free = np.arange(2, unknowns)  # deflection and slope in the middle are none
     deflection = np.zeros_like(f)
     deflection[:, free] = -np.linalg.solve(H[:, free[:, None], free], f[:, free, None])[..., 0]
     moment = np.zeros(b1.size)
-    for form, w, curl, weight, own in elements:
-        u, c = (np.einsum("nig,ni->ng", shape, deflection[:, own]) for shape in (w, curl))
-        along = form[0, 0] * u**2 + 2 * form[0, 1] * u + form[1, 1] + (form[0, 2] * u + form[1, 2]) * c
+    for form, w, lever, curl, weight, own in elements:
+        u, v, c = (np.einsum("nig,ni->ng", shape, deflection[:, own]) for shape in (w, lever, curl))
+        along = form[0, 0] * u * v + form[0, 1] * (u + v) + form[1, 1] + (form[0, 2] * v + form[1, 2]) * c
         moment += 2 * np.sum(along * weight, axis=1)
     return np.asarray(moment / section.bending_stiffness(b1, b2))
 

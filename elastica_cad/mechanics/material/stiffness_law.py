@@ -48,5 +48,8 @@ class BoundedLaw(StiffnessLaw, Protocol):
     def stack(self) -> LaidLeaves | None:
         """The glued leaves that it is, as they lie; None for one piece."""
 
-    def bent(self, curvature: ArrayLike, /) -> "BoundedLaw":
-        """The law at stations bent by kappa - kappa_0 (n,), 1/mm; itself where bending does not change it."""
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0, /) -> "BoundedLaw":
+        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0, 1/mm.
+
+        Itself where bending does not change it.
+        """

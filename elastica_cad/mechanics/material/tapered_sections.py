@@ -31,7 +31,7 @@ class FixedLaw:
         """None: it is of one piece, or of leaves that are not laid yet."""
         return None
 
-    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - see `follows_bend`
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:  # noqa: ARG002 - see `follows_bend`
         """The law itself."""
         return self
 

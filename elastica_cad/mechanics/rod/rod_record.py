@@ -246,11 +246,15 @@ class Rod:
 
     def bend_at(self, s: FloatArray) -> FloatArray:
         """kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve its own."""
-        rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
         if self.shape is None:
-            return Profile.interpolate(self.s, self.curvature - rest)(s)
+            return Profile.interpolate(self.s, self.curvature - self.natural_curvature)(s)
         curvature = self.shape.curvature_at(self.shape.parameter(np.minimum(s, self.shape.length)))
-        return np.asarray(curvature - np.interp(s, self.s, rest))
+        return np.asarray(curvature - self.rest_at(s))
+
+    def rest_at(self, s: FloatArray) -> FloatArray:
+        """kappa_0 (n,), 1/mm, at arc lengths (n,), mm."""
+        rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
+        return np.asarray(np.interp(s, self.s, rest))
 
     @property
     def node_lengths(self) -> FloatArray:

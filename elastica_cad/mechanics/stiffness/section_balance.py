@@ -9,7 +9,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
@@ -24,7 +24,7 @@ from elastica_cad.mechanics.stiffness.optimal_balance import (
     balance_without_weight,
     point_weights,
 )
-from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction
+from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels
 from elastica_cad.mechanics.stiffness.stiffness_family import StiffnessFamily, least_ratio
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
@@ -83,10 +83,11 @@ def balance_with_section(
     NotConvergedError
         Weight and stiffness do not settle.
     """
+    excess = ExcessCurvature(check.curve, natural_curvature)
     if gravity is None:
         balance = balance_without_weight(check, supports, natural_curvature, nodes=nodes)
-        scale = _scale(section.bent(balance.panels.curvature), balance.stiffness)
-        return _within_limits(replace(balance, bending_stiffness=scale), section)
+        law = _bent(section, balance.panels, excess)
+        return _within_limits(replace(balance, bending_stiffness=_scale(law, balance.stiffness)), law)
     carried = Weight(masses=tuple(masses))
     law = section.bent(0.0)
     full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
@@ -94,12 +95,18 @@ def balance_with_section(
     cut = CutCurve.where_kinked(check, natural_curvature, weight=carried).for_weight(heavy)
     for _ in range(REFINEMENTS):
         load = WeightedPanels(check, supports, cut.panels, heavy, carried, nodes)
-        balance = _settled(load, section.bent(cut.panels.curvature))
+        law = _bent(section, cut.panels, excess)
+        balance = _settled(load, law)
         finer = cut.for_stiffness(balance.stiffness)
         if finer is None:
             break
         cut = finer
-    return replace(_within_limits(balance, section), kinks=cut.kinks)
+    return replace(_within_limits(balance, law), kinks=cut.kinks)
+
+
+def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
+    """The law at the nodes of panels."""
+    return section.bent(panels.curvature, excess.rest_at(panels.t))
 
 
 @dataclass(frozen=True, eq=False)
@@ -266,16 +273,15 @@ def _weight(
     return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), tuple(masses))
 
 
-def _within_limits(balance: BalancedStiffness, section: BoundedLaw) -> BalancedStiffness:
+def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
     """The balance itself; refused where it asks for less than the least section."""
-    law = section.bent(balance.panels.curvature)
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
-    least, largest = section.limits
+    least, largest = law.limits
     if _spare(law, EI) < 1 - FIT_SHARE:
         asked = law.parameter(EI)
         s = float(balance.panels.s.flat[int(asked.argmin())])
         raise InputError(
-            f"the curve asks for a {section.quantity} of {float(asked.min()):.4g} mm at {s:.4g} mm where its "
+            f"the curve asks for a {law.quantity} of {float(asked.min()):.4g} mm at {s:.4g} mm where its "
             f"largest is {largest:g} mm: the limits allow {least:g} mm at least; widen them, or give limits or "
             "keep and the curve may change"
         )
