@@ -19,6 +19,7 @@ def test_what_goes_wrong_is_in_sight_and_is_undone(tmp_path):
     assert found["made in error"] == found["within again"] == failing
     assert found["apart"] == found["undone"] == standing
     assert found["marked"] == [[]] * 6
+    assert found["in containers"] == [found["before"]] * 6, "the sketch is outside, and so nothing moves"
     assert found["filled"] == "Face"
     assert found["strip on it"].startswith("A flat strip takes this curve.")
     assert "B-spline through their ends" in found["lines"][0]

@@ -3,7 +3,7 @@
 
 """What the proxies of all features share: properties, sheets, curves that move with containers, refusals."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, ClassVar
 
@@ -247,14 +247,19 @@ def parents(source: Any) -> list[Any]:
     return found[:-1]
 
 
-def keep_containers(document: Any) -> None:
-    """Something went into a container or out of one: a feature that is inside now cannot hang on it as well."""
+def keep_containers(document: Any, moved: Collection[Any]) -> None:
+    """Objects went into a container or out of one: what they hold stands in the other place.
+
+    A feature that is inside now cannot hang on the container as well.
+    """
     for obj in document.Objects:
         if isinstance(getattr(obj, "Proxy", None), Feature) and CONTAINERS.name in obj.PropertiesList:
             found = _containers(obj)
-            if obj.Containers != found:
+            changes = obj.Containers != found
+            if changes:
                 obj.Containers = found
-                obj.touch()  # it stood in the other place
+            if changes or any(one in moved for one in (obj, *parents(obj))):
+                obj.touch()
 
 
 def keep_sheets() -> None:

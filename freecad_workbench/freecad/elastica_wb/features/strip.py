@@ -174,7 +174,7 @@ def tell_held(obj: Any) -> None:
 def is_stale(obj: Any, changed: set[str]) -> bool:
     """Was the shape made from another request? `changed` names the objects that are not as they were."""
     source = obj.Curve[0] if obj.Curve else None
-    touched = {obj.Name, *(one.Name for one in (source, *parents(source)) if one is not None)}
+    touched = {one.Name for one in (obj, *parents(obj), source, *parents(source)) if one is not None}
     if not touched & changed:
         return False
     if "Invalid" in obj.State:  # undo brings the results of before back, and leaves the state
