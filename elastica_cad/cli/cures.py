@@ -34,6 +34,7 @@ QUICK = {"model": ("--no-step", "--no-pictures", "--no-effects")}
 """Options that leave out of a trial what cannot make it fail."""
 
 ADDED = (
+    (r"-o out", ("-o", "out")),
     (r"--sheet", ("--sheet", "birch-plywood-0.8")),
     (r"--max-width", ("--max-width", "20")),
     (r"planes to cut", ("--radial", "8")),
@@ -109,7 +110,7 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
     if TRYING.get() or "-" in words:  # standard input has been read
         return ""
     # trials write elsewhere, and would prove nothing
-    if re.search("(choose|name) another (folder|place)|exists already|name a folder before", said):
+    if re.search("choose another (folder|place)|exists already|name a folder before", said):
         return ""
     for mended, result in _mended(group, tuple(words), said):
         return f"This works: {mended}, then `{command_line(*words)}`{result}."

@@ -130,7 +130,7 @@ REFUSED = [
     ("check tall.dxf --start clampd", "--start clamped"),
     ("strip tall.dxf --sheet pom-1 --max-width 30 --curve 3 -o out", "--max-width 30 -o out --curve 1"),
     ("strip corner.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
-    ("strip ring.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
+    ("strip ring.svg --sheet birch-plywood-0.8 --max-width 20", "-o out"),
     ("check corner.svg", "strip corner.svg --sheet"),
     ("check both.svg --curve 2", "strip both.svg --curve 2 --sheet"),
     ("bend corner.svg --to 100 0", "--nearest"),
@@ -215,6 +215,17 @@ def test_every_command_ends_a_refusal_with_one_that_works(words, told, desk, tmp
     aside = [] if command.startswith(("check", "sheets")) else ["-o", str(tmp_path)]
     made = typed([*shlex.split(command), *aside], desk)
     assert made.returncode == 0, made.stderr
+
+
+def test_a_drawing_is_kept_and_another_folder_told(desk, tmp_path):
+    drawing = tmp_path / "tall.dxf"
+    drawing.write_bytes((desk / "tall.dxf").read_bytes())
+    words = "strip tall.dxf --sheet birch-plywood-0.8 --max-width 30"
+    refused = typed(words.split(), tmp_path)
+    assert f"-m elastica_cad {words} -o out`" in refused.stderr
+    assert typed([*words.split(), "-o", "out"], tmp_path).returncode == 0
+    assert drawing.read_bytes() == (desk / "tall.dxf").read_bytes()
+    assert (tmp_path / "out" / "tall.dxf").exists()
 
 
 def test_every_bad_curve_of_a_file_ends_with_its_own_command_and_the_good_one_is_made(desk, tmp_path):
