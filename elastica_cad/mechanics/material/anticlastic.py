@@ -80,8 +80,20 @@ def anticlastic_factor(
     ratio, slope = _curl(x)
     # of a strip that is straight in the end x slope vanishes faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
-    factor = (1 - nu**2 * (2 * ratio + share * x * slope / 2)) / (1 - nu**2)
-    return np.asarray(np.clip(factor, 1.0, 1 / (1 - nu**2)))
+    flat = -x * slope / 2  # of a blank that is flat before: share 1
+    asked = share * flat
+    above, below = np.maximum(asked - flat, 0), np.maximum(-asked, 0)
+    kept = (
+        np.clip(asked, 0, flat) + _eased(above, 1 + 2 * ratio - flat) - _eased(below, 2 - nu**2 - 2 * ratio)
+    )
+    return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
+
+
+def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
+    """What leads out of a range, up to half of the room there as it is, then ever less: so widths get no corner."""
+    half = room / 2
+    late = np.maximum(excess / half - 1, 0)
+    return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
 
 
 def _plate_width(
