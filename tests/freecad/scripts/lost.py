@@ -158,7 +158,7 @@ def picked_through_a_link():
     for name, place in places.items():
         fit("Top")
         Gui.Selection.clearSelection()
-        click_view((50 + place.x, 90 + place.y, 20 + place.z))
+        click_view((50 + place.x, 91 + place.y, 20 + place.z))  # beside it, where no face is picked instead
         until(Gui.Selection.getSelectionEx, 5)
         press("Elastica_Strip")
         until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())

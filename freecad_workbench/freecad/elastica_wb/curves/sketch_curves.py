@@ -100,7 +100,9 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
 
     What is seen through a link is the link's: the original stands elsewhere.
     """
-    along, names = root.getSubObjectList(path), path.split(".")
+    along = root.getSubObjectList(path)
+    # FreeCAD 1.1 adds its name of an element by how it came about (;#14:1;...), which the next change makes another
+    names = [name for name in path.split(".") if not name.startswith(";")]
     for i, one in enumerate(along):
         if one.TypeId.startswith(LINK):
             return one, ".".join(names[i:])
