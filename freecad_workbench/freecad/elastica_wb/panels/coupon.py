@@ -3,13 +3,10 @@
 
 """The panel of the coupon: a strip to cut, and what its droop says about the sheet."""
 
-from collections.abc import Callable
-from functools import partial
 from typing import Any
 
 from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sentences import decimal_point
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
@@ -38,8 +35,9 @@ class CouponPanel(Panel):
         self.form.sheet.addItems(sheet_list())
         self.form.sheet.setCurrentText(preferences.default_sheet())
         self.watch("sheet", "readings", "error")
-        for button in (self.make, self.write, self.keep):
-            getattr(self.form, button.__name__).clicked.connect(partial(self._pressed, button))
+        self.form.make.clicked.connect(self.make)
+        self.form.write.clicked.connect(self.write)
+        self.form.keep.clicked.connect(self.keep)
         self.changed()
 
     def changed(self) -> None:
@@ -59,18 +57,11 @@ class CouponPanel(Panel):
             words.append(str(self.calibration))
         self.tell("\n".join(words))
 
-    def _pressed(self, button: Callable[[], None], *_: Any) -> None:
-        """What a button cannot do is told as what boxes cannot."""
-        try:
-            button()
-        except FAILURES as error:
-            self.tell(str(explained(error)))
-
-    def make(self) -> None:
+    def make(self, *_: Any) -> None:
         """The coupon as a flat body."""
         recorded(add_coupon, self.document, self.form.sheet.currentText())
 
-    def write(self) -> None:
+    def write(self, *_: Any) -> None:
         """Its cutting file."""
         drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
         path = ask_file(
@@ -79,9 +70,12 @@ class CouponPanel(Panel):
         if path:
             self.tell(f"{translate('Elastica', 'wrote')} {save_drawing(drawing, path)}")
 
-    def keep(self) -> None:
+    def keep(self, *_: Any) -> None:
         """The calibrated sheet into the user's library."""
-        self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
+        try:
+            self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
+        except InputError as error:
+            self.tell(str(error))
 
     def kept(self) -> str:
         """Keep the sheet and say its name."""
