@@ -99,7 +99,7 @@ class SectionScale:
         scale = max(low, even.scale / self.ratio)
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
-    def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray = 0.0) -> Self:
+    def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
         """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, comes up to the largest section.
 
         Itself where it has that scale already.

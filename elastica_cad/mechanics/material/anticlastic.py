@@ -43,8 +43,8 @@ def anticlastic_factor(
     poisson_ratio : float
         nu, across the strip, from 0 to below 1.
     natural_curvature : array_like
-        kappa_0, before it is bent, 1/mm. A strip that is bent back towards straight and beyond may leave that
-        range, until it snaps over; its factor is kept within.
+        kappa_0, before it is bent, 1/mm. A strip that is bent back towards straight and beyond leaves that range;
+        its factor is eased off, to stay between 1 - nu^2 and (1 + nu^2)/(1 - nu^2).
 
     Returns
     -------
