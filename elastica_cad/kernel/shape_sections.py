@@ -16,7 +16,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.kernel.drawn_edges import drawn_edges
 from elastica_cad.kernel.occt import plane_axes_of
-from elastica_cad.kernel.ocp_import import Shape, kernel
+from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 JOIN = 1e-4
 """Ends of edges nearer than this meet, mm."""
@@ -56,8 +56,8 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Section
     from OCP.gp import gp_Pln
 
-    shape = getattr(shape, "wrapped", shape)
-    if shape is None or shape.IsNull():
+    shape = bare(shape)
+    if not isinstance(shape, kernel().TopoDS_Shape) or shape.IsNull():
         raise InputError("there is no shape to cut: give a solid, a shell or a face")
     refuse_odd_planes(planes)
 

@@ -32,7 +32,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
-from elastica_cad.kernel.ocp_import import Shape, kernel
+from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 from elastica_cad.kernel.step_text import canonical_step, with_shared_geometry
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
@@ -90,7 +90,7 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
     drawn: dict[int, Any] = {}
     for part in parts:
         if id(part.shape) not in drawn:
-            label = shapes.AddShape(getattr(part.shape, "wrapped", part.shape), False)
+            label = shapes.AddShape(bare(part.shape), False)
             color = k.Quantity_Color(*part.color, k.Quantity_TypeOfColor.Quantity_TOC_sRGB)
             colors.SetColor(label, color, k.XCAFDoc_ColorType.XCAFDoc_ColorGen)
             _set_name(label, part.name)
@@ -136,7 +136,7 @@ def _is_elementary(shape: Shape) -> bool:
     """Are all faces planes, cylinders and their like?"""
     k = kernel()
     known = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
-    faces = sub_shapes(getattr(shape, "wrapped", shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
+    faces = sub_shapes(bare(shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
     return all(k.BRepAdaptor_Surface(k.as_face(face)).GetType() in known for face in faces)
 
 

@@ -1,5 +1,7 @@
 """Sections of CAD bodies: exact against closed forms."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -42,8 +44,9 @@ def test_several_lines_and_misses_are_told(bodies):
     assert "falls into 2 lines" in ring.reports[0]
     assert missed.lines == ()
     assert "misses the shape" in missed.reports[0]
-    with pytest.raises(InputError, match="no shape"):
-        shape_sections(None, [])
+    for nothing in (None, SimpleNamespace(wrapped=None), object()):
+        with pytest.raises(InputError, match="no shape to cut: give a solid"):
+            shape_sections(nothing, [])
     with pytest.raises(InputError, match="sequence of Frames"):
         shape_sections(bodies[0], ring.frame)
 

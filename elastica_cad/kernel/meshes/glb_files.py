@@ -7,7 +7,7 @@ from tempfile import TemporaryDirectory
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.kernel.ocp_import import kernel
+from elastica_cad.kernel.ocp_import import bare, kernel
 from elastica_cad.kernel.step_files import NamedShape, make_document
 
 CHORD_MM, TURN_RAD = 0.2, 0.4
@@ -26,9 +26,7 @@ def write_glb(
     """
     k = kernel()
     for part in parts:
-        k.BRepMesh_IncrementalMesh(
-            getattr(part.shape, "wrapped", part.shape), CHORD_MM, False, TURN_RAD, True
-        )
+        k.BRepMesh_IncrementalMesh(bare(part.shape), CHORD_MM, False, TURN_RAD, True)
     document = make_document(parts, name=name)
     with TemporaryDirectory(prefix="elastica-") as folder:
         file = Path(folder, "model.glb")

@@ -23,6 +23,7 @@ from elastica_cad.mechanics.material.sheet_keys import (
     finite_number,
     printable,
     quoted,
+    toml_value,
 )
 from elastica_cad.mechanics.material.sheet_library import (
     built_in_figures,
@@ -299,11 +300,7 @@ class Sheet:
                 continue
             if field_name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
                 continue
-            if isinstance(value, tuple):
-                lines.append(f"{key} = [{value[0]!r}, {value[1]!r}]")
-            else:
-                text = quoted(value) if isinstance(value, str) else repr(float(value))
-                lines.append(f"{key} = {text}")
+            lines.append(f"{key} = {toml_value(value)}")
         return "\n".join(lines) + "\n"
 
 

@@ -107,6 +107,13 @@ def quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
+def toml_value(value: str | float | tuple[float, float]) -> str:
+    """What stands behind a key: a text, a number or a range."""
+    if isinstance(value, tuple):
+        return f"[{value[0]!r}, {value[1]!r}]"
+    return quoted(value) if isinstance(value, str) else repr(float(value))
+
+
 class NominalRatio(float):
     """A Poisson's ratio that estimates count with, but that no width is made by: nobody vouches for it.
 
