@@ -111,3 +111,9 @@ def pavilion() -> Callable[..., Any]:
 def collisions() -> ModuleType:
     """Bands of bent strips and how near they come to each other."""
     return _helper("collisions")
+
+
+@pytest.fixture(scope="session")
+def slotted_pairs() -> ModuleType:
+    """Pairs of strips at random that are slotted together, and what they share beside their slots."""
+    return _helper("slotted_pairs")

@@ -8,6 +8,7 @@ import pytest
 
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.tab_seats import held_shapes
+from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP
 from elastica_cad.fabrication.makeability.uncuttable_parts import find_strip_faults
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
@@ -71,6 +72,11 @@ def test_always_cut_on_the_sides_that_overlap(slotted):
             assert abs(slot.path[-1, 1]) == pytest.approx(float(strip.width(slot.path[-1, 0])) / 2, abs=1e-8)
     assert slotted.reports[-1].startswith("assembly: P01, P02, P03")
     assert "threaded" not in slotted.reports[-1]
+
+
+def test_none_collides_beside_its_slots(slotted):
+    """Neighbours run close to each other all along."""
+    assert missing_slots(slotted.placed, slotted.joints) == ()
 
 
 def test_equal_parts_are_counted(pavilion, slotted):

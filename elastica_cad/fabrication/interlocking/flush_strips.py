@@ -73,7 +73,7 @@ def _nearest(a: RuledStrip, b: RuledStrip, reach: float, inset: float) -> tuple[
     points = points[near]
     if not row.size:
         return None
-    foot, distance = _feet(b, stations, points[:, :2])
+    foot, distance = nearest_places(b, stations, points[:, :2])
     normals = a.normal(tangent)[row], b.normal(b.in_plane(foot)[1])
     facing = np.abs((normals[0] * normals[1]).sum(axis=1)) > np.cos(SHALLOW_RAD)
     on_it = (foot > inset) & (foot < b.length - inset) & (np.abs(points[:, 2]) < b.half_width(foot))
@@ -91,7 +91,9 @@ def _alike(strip: RuledStrip, other: RuledStrip, inset: float) -> FloatArray:
     return s[kept]
 
 
-def _feet(strip: RuledStrip, stations: FloatArray, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+def nearest_places(
+    strip: RuledStrip, stations: FloatArray, points: FloatArray
+) -> tuple[FloatArray, FloatArray]:
     """Arc lengths (n,) of the places of the curve nearest to points (n, 2) of its plane, and how near."""
     curve = strip.in_plane(stations)[0]
     s = stations[((curve**2).sum(axis=1) - 2 * points @ curve.T).argmin(axis=1)]

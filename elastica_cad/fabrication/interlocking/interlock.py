@@ -49,12 +49,15 @@ class Joint:
         Smallest and largest angle between the strips along the crossing, rad.
     position : (3,) array
         Where the two slots end against each other, mm.
+    fit : "exact" or "paper"
+        How wide the slots are.
     """
 
     members: tuple[int, int]
     slots: tuple[Slot, Slot]
     angle: tuple[float, float]
     position: FloatArray
+    fit: Fit = "exact"
 
 
 def slot_width(
@@ -198,7 +201,7 @@ class _Cutter:
             mate = self.strips[members[1 - which]].label
             slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
             middle = p.position[0]
-        return Joint(members, (slots[0], slots[1]), (low, high), middle)
+        return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
     def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
         """On which end of the crossing (0 or 1) either strip is cut.

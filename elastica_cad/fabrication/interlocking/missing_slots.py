@@ -1,4 +1,4 @@
-"""Strips of a model that run through each other, or lie in each other, where no slot lets them."""
+"""Strips of a model that run through each other, lie in each other, or collide beside the slots that join them."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -9,8 +9,9 @@ import numpy as np
 from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.interlocking.flush_strips import Slab, flush_overlap
-from elastica_cad.fabrication.interlocking.interlock import TOUCHING_RAD, Joint, strip_thickness
+from elastica_cad.fabrication.interlocking.interlock import TOUCHING_RAD, Joint, slot_width, strip_thickness
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.fabrication.interlocking.slotted_collisions import Collision, SlottedSlab, deepest_collision
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -21,6 +22,8 @@ EDGES_TOUCH_MM = 0.1
 
 CURE = "slot them (interlock), place them apart, or make them narrower there"
 
+CURE_BESIDE_SLOTS = "turn or shift one of them, or make them narrower there"
+
 CURE_SIDE_BY_SIDE = "place them apart, or make them narrower there"
 
 Pair = tuple[Strip, Strip]
@@ -30,8 +33,8 @@ Places = tuple[float, float]
 def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
     """A sentence for every two strips that overlap and are not slotted there, on one place; tabs are left out.
 
-    Of strips that cross it is the first crossing, of strips that lie side by side where they lie deepest.
-    Strips that `joints` slot into each other are not asked again.
+    Of strips that cross it is the first crossing, of strips that lie side by side where they lie deepest. Of strips
+    that `joints` slot into each other it is where they reach deepest into each other beside their slots.
 
     Examples
     --------
@@ -58,10 +61,16 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[tuple[s
     names = strip_names(placed)
     ruled = [RuledStrip(one.strip.rod.curve, one.frame, _within_edges(one.strip.width)) for one in placed]
     reach = [strip_thickness(one.strip) / 2 for one in placed]
-    slotted = {joint.members for joint in joints}
+    slotted = _rooms(placed, joints)
     found = []
+    bodies = _bodies(placed, slotted)
     for i, j in combinations(range(len(placed)), 2):
-        if (i, j) in slotted or not ruled[i].may_meet(ruled[j], room=reach[i] + reach[j]):
+        if (i, j) in slotted:
+            hit = deepest_collision(bodies[i], bodies[j], slotted[i, j])
+            if hit is not None:
+                found.append((_told(names[i], names[j], hit), CURE_BESIDE_SLOTS))
+            continue
+        if not ruled[i].may_meet(ruled[j], room=reach[i] + reach[j]):
             continue
         strips, surfaces = (placed[i].strip, placed[j].strip), (ruled[i], ruled[j])
         if (places := _crossing(strips, surfaces)) is not None:
@@ -72,6 +81,42 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[tuple[s
             continue
         found.append((f"{names[i]} at {places[0]:.1f} mm {told[0].format(names[j], places[1])}", told[1]))
     return found
+
+
+def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
+    """For pairs that are slotted together, how far beside their slots they are asked, mm.
+
+    Slots of the paper's width are too narrow: there strips are asked only where they are clear of what an exact
+    slot takes away.
+    """
+    rooms: dict[tuple[int, int], float] = {}
+    for joint in joints:
+        own, other = (strip_thickness(placed[i].strip) for i in joint.members)
+        width = slot_width(
+            np.array(joint.angle[0]), own=max(own, other), other=max(own, other), clearance=0.0
+        )
+        room = 0.0 if joint.fit == "exact" else float(width)
+        rooms[joint.members] = max(room, rooms.get(joint.members, 0.0))
+    return rooms
+
+
+def _bodies(placed: Sequence[Placed], slotted: Iterable[tuple[int, int]]) -> dict[int, SlottedSlab]:
+    """By their places, the strips that are slotted into others."""
+    members = {i for pair in slotted for i in pair}
+    return {
+        i: SlottedSlab.of(RuledStrip(one.strip.rod.curve, one.frame, one.strip.width), one.strip)
+        for i, one in enumerate(placed)
+        if i in members
+    }
+
+
+def _told(first: str, second: str, hit: Collision) -> str:
+    """How deep two strips that are slotted together reach into each other elsewhere, and where."""
+    x, y, z = hit.position
+    return (
+        f"{first} at {hit.places[0]:.1f} mm also runs {hit.depth:.2g} mm deep into {second} at "
+        f"{hit.places[1]:.1f} mm, beside the slots that join them, near ({x:.1f}, {y:.1f}, {z:.1f})"
+    )
 
 
 def _crossing(strips: Pair, surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:

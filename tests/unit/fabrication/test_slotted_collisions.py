@@ -1,0 +1,66 @@
+"""Strips that are slotted together and collide beside their slots are told: by points of one body in the other."""
+
+import re
+
+import numpy as np
+import pytest
+
+from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
+from elastica_cad.formats.design_files.kit_spec import KitSpec
+from elastica_cad.kit.kit_contents import kit_of
+
+TOLD = re.compile(
+    r"A at ([0-9.]+) mm also runs ([0-9.]+) mm deep into B at ([0-9.]+) mm, beside the slots that join them, "
+    r"near \((-?[0-9.]+), (-?[0-9.]+), (-?[0-9.]+)\): turn or shift one of them, or make them narrower there"
+)
+
+COLLIDING = (12, 32, 44, 62, 71, 76, 96, 98, 118)
+"""Edges in faces, ends in faces, faces in faces, edges across edges."""
+
+APART = (5, 6, 8, 10, 15, 17, 29, 37)
+
+
+@pytest.mark.parametrize("seed", COLLIDING)
+def test_what_is_told_is_in_both(seed, slotted_pairs):
+    model = slotted_pairs.pair(seed)
+    (told,) = missing_slots(model.placed, model.joints)
+    numbers = [float(x) for x in TOLD.fullmatch(told).groups()]
+    for placed, s in zip(model.placed, (numbers[0], numbers[2]), strict=True):
+        around = numbers[3:] + np.random.default_rng(1).uniform(-0.15, 0.15, (4000, 3))
+        inside = slotted_pairs.depths(placed, around) > 0
+        assert inside.any()
+        middle = placed.frame.point(placed.strip.rod.curve.at(np.array([s])).position)[0]
+        assert abs((middle - numbers[3:]) @ placed.frame.x_axis) < 5
+    both = np.all([slotted_pairs.depths(placed, around) > 0 for placed in model.placed], axis=0)
+    assert both.any()
+
+
+@pytest.mark.parametrize("seed", [12, 44, 76, 98, 118])
+def test_how_deep_they_run(seed, slotted_pairs):
+    model = slotted_pairs.pair(seed)
+    a, b = model.placed
+    depth = float(TOLD.fullmatch(missing_slots(model.placed, model.joints)[0]).group(2))
+    assert depth == pytest.approx(max(slotted_pairs.shared(a, b), slotted_pairs.shared(b, a)), rel=0.12)
+
+
+@pytest.mark.parametrize("clearance", [0.0, 0.1, 0.5])
+@pytest.mark.parametrize("seed", APART)
+def test_what_lies_in_its_slots_is_not_told(seed, clearance, slotted_pairs):
+    model = slotted_pairs.pair(seed, clearance=clearance)
+    a, b = model.placed
+    assert max(slotted_pairs.shared(a, b), slotted_pairs.shared(b, a)) < 0.06
+    assert missing_slots(model.placed, model.joints) == ()
+
+
+def test_slots_of_the_papers_width_are_asked_away_from_them_only(slotted_pairs):
+    for seed, count in ((5, 0), (8, 0), (76, 1)):
+        model = slotted_pairs.pair(seed, fit="paper")
+        assert len(missing_slots(model.placed, model.joints)) == count
+
+
+def test_kits_tell(slotted_pairs):
+    model = slotted_pairs.pair(76)
+    (told,) = (
+        text for text in kit_of(model, KitSpec(anyway=True), effects=False).notes if "also runs" in text
+    )
+    assert TOLD.fullmatch(told)
