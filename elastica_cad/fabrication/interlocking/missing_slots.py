@@ -1,7 +1,7 @@
 """Strips of a model that run through each other, lie in each other, or collide beside the slots that join them."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -20,14 +20,38 @@ from elastica_cad.geometry.paths.profile import Profile
 EDGES_TOUCH_MM = 0.1
 """Strips that lie edge to edge may reach so far into each other, either of them: a file takes it off."""
 
-CURE = "slot them (interlock), place them apart, or make them narrower there"
-
-CURE_BESIDE_SLOTS = "turn or shift one of them, or make them narrower there"
-
-CURE_SIDE_BY_SIDE = "place them apart, or make them narrower there"
-
 Pair = tuple[Strip, Strip]
 Places = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class _Meeting:
+    """Where two strips overlap: side by side, beside the slots that join them, or else at an angle."""
+
+    names: tuple[str, str]
+    places: Places
+    is_flush: bool = False
+    beside_slots: Collision | None = None
+
+    def told(self, more: str = "") -> str:
+        """A sentence; `more` counts the other pairs."""
+        (a, b), (s, r) = self.names, self.places
+        if self.beside_slots is not None:
+            depth, (x, y, z) = self.beside_slots.depth, self.beside_slots.position
+            return (
+                f"{a} at {s:.1f} mm also runs {depth:.2g} mm deep into {b} at {r:.1f} mm, beside the slots that "
+                f"join them, near ({x:.1f}, {y:.1f}, {z:.1f}) mm{more}: turn or shift one of them, or make them "
+                "narrower there"
+            )
+        if self.is_flush:
+            return (
+                f"{a} at {s:.1f} mm lies in the thickness of {b} at {r:.1f} mm{more}: place them apart, or make "
+                "them narrower there"
+            )
+        return (
+            f"{a} at {s:.1f} mm runs through {b} at {r:.1f} mm{more}: slot them (interlock), place them apart, or "
+            "make them narrower there"
+        )
 
 
 def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
@@ -41,7 +65,7 @@ def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tup
     >>> missing_slots([])
     ()
     """
-    return tuple(f"{meeting}: {cure}" for meeting, cure in _meetings(placed, joints))
+    return tuple(meeting.told() for meeting in _meetings(placed, joints))
 
 
 def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
@@ -53,11 +77,11 @@ def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -
     ()
     """
     meetings = _meetings(placed, joints)
-    return tuple(f"{meeting}{and_more(meetings, 'pair')}: {cure}" for meeting, cure in meetings[:1])
+    return tuple(meeting.told(and_more(meetings, "pair")) for meeting in meetings[:1])
 
 
-def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[tuple[str, str]]:
-    """Of every two strips that overlap where no slot lets them, a place, and what to do."""
+def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:
+    """Of every two strips that overlap where no slot lets them, a place."""
     names = strip_names(placed)
     ruled = [RuledStrip(one.strip.rod.curve, one.frame, _within_edges(one.strip.width)) for one in placed]
     reach = [strip_thickness(one.strip) / 2 for one in placed]
@@ -65,21 +89,17 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[tuple[s
     found = []
     bodies = _bodies(placed, slotted)
     for i, j in combinations(range(len(placed)), 2):
+        pair = names[i], names[j]
         if (i, j) in slotted:
             hit = deepest_collision(bodies[i], bodies[j], slotted[i, j])
             if hit is not None:
-                found.append((_told(names[i], names[j], hit), CURE_BESIDE_SLOTS))
-            continue
-        if not ruled[i].may_meet(ruled[j], room=reach[i] + reach[j]):
-            continue
-        strips, surfaces = (placed[i].strip, placed[j].strip), (ruled[i], ruled[j])
-        if (places := _crossing(strips, surfaces)) is not None:
-            told = "runs through {} at {:.1f} mm", CURE
-        elif (places := _overlap(strips, surfaces)) is not None:
-            told = "lies in the thickness of {} at {:.1f} mm", CURE_SIDE_BY_SIDE
-        else:
-            continue
-        found.append((f"{names[i]} at {places[0]:.1f} mm {told[0].format(names[j], places[1])}", told[1]))
+                found.append(_Meeting(pair, hit.places, beside_slots=hit))
+        elif ruled[i].may_meet(ruled[j], room=reach[i] + reach[j]):
+            strips, surfaces = (placed[i].strip, placed[j].strip), (ruled[i], ruled[j])
+            if (places := _crossing(strips, surfaces)) is not None:
+                found.append(_Meeting(pair, places))
+            elif (places := _overlap(strips, surfaces)) is not None:
+                found.append(_Meeting(pair, places, is_flush=True))
     return found
 
 
@@ -108,15 +128,6 @@ def _bodies(placed: Sequence[Placed], slotted: Iterable[tuple[int, int]]) -> dic
         for i, one in enumerate(placed)
         if i in members
     }
-
-
-def _told(first: str, second: str, hit: Collision) -> str:
-    """How deep two strips that are slotted together reach into each other elsewhere, and where."""
-    x, y, z = hit.position
-    return (
-        f"{first} at {hit.places[0]:.1f} mm also runs {hit.depth:.2g} mm deep into {second} at "
-        f"{hit.places[1]:.1f} mm, beside the slots that join them, near ({x:.1f}, {y:.1f}, {z:.1f})"
-    )
 
 
 def _crossing(strips: Pair, surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:

@@ -11,7 +11,7 @@ from elastica_cad.kit.kit_contents import kit_of
 
 TOLD = re.compile(
     r"A at ([0-9.]+) mm also runs ([0-9.]+) mm deep into B at ([0-9.]+) mm, beside the slots that join them, "
-    r"near \((-?[0-9.]+), (-?[0-9.]+), (-?[0-9.]+)\): turn or shift one of them, or make them narrower there"
+    r"near \((-?[0-9.]+), (-?[0-9.]+), (-?[0-9.]+)\) mm: turn or shift one of them, or make them narrower there"
 )
 
 COLLIDING = (12, 32, 44, 62, 71, 76, 96, 98, 118)
