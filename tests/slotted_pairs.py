@@ -1,7 +1,6 @@
 """Pairs of strips at random that are slotted together, and what they share beside their slots, by points."""
 
 import numpy as np
-import shapely
 from scipy.spatial import cKDTree
 
 from elastica_cad.fabrication.model.strip_model import Model
@@ -57,7 +56,7 @@ def shared(one, other, pitch=0.2):
             flat.append(np.column_stack([s, v]))
     depth = depths(other, one.frame.point(np.concatenate(points)))
     inside = depth > 0
-    kept = shapely.contains_xy(_outline(strip), *np.concatenate(flat)[inside].T)
+    kept = _has_material(strip, *np.concatenate(flat)[inside].T)
     return float((depth[inside] * kept).max(initial=0.0))
 
 
@@ -69,10 +68,13 @@ def depths(placed, points):
     depth = np.minimum(
         strip.sheet.thickness / 2 - away, strip.width(dense[nearest]) / 2 - np.abs(local[:, 2])
     )
-    return np.where(shapely.contains_xy(_outline(strip), dense[nearest], local[:, 2]), depth, -1.0)
+    return np.where(_has_material(strip, dense[nearest], local[:, 2]), depth, -1.0)
 
 
-def _outline(strip):
+def _has_material(strip, x, y):
+    """Which places of the flat pattern are within its outline, slots cut out."""
+    import shapely  # not there where CAD programs alone are tested
+
     outline = shapely.Polygon(strip.outline.points(0.001))
     shapely.prepare(outline)
-    return outline
+    return shapely.contains_xy(outline, x, y)
