@@ -3,6 +3,8 @@
 import importlib.util
 from pathlib import Path
 
+import pytest
+
 _spec = importlib.util.spec_from_file_location("freecad_launching", Path(__file__).with_name("launching.py"))
 launching = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(launching)
@@ -17,6 +19,7 @@ def test_what_goes_wrong_is_in_sight_and_is_undone(tmp_path):
     assert found["made in error"] == found["within again"] == failing
     assert found["apart"] == found["undone"] == standing
     assert found["marked"] == [[]] * 6
+    assert found["in containers"] == [found["before"]] * 6, "the sketch is outside, and so nothing moves"
     assert found["filled"] == "Face"
     assert found["strip on it"].startswith("A flat strip takes this curve.")
     assert "B-spline through their ends" in found["lines"][0]
@@ -32,3 +35,31 @@ def test_a_point_is_a_comma_where_numbers_are_written_with_one(tmp_path):
     assert text.startswith("12,5")  # with the unit and two decimals or without, by the release
     assert value == 12.5
     assert found["angle"] == 0.5
+
+
+def test_files_that_are_gone_and_edges_behind_links(tmp_path):
+    found = launching.run_window("lost.py", tmp_path)
+    assert found["tracebacks"] == 0
+    missing = {
+        "file": f"Imported reads {tmp_path}/spline.brep, which is missing: put that file back, or name another in "
+        "its property FileName, and recompute the document",
+        "document": "Curve links to Sketch in source.FCStd, which is missing: put that file back or open it, and "
+        "recompute the document",
+    }
+    for kind, sentence in missing.items():
+        seen, reasons, volume = found[f"{kind} there"]
+        assert all(seen.values())
+        assert reasons == []
+        assert found[f"{kind} lost, told"] == [f"Strip, Strip flat, Nest, Fixtures: {sentence}"]
+        assert found[f"{kind} lost"] == [dict.fromkeys(seen, False), [sentence], volume]
+        assert found[f"{kind} found"] == found[f"{kind} there"]
+    lost = missing["file"]
+    assert found["told again"] == found["file found, told"] == []
+    assert found["panels"] == [lost, f"There is no strip.\n{lost}"]
+    assert found["export"] == lost
+    arch = ["Up-to-date", pytest.approx(50), pytest.approx(90.4, abs=0.5), pytest.approx(20)]
+    for picked in ("Body", "Linked body", "Linked part"):
+        assert found[picked] == arch, "the strip is where the edge was seen"
+    assert found["all follow"] == pytest.approx([30, 30, 80])
+    assert found["coupon refused"].startswith("/proc/coupon.dxf can't be written: ")
+    assert found["coupon"] == f"wrote {tmp_path}/Prüf #1.dxf"

@@ -11,6 +11,7 @@ from freecad.elastica_wb.curves.sketch_curves import linked
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError
@@ -119,6 +120,30 @@ def test_what_is_made_from_a_strip_is_hidden_while_that_is_in_error(
     assert in_sight(made) == [True, True, False, True, True]
     assert [one.State for one in (*standing, *made)] == [["Up-to-date"]] * 7
     assert other.Sheets == 1
+
+
+def test_what_hangs_on_a_link_to_what_was_deleted_says_so(document, standing):
+    """FreeCAD recomputes nothing behind a link that is broken: the nest showed a strip that is not there."""
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = standing[1]
+    whole = model.create(document, [standing[0], link], interlock=False)
+    made = [whole, nest.create(document, [whole]), nest.create(document, standing[:1])]
+    document.recompute()
+    standing[0].Visibility = False
+    document.removeObject(standing[1].Name)
+    document.recompute()
+    proxy.give_up(document)  # what a window is told
+    assert in_sight(made) == [False, False, True]
+    assert standing[0].Visibility, "it is well, and nothing stands for it"
+    (sentence,) = whole.Reports
+    assert sentence.startswith(
+        "Link links to what was deleted: choose another object in its property LinkedObj"
+    )
+    assert why_not_made(made[1]) == sentence
+    document.removeObject(link.Name)
+    document.recompute()
+    assert in_sight(made) == [True] * 3
+    assert [one.State for one in made] == [["Up-to-date"]] * 3
 
 
 def test_what_fails_itself_is_hidden_until_it_can_be_made(document, standing, drawn):

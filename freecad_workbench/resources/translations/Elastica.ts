@@ -3015,6 +3015,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 links to %2 in %3, which is missing: put that file back or open it, and recompute the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 links to what was deleted: choose another object in its property LinkedObject, or delete the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reads %2, which is missing: put that file back, or name another in its property FileName, and recompute the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2): mend it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a curve %1 mm from this one</source>
         <translation type="unfinished"></translation>
     </message>

@@ -3027,6 +3027,22 @@
         <translation>es gibt nichts zu schneiden: Streifen, Modelle oder Grundplatten auswählen</translation>
     </message>
     <message>
+        <source>%1 links to %2 in %3, which is missing: put that file back or open it, and recompute the document</source>
+        <translation>%1 verweist auf %2 in %3, das fehlt: die Datei zurücklegen oder öffnen und das Dokument neu berechnen</translation>
+    </message>
+    <message>
+        <source>%1 links to what was deleted: choose another object in its property LinkedObject, or delete the link</source>
+        <translation>%1 verweist auf etwas, das gelöscht wurde: in der Eigenschaft LinkedObject ein anderes Objekt wählen oder den Verweis löschen</translation>
+    </message>
+    <message>
+        <source>%1 reads %2, which is missing: put that file back, or name another in its property FileName, and recompute the document</source>
+        <translation>%1 liest %2, und diese Datei fehlt: sie zurücklegen oder in der Eigenschaft FileName eine andere nennen und das Dokument neu berechnen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2): mend it first</source>
+        <translation>%1 lässt sich nicht erzeugen (%2): zuerst das beheben</translation>
+    </message>
+    <message>
         <source>a curve %1 mm from this one</source>
         <translation>eine Kurve %1 mm von dieser</translation>
     </message>

@@ -3027,6 +3027,22 @@
         <translation>没有可切割的对象：请选择条带、模型或底板</translation>
     </message>
     <message>
+        <source>%1 links to %2 in %3, which is missing: put that file back or open it, and recompute the document</source>
+        <translation>%1 链接到 %3 中的 %2，但该文件不存在：请将文件放回原处或打开它，然后重新计算文档</translation>
+    </message>
+    <message>
+        <source>%1 links to what was deleted: choose another object in its property LinkedObject, or delete the link</source>
+        <translation>%1 所链接的对象已被删除：请在属性 LinkedObject 中选择另一个对象，或删除该链接</translation>
+    </message>
+    <message>
+        <source>%1 reads %2, which is missing: put that file back, or name another in its property FileName, and recompute the document</source>
+        <translation>%1 读取的文件 %2 不存在：请将文件放回原处，或在属性 FileName 中指定另一个文件，然后重新计算文档</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2): mend it first</source>
+        <translation>%1 无法生成（%2）：请先修复它</translation>
+    </message>
+    <message>
         <source>a curve %1 mm from this one</source>
         <translation>一条距此 %1 mm 的曲线</translation>
     </message>

@@ -30,6 +30,7 @@ from inside import (
     trigger,
     typed,
     until,
+    wait,
     window,
 )
 
@@ -96,6 +97,42 @@ def undone_and_redone():
     App.closeDocument(document.Name)
 
 
+def undone_in_containers():
+    """Strip and blocks go into a moved container, or that moves: what is recomputed then is no part of the step."""
+    document = begun("Contained")
+    part = document.addObject("App::Part", "Part")
+    one = strip_on(document, "One", UPRIGHT)
+    open_panel("Elastica_Fixtures", one)
+    button()
+    blocks = document.Fixtures
+    part.Placement.Base.z = 200
+    document.recompute()
+
+    def heights():
+        trigger("Std_Refresh")
+        until(lambda: not document.isTouched(), 5)
+        found = []
+        for obj in (one, blocks):
+            inside = obj.getParentGeoFeatureGroup() is part
+            found.append(round(obj.Shape.BoundBox.Center.z + inside * part.Placement.Base.z, 3))
+        return found
+
+    answers["before"] = heights()
+    document.openTransaction("drag into it")
+    part.addObjects([one, blocks])
+    document.commitTransaction()
+    answers["in containers"] = [heights()]
+    document.openTransaction("move it")
+    part.Placement.Base.z = 300
+    document.commitTransaction()
+    answers["in containers"].append(heights())
+    for command in ("Std_Undo", "Std_Undo", "Std_Redo", "Std_Redo"):
+        trigger(command)
+        wait(300)
+        answers["in containers"].append(heights())
+    App.closeDocument(document.Name)
+
+
 def curves_of_other_hands():
     """What FreeCAD reads from files: a filled shape of a drawing, a polyline as lines."""
     import importSVG
@@ -137,7 +174,7 @@ def curves_of_other_hands():
 
 def work():
     window()
-    for one in (strips_within_each_other, undone_and_redone, curves_of_other_hands):
+    for one in (strips_within_each_other, undone_and_redone, undone_in_containers, curves_of_other_hands):
         one()
 
 

@@ -10,7 +10,14 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 from freecad.elastica_wb.curves.copies import COPYING, contents, not_repeated, originals
-from freecad.elastica_wb.curves.sketch_curves import is_outline, is_sketch, linked
+from freecad.elastica_wb.curves.sketch_curves import (
+    edge_called,
+    is_edge,
+    is_outline,
+    is_sketch,
+    linked,
+    picked,
+)
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
@@ -34,18 +41,16 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     InputError
         Nothing of that kind is selected.
     """
-    found = []
-    for choice in Gui.Selection.getSelectionEx():
-        edges = tuple(name for name in choice.SubElementNames if name.startswith("Edge"))
-        if is_sketch(choice.Object):
-            found.append((choice.Object, ()))
+    found: list[tuple[Any, tuple[str, ...]]] = []
+    for source, names in _picked().items():
+        edges = tuple(filter(is_edge, names))
+        if is_sketch(linked(source)):
+            found.append((source, ()))
         elif edges:
-            found += [(choice.Object, chain) for chain in _chains(choice.Object, edges)]
-        elif hasattr(choice.Object, "Shape") and _has_curves(choice.Object.Shape):
-            chains = _chains(choice.Object, [f"Edge{i + 1}" for i in range(len(choice.Object.Shape.Edges))])
-            found += (
-                [(choice.Object, chain) for chain in chains] if len(chains) > 1 else [(choice.Object, ())]
-            )
+            found += [(source, chain) for chain in _chains(source, edges)]
+        elif hasattr(source, "Shape") and _has_curves(source.Shape):
+            chains = _chains(source, [f"Edge{i + 1}" for i in range(len(source.Shape.Edges))])
+            found += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
     if not found:
         found = [(sketch, ()) for sketch in (edited_sketch() or _only_sketch(),) if sketch is not None]
     if not found:
@@ -60,6 +65,16 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
                 "through their ends (workbench Draft) and select that.",
             )
         )
+    return found
+
+
+def _picked() -> dict[Any, list[str]]:
+    """What is selected, and which parts of it; through links these are parts of the link."""
+    found: dict[Any, list[str]] = {}
+    for choice in Gui.Selection.getSelectionEx("", 0):
+        for path in choice.SubElementNames or ("",):
+            source, name = picked(choice.Object, path)
+            found.setdefault(source, []).append(name)
     return found
 
 
@@ -78,7 +93,7 @@ def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
         return [(name,) for name in names]
     chains: list[tuple[list[str], list[Any]]] = []
     for name in names:
-        places = [vertex.Point for vertex in source.Shape.getElement(name).Vertexes]
+        places = [vertex.Point for vertex in edge_called(source, name).Vertexes]
         chain: tuple[list[str], list[Any]] = ([name], places)
         for other in [one for one in chains if any(p.isEqual(q, JOIN_MM) for p in places for q in one[1])]:
             chains.remove(other)
@@ -127,9 +142,10 @@ def chosen_sketch() -> Any:
         Something else is selected, or nothing.
     """
     (source, edges), *_ = chosen_curves()
-    if edges or not is_sketch(source):
+    sketch = linked(source)
+    if edges or not is_sketch(sketch):
         raise InputError(translate("Elastica", "Select a sketch with a spline first."))
-    return source
+    return sketch
 
 
 def chosen_sources() -> list[Any]:

@@ -9,6 +9,7 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
+from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.shapes.part_shapes import plane_curve, spline_geometry
 
 from elastica_cad.errors import InputError
@@ -94,6 +95,45 @@ def link_target(obj: Any) -> Any:
     return obj.getLinkedObject(False) if isinstance(shown, tuple) else shown
 
 
+def picked(root: Any, path: str) -> tuple[Any, str]:
+    """What was picked along a path (`Part.Body.Pad.Edge3`) from an object: what it belongs to, and its name there.
+
+    What is seen through a link is the link's: the original stands elsewhere.
+    """
+    along = root.getSubObjectList(path)
+    # FreeCAD 1.1 adds its name of an element by how it came about (;#14:1;...), which the next change makes another
+    names = [name for name in path.split(".") if not name.startswith(";")]
+    for i, one in enumerate(along):
+        if one.TypeId.startswith(LINK):
+            return one, ".".join(names[i:])
+    return along[-1], names[-1]
+
+
+def is_edge(name: str) -> bool:
+    """Is this the name of an edge, perhaps at the end of a path?"""
+    return name.rpartition(".")[2].startswith("Edge")
+
+
+def edge_called(source: Any, name: str) -> Any:
+    """The element of an object's shape that has this name, or lies at the end of this path.
+
+    Raises
+    ------
+    InputError
+        There is none.
+    """
+    try:
+        path = "." in name
+        element = (
+            Part.getShape(source, name, needSubElement=True) if path else _shape(source).getElement(name)
+        )
+        if element.isNull():
+            raise IndexError(name)
+    except (ValueError, IndexError, Part.OCCError) as error:
+        raise InputError(f"{source.Label} has no {name} any more: choose the curve anew") from error
+    return element
+
+
 def frame_of(placement: App.Placement) -> Frame:
     """The plane z = 0 of a placement."""
     x, y = (placement.Rotation.multVec(App.Vector(*axis)) for axis in ((1, 0, 0), (0, 1, 0)))
@@ -114,21 +154,22 @@ def _why_empty(sketch: Any) -> str:
 
 
 def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
-    shape = Part.getShape(source)  # of a link too, which has its own place
+    lost = why_not_made(source)
+    if lost:
+        raise InputError(lost)
+    shape = _shape(source)
     if shape.isNull():
         raise InputError(f"{source.Label} has no shape: choose a sketch, an edge or a wire")
-    if not names:
-        if shape.Faces and not is_outline(shape):
-            raise InputError(f"{source.Label} has many edges: choose the ones that the strip is to follow")
-        return list(shape.Edges)
-    found = []
-    for name in names:
-        try:
-            element = shape.getElement(name)
-        except (ValueError, IndexError, Part.OCCError) as error:
-            raise InputError(f"{source.Label} has no {name} any more: choose the curve anew") from error
-        found.extend(element.Edges)
-    return found
+    if names:
+        return [edge for name in names for edge in edge_called(source, name).Edges]
+    if shape.Faces and not is_outline(shape):
+        raise InputError(f"{source.Label} has many edges: choose the ones that the strip is to follow")
+    return list(shape.Edges)
+
+
+def _shape(source: Any) -> Any:
+    """Of a link too, which has its own place."""
+    return Part.getShape(source)
 
 
 def is_outline(shape: Any) -> bool:

@@ -60,10 +60,9 @@ class ModelFeature(Feature):
         obj.Shape = Part.Compound(solids_of(model, container(obj).inverse()))
         put(obj, Joints=len(model.joints), Reports=[worded(report) for report in model.reports])
 
-    def failed(self, obj: Any, error: ElasticaError) -> None:
-        """No results of before; the strips come into sight, where what is wrong is seen."""
+    def tell_error(self, obj: Any, error: ElasticaError) -> None:
+        """No results of before."""
         put(obj, Joints=0, Reports=[worded(str(error))])
-        super().failed(obj, error)
 
     def covered(self, obj: Any) -> list[Any]:
         """The strips, which have no slots."""

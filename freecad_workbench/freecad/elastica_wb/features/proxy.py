@@ -3,14 +3,22 @@
 
 """What the proxies of all features share: properties, sheets, curves that move with containers, refusals."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, ClassVar
 
 import FreeCAD as App
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import Property, ensure, put
-from freecad.elastica_wb.host.refusal import FAILURES, RefusalError, explained, raising, refused
+from freecad.elastica_wb.host.refusal import (
+    FAILURES,
+    RefusalError,
+    explained,
+    is_ours,
+    raising,
+    refused,
+    why_not_made,
+)
 from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list
 from freecad.elastica_wb.host.view_providers import dress
 
@@ -42,6 +50,8 @@ FOLLOWED = ("Curve", "Sources", "Strips")
 
 TOLD = ("Reasons", "Reports")
 """Properties with sentences."""
+
+MOST_NAMES = 6  # in a line of the report view
 
 
 class Feature:
@@ -130,9 +140,13 @@ class Feature:
         """Set the shape and the results."""
         raise NotImplementedError
 
-    def failed(self, obj: Any, _error: ElasticaError) -> None:
+    def failed(self, obj: Any, error: ElasticaError) -> None:
         """Tell in the results what went wrong; the last good shape goes out of sight."""
+        self.tell_error(obj, error)
         hide(obj)
+
+    def tell_error(self, obj: Any, error: ElasticaError) -> None:
+        """Tell in the results what went wrong, where there are any."""
 
     def covered(self, _obj: Any) -> list[Any]:
         """The features that are out of sight because this one shows them."""
@@ -178,6 +192,19 @@ def hide(obj: Any) -> None:
             part.Visibility = True
 
 
+def give_up(document: Any) -> None:
+    """FreeCAD recomputes nothing behind what failed: where that is not ours, what is made from it says so."""
+    for source in (one for one in document.Objects if "Invalid" in one.State and not is_ours(one)):
+        ours = [one for one in _with_users(source) if isinstance(getattr(one, "Proxy", None), Feature)]
+        said = why_not_made(source)
+        if any(one.Visibility for one in ours):  # else it was told
+            names = ", ".join([one.Label for one in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES))
+            App.Console.PrintError(f"Elastica, {names}: {said}\n")
+        for one in ours:
+            one.Proxy.tell_error(one, InputError(said))
+        hide(source)
+
+
 def hide_failed(source: Any) -> None:
     """Hide what follows a source and failed."""
     for one in source.InListRecursive:
@@ -220,14 +247,19 @@ def parents(source: Any) -> list[Any]:
     return found[:-1]
 
 
-def keep_containers(document: Any) -> None:
-    """Something went into a container or out of one: a feature that is inside now cannot hang on it as well."""
+def keep_containers(document: Any, moved: Collection[Any]) -> None:
+    """Objects went into a container or out of one: what they hold stands in the other place.
+
+    A feature that is inside now cannot hang on the container as well.
+    """
     for obj in document.Objects:
         if isinstance(getattr(obj, "Proxy", None), Feature) and CONTAINERS.name in obj.PropertiesList:
             found = _containers(obj)
-            if obj.Containers != found:
+            changes = obj.Containers != found
+            if changes:
                 obj.Containers = found
-                obj.touch()  # it stood in the other place
+            if changes or any(one in moved for one in (obj, *parents(obj))):
+                obj.touch()
 
 
 def keep_sheets() -> None:

@@ -71,10 +71,15 @@ class StripFeature(Feature):
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """No results of before; nothing is hidden while its sketch is open."""
-        _tell_error(obj, error)
-        if not is_edited(obj):
+        """Nothing is hidden while its sketch is open."""
+        if is_edited(obj):
+            self.tell_error(obj, error)
+        else:
             super().failed(obj, error)
+
+    def tell_error(self, obj: Any, error: ElasticaError) -> None:
+        """No results of before."""
+        _tell_error(obj, error)
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
@@ -169,7 +174,7 @@ def tell_held(obj: Any) -> None:
 def is_stale(obj: Any, changed: set[str]) -> bool:
     """Was the shape made from another request? `changed` names the objects that are not as they were."""
     source = obj.Curve[0] if obj.Curve else None
-    touched = {obj.Name, *(one.Name for one in (source, *parents(source)) if one is not None)}
+    touched = {one.Name for one in (obj, *parents(obj), source, *parents(source)) if one is not None}
     if not touched & changed:
         return False
     if "Invalid" in obj.State:  # undo brings the results of before back, and leaves the state

@@ -10,6 +10,8 @@ compiled code raises it: a generator at its end throws what it is given. FreeCAD
 recompute instead.
 """
 
+import os
+import re
 from collections.abc import Callable
 from functools import partial, reduce
 from operator import or_
@@ -23,6 +25,11 @@ from elastica_cad.errors import ElasticaError, InputError, MissingDependencyErro
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
 """What `execute` answers in words; anything else is a mistake of ours and shows where it was made."""
+
+FEATURES = "freecad.elastica_wb.features."
+
+LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
+"""What FreeCAD says of a link whose file it does not find, or whose document was closed."""
 
 
 class _Speaker(type):
@@ -95,7 +102,39 @@ def why_not_made(obj: Any) -> str:
 
     FreeCAD leaves out what is made from something that failed, and that has no state of its own then.
     """
-    if "Invalid" in obj.State:
-        return str(obj.getStatusString())
-    failed = next((one for one in obj.OutListRecursive if "Invalid" in one.State), None)
-    return "" if failed is None else f"{failed.Label}: {failed.getStatusString()}"
+    failed = [one for one in (obj, *obj.OutListRecursive) if "Invalid" in one.State]
+    first = next((one for one in failed if not set(one.OutListRecursive) & set(failed)), None)
+    if first is None:
+        return ""
+    if not is_ours(first):
+        return worded(_why_not_made_by_others(first))
+    said = str(first.getStatusString())
+    return said if first is obj else f"{first.Label}: {said}"
+
+
+def is_ours(obj: Any) -> bool:
+    """Is it a feature of this workbench, which says itself why it cannot be made?"""
+    return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)
+
+
+def _why_not_made_by_others(obj: Any) -> str:
+    """A sentence about an object of FreeCAD itself; its own words are those of a programmer."""
+    said = str(obj.getStatusString())
+    lost = LOST_LINK.search(said)
+    if lost:
+        return (
+            f"{obj.Label} links to {lost[1]} in {lost[2]}, which is missing: put that file back or open it, and "
+            "recompute the document"
+        )
+    if obj.TypeId.startswith("App::Link") and getattr(obj, "LinkedObject", obj) is None:
+        return (
+            f"{obj.Label} links to what was deleted: choose another object in its property LinkedObject, or delete "
+            "the link"
+        )
+    file = getattr(obj, "FileName", "")
+    if isinstance(file, str) and file and not os.path.exists(file):
+        return (
+            f"{obj.Label} reads {file}, which is missing: put that file back, or name another in its property "
+            "FileName, and recompute the document"
+        )
+    return f"{obj.Label} cannot be made ({' '.join(said.split())}): mend it first"

@@ -89,6 +89,7 @@ class Changes:
     def __init__(self) -> None:
         self._pending = False
         self._called: dict[tuple[str, str], str] = {}
+        self._held: dict[tuple[str, str], list[Any]] = {}
         self._changed: dict[str, dict[str, set[str]]] = {}
 
     def slotCreatedObject(self, obj: Any) -> None:
@@ -97,9 +98,13 @@ class Changes:
             remember(obj, True)
 
     def slotBeforeChangeObject(self, obj: Any, name: str) -> None:
-        """An object is about to be renamed."""
-        if name == "Label" and not obj.Document.Restoring:
+        """An object is about to be renamed, or a container to get others."""
+        if obj.Document.Restoring:
+            return
+        if name == "Label":
             self._called[obj.Document.Name, obj.Name] = obj.Label
+        elif name == "Group":
+            self._held[obj.Document.Name, obj.Name] = list(obj.Group)
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """The mouse was released, or something else changed the sketch."""
@@ -110,7 +115,9 @@ class Changes:
                 names = self._changed.setdefault(obj.Document.Name, {})
                 names.setdefault(obj.Name, set()).add(name)
         elif name == "Group" and not obj.Document.Restoring:
-            _shared("keep_containers", obj.Document)
+            before = self._held.pop((obj.Document.Name, obj.Name), [])
+            moved = [one for one in (*before, *obj.Group) if not (one in before and one in obj.Group)]
+            _shared("keep_containers", obj.Document, moved)
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
             _shared("keep_places", obj)
         session = _session()
@@ -124,6 +131,10 @@ class Changes:
     def slotRedoDocument(self, document: Any) -> None:
         """As after undo."""
         self._after_undo(document)
+
+    def slotRecomputedDocument(self, document: Any) -> None:
+        """FreeCAD leaves out what is made from something that failed."""
+        _shared("give_up", document)
 
     def slotDeletedObject(self, obj: Any) -> None:
         """The sketch with the overlay is deleted."""
@@ -166,11 +177,11 @@ def _session() -> Any:
     return None if module is None else module.session()
 
 
-def _shared(work: str, subject: Any) -> None:
+def _shared(work: str, *subject: Any) -> None:
     """Containers changed, or a sketch was closed."""
     module = _proxies()
     if module is not None:
-        getattr(module, work)(subject)
+        getattr(module, work)(*subject)
 
 
 def _renamed(obj: Any, old: str) -> None:
@@ -208,7 +219,9 @@ def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
     from freecad.elastica_wb.features.strip import is_stale
 
     ours = [obj for obj in ours if lives(obj)]
-    stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, set(changed))]
+    regrouped = any("Group" in names for names in changed.values())
+    asked = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
+    stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, asked)]
     # FreeCAD marks what it brings back as if it were to be made anew
     restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
     for strip in filter(is_strip, restored):
@@ -217,10 +230,18 @@ def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
     for obj in (one for one in ours if not is_strip(one)):
         follows = any(source.Name in names for source in obj.OutList)
         failed = "Invalid" in obj.State and (follows or obj.Name in changed)
-        if failed or (follows and is_curve(obj)) or _is_half_undone(obj, changed) or obj in restored:
+        stands_elsewhere = regrouped or any(one.Name in changed for one in _containers_of(obj))
+        half = _is_half_undone(obj, changed)
+        if failed or (follows and is_curve(obj)) or half or stands_elsewhere or obj in restored:
             stale.append(obj)
     users = {user for obj in stale for user in obj.InListRecursive}
     return stale + [obj for obj in ours if obj in users and obj not in stale]
+
+
+def _containers_of(obj: Any) -> list[Any]:
+    """The container that a feature is in, and those that move what it is made from without it."""
+    own = obj.getParentGeoFeatureGroup()
+    return [*([own] if own is not None else []), *getattr(obj, "Containers", ())]
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:

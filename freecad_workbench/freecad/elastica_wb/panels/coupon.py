@@ -3,10 +3,13 @@
 
 """The panel of the coupon: a strip to cut, and what its droop says about the sheet."""
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sentences import decimal_point
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
@@ -35,9 +38,8 @@ class CouponPanel(Panel):
         self.form.sheet.addItems(sheet_list())
         self.form.sheet.setCurrentText(preferences.default_sheet())
         self.watch("sheet", "readings", "error")
-        self.form.make.clicked.connect(self.make)
-        self.form.write.clicked.connect(self.write)
-        self.form.keep.clicked.connect(self.keep)
+        for button in (self.make, self.write, self.keep):
+            getattr(self.form, button.__name__).clicked.connect(partial(self._pressed, button))
         self.changed()
 
     def changed(self) -> None:
@@ -57,11 +59,18 @@ class CouponPanel(Panel):
             words.append(str(self.calibration))
         self.tell("\n".join(words))
 
-    def make(self, *_: Any) -> None:
+    def _pressed(self, button: Callable[[], None], *_: Any) -> None:
+        """What a button cannot do is told as what boxes cannot."""
+        try:
+            button()
+        except FAILURES as error:
+            self.tell(str(explained(error)))
+
+    def make(self) -> None:
         """The coupon as a flat body."""
         recorded(add_coupon, self.document, self.form.sheet.currentText())
 
-    def write(self, *_: Any) -> None:
+    def write(self) -> None:
         """Its cutting file."""
         drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
         path = ask_file(
@@ -70,12 +79,9 @@ class CouponPanel(Panel):
         if path:
             self.tell(f"{translate('Elastica', 'wrote')} {save_drawing(drawing, path)}")
 
-    def keep(self, *_: Any) -> None:
+    def keep(self) -> None:
         """The calibrated sheet into the user's library."""
-        try:
-            self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
-        except InputError as error:
-            self.tell(str(error))
+        self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
 
     def kept(self) -> str:
         """Keep the sheet and say its name."""

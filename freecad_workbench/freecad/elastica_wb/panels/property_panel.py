@@ -10,6 +10,7 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb.curves.sketch_curves import is_edge, is_sketch, linked, picked
 from freecad.elastica_wb.features.strip import could_follow_another
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
@@ -191,9 +192,12 @@ class PropertyPanel(Panel):
     def addSelection(self, document: str, name: str, element: str, _place: Any) -> None:
         """The user picks another curve."""
         source = App.getDocument(document).getObject(name)
-        if source is None or source is self.object or not hasattr(source, "Shape"):
+        if source is None:
             return
-        edges = [element] if element.startswith("Edge") and "Sketch" not in source.TypeId else []
+        source, element = picked(source, element)
+        if source is self.object or not hasattr(source, "Shape"):
+            return
+        edges = [element] if is_edge(element) and not is_sketch(linked(source)) else []
         setattr(self.object, self.layout.source, (source, edges))
         self._changed[self.layout.source] = None
         self._stop_picking()
@@ -289,7 +293,9 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if wanted:
             Gui.Selection.clearSelection()
-            Gui.Selection.addObserver(self)
+            Gui.Selection.addObserver(
+                self, 0
+            )  # with the whole path: what is seen through a link is the link's
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
                 source.Visibility = True
