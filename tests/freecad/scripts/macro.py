@@ -28,6 +28,7 @@ from inside import (
     run,
     scroll_to,
     sketch,
+    still,
     trigger,
     typed,
     until,
@@ -57,6 +58,7 @@ def begin(box):
     name, folder = (box.findChild(QtWidgets.QLineEdit, one) for one in ("lineEditPath", "lineEditMacroPath"))
     folder.setText(f"{OUT}/")
     name.setText("made_by_hand")
+    still(lambda: box.geometry().getRect())  # the window manager moves it once more
     click(box.findChild(QtWidgets.QPushButton, "buttonStart"))
     replace = QtWidgets.QApplication.activeModalWidget()
     assert replace is None, replace
