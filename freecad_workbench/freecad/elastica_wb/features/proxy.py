@@ -247,8 +247,8 @@ def parents(source: Any) -> list[Any]:
     return found[:-1]
 
 
-def keep_containers(document: Any, moved: Collection[Any]) -> None:
-    """Objects went into a container or out of one: what they hold stands in the other place.
+def keep_containers(document: Any, moved: Collection[str]) -> None:
+    """Objects of these names went into a container or out of one: what they hold stands in the other place.
 
     A feature that is inside now cannot hang on the container as well.
     """
@@ -258,7 +258,7 @@ def keep_containers(document: Any, moved: Collection[Any]) -> None:
             changes = obj.Containers != found
             if changes:
                 obj.Containers = found
-            if changes or any(one in moved for one in (obj, *parents(obj))):
+            if changes or any(one.Name in moved for one in (obj, *parents(obj))):
                 obj.touch()
 
 

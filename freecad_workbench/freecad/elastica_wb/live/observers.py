@@ -89,7 +89,7 @@ class Changes:
     def __init__(self) -> None:
         self._pending = False
         self._called: dict[tuple[str, str], str] = {}
-        self._held: dict[tuple[str, str], list[Any]] = {}
+        self._held: dict[tuple[str, str], set[str]] = {}
         self._changed: dict[str, dict[str, set[str]]] = {}
 
     def slotCreatedObject(self, obj: Any) -> None:
@@ -104,7 +104,7 @@ class Changes:
         if name == "Label":
             self._called[obj.Document.Name, obj.Name] = obj.Label
         elif name == "Group":
-            self._held[obj.Document.Name, obj.Name] = list(obj.Group)
+            self._held[obj.Document.Name, obj.Name] = _names(obj.Group)
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """The mouse was released, or something else changed the sketch."""
@@ -115,8 +115,7 @@ class Changes:
                 names = self._changed.setdefault(obj.Document.Name, {})
                 names.setdefault(obj.Name, set()).add(name)
         elif name == "Group" and not obj.Document.Restoring:
-            before = self._held.pop((obj.Document.Name, obj.Name), [])
-            moved = [one for one in (*before, *obj.Group) if not (one in before and one in obj.Group)]
+            moved = self._held.pop((obj.Document.Name, obj.Name), set()) ^ _names(obj.Group)
             _shared("keep_containers", obj.Document, moved)
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
             _shared("keep_places", obj)
@@ -236,6 +235,11 @@ def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
             stale.append(obj)
     users = {user for obj in stale for user in obj.InListRecursive}
     return stale + [obj for obj in ours if obj in users and obj not in stale]
+
+
+def _names(objects: list[Any]) -> set[str]:
+    """Names are kept, as objects may be deleted before they are asked for; FreeCAD lists one that goes as None."""
+    return {one.Name for one in objects if one is not None}
 
 
 def _containers_of(obj: Any) -> list[Any]:
