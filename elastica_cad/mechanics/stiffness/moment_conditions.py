@@ -172,7 +172,7 @@ class ConditionedRows:
         y, ratio = found
         choices = numbers.family.freedom - (numbers.family.offset is None)
         if smooth and self.check.zeros and choices > 0:
-            y = smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE))
+            y = smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), self.places)
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def balance(self, state: FloatArray) -> BalancedStiffness:

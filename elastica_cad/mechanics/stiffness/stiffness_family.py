@@ -132,8 +132,13 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
     raise unsettled(ratio)
 
 
-def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
-    """The numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3)."""
+def smoothest(
+    family: StiffnessFamily, ratio: float, places: tuple[IntArray, FloatArray] | None = None
+) -> FloatArray:
+    """The numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3).
+
+    As by `least_ratio`, K is judged on the continuous curve unless `places` (panel, x) fix the samples.
+    """
     panels = family.panels
     count, order = panels.t.shape
     # d/ds = d/dx / stretch, twice; jumps of K' at the panel ends count too
@@ -147,6 +152,8 @@ def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
     bends = np.concatenate([bend.reshape(count * order, -1), after - before])
     d = family.freedom
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
+    if places is not None:
+        return least_variation(*family.at(*places), bends[:, :d], bend_offset, ratio)
     rows, offset = family.dense
     first = start_rows(len(rows))
     rows, offset = rows[first], offset[first]
