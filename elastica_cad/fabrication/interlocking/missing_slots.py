@@ -111,11 +111,10 @@ def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int,
     """
     rooms: dict[tuple[int, int], float] = {}
     for joint in joints:
-        own, other = (strip_thickness(placed[i].strip) for i in joint.members)
-        width = slot_width(
-            np.array(joint.angle[0]), own=max(own, other), other=max(own, other), clearance=0.0
-        )
-        room = 0.0 if joint.fit == "exact" else float(width)
+        room = 0.0
+        if joint.fit == "paper":
+            thick = max(strip_thickness(placed[i].strip) for i in joint.members)
+            room = float(slot_width(np.array(joint.angle[0]), own=thick, other=thick, clearance=0.0))
         rooms[joint.members] = max(room, rooms.get(joint.members, 0.0))
     return rooms
 
