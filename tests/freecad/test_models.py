@@ -1,6 +1,7 @@
 """Several strips: slotted into each other, held by fixtures and a base plate, laid on sheets."""
 
 import re
+import time
 from dataclasses import replace
 
 import FreeCAD as App
@@ -64,6 +65,40 @@ def test_interlocked_strips_touch_nowhere(document, crossing):
     first, second = free.Shape.childShapes()
     assert first.common(second).Volume > 1
     assert free.Joints == 0
+
+
+def overlaps(made):
+    """What is told a moment after the recompute."""
+    while not model.tell_overlaps(made):
+        time.sleep(0.01)
+    return list(made.Overlaps)
+
+
+def test_strips_that_run_into_each_other_are_told(document, crossing, drawn):
+    made = model.create(document, crossing)
+    document.recompute()
+    assert overlaps(made) == []
+    made.Interlock = False
+    document.recompute()
+    assert overlaps(made) == model.overlaps_of(made)
+    (told,) = made.Overlaps
+    assert re.fullmatch(r"A at [0-9.]+ mm runs through B at [0-9.]+ mm: slot them .*", told)
+    document.recompute([made])
+    assert made.State == ["Up-to-date"]
+    assert list(made.Overlaps) == [told], "what is known is not forgotten"
+    crossing[1].Curve[0].Placement.Base.z = 100
+    document.recompute()
+    assert list(made.Overlaps) == [], "what is sought anew is not told"
+    assert overlaps(made) == []
+
+
+def test_slotted_strips_that_collide_beside_their_slots_are_told(document, drawn):
+    sketches = [drawn(ARCH), drawn(ARCH)]
+    sketches[1].Placement = App.Placement(App.Vector(0, 1, 4), App.Rotation(App.Vector(0, 1, 0.2), 9))
+    made = model.create(document, strips_of(document, sketches))
+    document.recompute()
+    assert made.Joints
+    assert "beside the slots that join them" in " ".join(overlaps(made))
 
 
 def test_the_model_follows_its_strips(document, crossing, move_pole):
@@ -140,6 +175,8 @@ def test_what_hangs_on_a_link_to_what_was_deleted_says_so(document, standing):
         "Link links to what was deleted: choose another object in its property LinkedObj"
     )
     assert why_not_made(made[1]) == sentence
+    with pytest.raises(InputError, match=r"^Link links to what was deleted"):
+        pieces_of([standing[0], link])
     document.removeObject(link.Name)
     document.recompute()
     assert in_sight(made) == [True] * 3

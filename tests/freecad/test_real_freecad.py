@@ -416,6 +416,25 @@ def test_a_workshop_that_measures_links_and_renames(tmp_path):
     assert found["told at last"] == ["Cone", "Cone"]
 
 
+def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
+    found = launching.run_window("meeting.py", tmp_path)
+    assert found["slotted"] == [1, True]
+    assert found["found"]
+    (told,), footnote = found["told"]
+    assert re.fullmatch(r"Strip at [0-9.]+ mm runs through Strip001 at [0-9.]+ mm: slot them .*", told)
+    assert footnote == told
+    assert found["reported"] == 1
+    assert found["before export"][0] == told
+    assert len(found["before export"]) >= 3, "and the cut list"
+    assert found["undone"] == [True, 1]
+    assert found["redone"] == [True, 0]
+    assert found["slotted again"]
+    assert found["states"] == [["Up-to-date"], ["Up-to-date"]]
+    told, opened = found["broken link"]
+    assert told.startswith("Link links to what was deleted: choose another object"), "no part goes in silence"
+    assert not opened
+
+
 def test_macros_do_what_the_hand_did(tmp_path):
     """The recorder is on while buttons are pressed and boxes filled; the macro is played in a new document."""
     found = launching.run_window("macro.py", tmp_path)

@@ -44,6 +44,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Strips that run into each other where no slot lets them, found a moment after the rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The strip whose flat part this is</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1100,6 +1104,38 @@
     </message>
     <message>
         <source>Escape stops it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching the nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Putting the model together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for strips that meet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bending the strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2983,10 +3019,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Putting the model together</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the model has no strips: choose some in the property Strips</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3124,10 +3156,6 @@
     </message>
     <message>
         <source>an edge is degenerate: it has no curve in space; choose another edge</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Searching the nearest curve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3476,6 +3504,18 @@
     </message>
     <message>
         <source>pocket</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm also runs %3 mm deep into %4 at %5 mm, beside the slots that join them, near (%6, %7, %8) mm%9: turn or shift one of them, or make them narrower there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm lies in the thickness of %3 at %4 mm%5: place them apart, or make them narrower there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm runs through %3 at %4 mm%5: slot them (interlock), place them apart, or make them narrower there</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

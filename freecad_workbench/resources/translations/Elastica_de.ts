@@ -48,6 +48,10 @@
         <translation>Was unterwegs gefunden wurde</translation>
     </message>
     <message>
+        <source>Strips that run into each other where no slot lets them, found a moment after the rest</source>
+        <translation>Streifen, die ineinander laufen, wo kein Schlitz sie lässt; einen Augenblick nach dem Übrigen gefunden</translation>
+    </message>
+    <message>
         <source>The strip whose flat part this is</source>
         <translation>Der Streifen, dessen flaches Teil dies ist</translation>
     </message>
@@ -1105,6 +1109,38 @@
     <message>
         <source>Escape stops it</source>
         <translation>Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>Writing files</source>
+        <translation>Dateien werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Searching the nearest curve</source>
+        <translation>Die nächste Kurve wird gesucht</translation>
+    </message>
+    <message>
+        <source>Putting the model together</source>
+        <translation>Das Modell wird zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>Making the blocks</source>
+        <translation>Die Blöcke werden gemacht</translation>
+    </message>
+    <message>
+        <source>Looking for strips that meet</source>
+        <translation>Streifen, die sich treffen, werden gesucht</translation>
+    </message>
+    <message>
+        <source>Cutting the mesh</source>
+        <translation>Das Netz wird geschnitten</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Es wird geschnitten</translation>
+    </message>
+    <message>
+        <source>Bending the strip</source>
+        <translation>Der Streifen wird gebogen</translation>
     </message>
     <message>
         <source>How many</source>
@@ -2995,10 +3031,6 @@
         <translation>%1 ist nicht laminiert: es hat keine Verstärkung; die Schicht Base wählen</translation>
     </message>
     <message>
-        <source>Putting the model together</source>
-        <translation>Das Modell wird zusammengesetzt</translation>
-    </message>
-    <message>
         <source>the model has no strips: choose some in the property Strips</source>
         <translation>das Modell hat keine Streifen: in der Eigenschaft Strips welche wählen</translation>
     </message>
@@ -3137,10 +3169,6 @@
     <message>
         <source>an edge is degenerate: it has no curve in space; choose another edge</source>
         <translation>eine Kante ist entartet: sie hat keine Kurve im Raum; eine andere Kante wählen</translation>
-    </message>
-    <message>
-        <source>Searching the nearest curve</source>
-        <translation>Die nächste Kurve wird gesucht</translation>
     </message>
     <message>
         <source>%1 inflection</source>
@@ -3489,6 +3517,18 @@
     <message>
         <source>pocket</source>
         <translation>Tasche</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm also runs %3 mm deep into %4 at %5 mm, beside the slots that join them, near (%6, %7, %8) mm%9: turn or shift one of them, or make them narrower there</source>
+        <translation>%1 läuft bei %2 mm außerdem %3 mm tief in %4 bei %5 mm, neben den Schlitzen, die beide verbinden, nahe (%6, %7, %8) mm%9: einen der beiden drehen oder verschieben, oder sie dort schmaler machen</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm lies in the thickness of %3 at %4 mm%5: place them apart, or make them narrower there</source>
+        <translation>%1 liegt bei %2 mm in der Dicke von %3 bei %4 mm%5: sie auseinanderrücken, oder sie dort schmaler machen</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm runs through %3 at %4 mm%5: slot them (interlock), place them apart, or make them narrower there</source>
+        <translation>%1 läuft bei %2 mm durch %3 bei %4 mm%5: sie schlitzen (Interlock), auseinanderrücken, oder dort schmaler machen</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,10 @@
         <translation>过程中的发现</translation>
     </message>
     <message>
+        <source>Strips that run into each other where no slot lets them, found a moment after the rest</source>
+        <translation>在没有槽口之处互相穿入的条带；在其余结果之后片刻得出</translation>
+    </message>
+    <message>
         <source>The strip whose flat part this is</source>
         <translation>此平面件所属的条</translation>
     </message>
@@ -1105,6 +1109,38 @@
     <message>
         <source>Escape stops it</source>
         <translation>按 Esc 停止</translation>
+    </message>
+    <message>
+        <source>Writing files</source>
+        <translation>正在写文件</translation>
+    </message>
+    <message>
+        <source>Searching the nearest curve</source>
+        <translation>正在搜索最近曲线</translation>
+    </message>
+    <message>
+        <source>Putting the model together</source>
+        <translation>正在组合模型</translation>
+    </message>
+    <message>
+        <source>Making the blocks</source>
+        <translation>正在生成夹具</translation>
+    </message>
+    <message>
+        <source>Looking for strips that meet</source>
+        <translation>正在查找相碰的条带</translation>
+    </message>
+    <message>
+        <source>Cutting the mesh</source>
+        <translation>正在剖切网格</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>正在剖切</translation>
+    </message>
+    <message>
+        <source>Bending the strip</source>
+        <translation>正在弯曲条带</translation>
     </message>
     <message>
         <source>How many</source>
@@ -2995,10 +3031,6 @@
         <translation>%1 不是层压的：没有背层；请选择 Base 层</translation>
     </message>
     <message>
-        <source>Putting the model together</source>
-        <translation>正在组合模型</translation>
-    </message>
-    <message>
         <source>the model has no strips: choose some in the property Strips</source>
         <translation>模型没有条带：请在属性 Strips 中选择</translation>
     </message>
@@ -3137,10 +3169,6 @@
     <message>
         <source>an edge is degenerate: it has no curve in space; choose another edge</source>
         <translation>有一条边退化：在空间中没有曲线；请另选</translation>
-    </message>
-    <message>
-        <source>Searching the nearest curve</source>
-        <translation>正在搜索最近曲线</translation>
     </message>
     <message>
         <source>%1 inflection</source>
@@ -3489,6 +3517,18 @@
     <message>
         <source>pocket</source>
         <translation>夹块槽</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm also runs %3 mm deep into %4 at %5 mm, beside the slots that join them, near (%6, %7, %8) mm%9: turn or shift one of them, or make them narrower there</source>
+        <translation>%1 在 %2 mm 处还伸入 %4 的 %5 mm 处 %3 mm 深，位于连接两者的槽口之外，靠近 (%6, %7, %8) mm%9：请转动或移动其中一条，或在该处减小宽度</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm lies in the thickness of %3 at %4 mm%5: place them apart, or make them narrower there</source>
+        <translation>%1 在 %2 mm 处位于 %3 的 %4 mm 处的厚度之内%5：请把它们分开，或在该处减小宽度</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm runs through %3 at %4 mm%5: slot them (interlock), place them apart, or make them narrower there</source>
+        <translation>%1 在 %2 mm 处穿过 %3 的 %4 mm 处%5：请开槽（Interlock）、把它们分开，或在该处减小宽度</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.pieces import cut_for, is_cut
 from freecad.elastica_wb.features.strip import is_strip
+from freecad.elastica_wb.host.refusal import is_broken_link
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.sketches import edited_sketch, followers
 
@@ -166,13 +167,20 @@ def chosen_sources() -> list[Any]:
 def _sources(objects: Iterable[Any]) -> list[Any]:
     """What among objects is cut or shows what is cut, each once."""
     meant = dict.fromkeys(filter(None, map(cut_for, objects)))
-    return not_repeated(one for one in meant if any(is_cut(cut_for(own)) for own in originals(one)))
+    return not_repeated(one for one in meant if any(_may_be_cut(own) for own in originals(one)))
+
+
+def _may_be_cut(obj: Any) -> bool:
+    """Is it cut, or a broken link? That is not left out in silence: who asks for its pieces is told."""
+    return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 
 def _all_sources() -> list[Any]:
     """The models and base plates of the document with the strips that stand on these; else its only strip."""
     objects = App.ActiveDocument.Objects
-    found = _sources(obj for obj in objects if _may_show(obj) and contents(obj) == [obj])
+    found = _sources(
+        obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)
+    )
     made = [one for one in found if not all(is_strip(cut_for(own)) for own in originals(one))]
     if made:
         held = [one for plate in made if is_base_plate(plate) for one in plate.Sources]

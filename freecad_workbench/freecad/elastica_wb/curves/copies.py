@@ -8,6 +8,7 @@ from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, link_target
+from freecad.elastica_wb.host.refusal import is_broken_link, told_of_broken_link
 
 from elastica_cad.errors import InputError
 
@@ -43,7 +44,7 @@ def copies(obj: Any) -> Iterator[Standing]:
     Raises
     ------
     InputError
-        One of them is shown in another size.
+        One of them is shown in another size, or is a link to what is not there.
     """
     for one, place in _copies(obj, _place(obj).toMatrix()):
         is_image = place.determinant() < 0
@@ -92,6 +93,8 @@ def not_repeated(objects: Iterable[Any]) -> list[Any]:
 def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
     parts = _parts(obj)
     if parts is None:
+        if is_broken_link(obj):
+            raise InputError(told_of_broken_link(obj))
         yield obj, place
         return
     if _size(obj) != SAME:

@@ -13,6 +13,7 @@ import numpy as np
 import Part
 from freecad.elastica_wb.curves.sketch_curves import container, placement_of
 from freecad.elastica_wb.host.progress import Step, go_on, in_background
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 
 from elastica_cad._types import FloatArray
@@ -163,7 +164,11 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
     mesh = _mesh(source)
     if mesh is not None:
         frames = [frame for _, frame in planes]
-        found = list(in_background("Cutting the mesh", _mesh_sections, mesh, frames, family.half))
+        found = list(
+            in_background(
+                QT_TRANSLATE_NOOP("Elastica", "Cutting the mesh"), _mesh_sections, mesh, frames, family.half
+            )
+        )
     else:
         shape, found = _shape(source), []
         for i, (_, frame) in enumerate(planes):

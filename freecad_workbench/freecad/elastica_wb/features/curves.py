@@ -26,7 +26,7 @@ from freecad.elastica_wb.features.strip_properties import NEAREST
 from freecad.elastica_wb.features.strip_request import nearest_spec_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put
-from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_draw
@@ -253,7 +253,7 @@ def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]
         path_points(source, [name for name in names if name]) if along else None,
     )
     made, remarks = [], []
-    with progress("Cutting", 2 * obj.Count * len(obj.Sources)) as step:
+    with progress(QT_TRANSLATE_NOOP("Elastica", "Cutting"), 2 * obj.Count * len(obj.Sources)) as step:
         for k, body in enumerate(obj.Sources):
             done = 2 * k * obj.Count
             cuts = cut(body, family, lambda i, done=done: step(done + i))

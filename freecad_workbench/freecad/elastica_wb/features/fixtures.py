@@ -13,6 +13,7 @@ from freecad.elastica_wb.features.model import strips_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
@@ -53,7 +54,7 @@ class FixturesFeature(Feature):
         if not blocks:
             raise InputError("no strip here has a tab to be held: give the strips tabs")
         inner, solids = container(obj).inverse(), [block.solid for block in blocks]
-        made = in_steps("Making the blocks", solids, make_solid)
+        made = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), solids, make_solid)
         for block in made:
             block.Placement = inner * block.Placement
         obj.Shape = Part.Compound(made)

@@ -3,8 +3,10 @@
 
 """The parametric model: several strips in their places, slotted into each other where they cross."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Future
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import FreeCAD as App
 import numpy as np
@@ -14,17 +16,23 @@ from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, fra
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.progress import in_background
+from freecad.elastica_wb.host.progress import begun, in_background
 from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.refusal import FAILURES
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 from freecad.elastica_wb.solving.strip_cache import bent_shape
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.lettering import engravable
+from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
+
+_overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
+"""What is known of models, or sought in another thread; the cache of models keeps them."""
 
 
 class ModelFeature(Feature):
@@ -51,6 +59,14 @@ class ModelFeature(Feature):
         ),
         Property("Integer", "Joints", "Result", "How many slots fit into each other", 0, result=True),
         Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
+        Property(
+            "StringList",
+            "Overlaps",
+            "Result",
+            "Strips that run into each other where no slot lets them, found a moment after the rest",
+            [],
+            result=True,
+        ),
         CONTAINERS,
     )
 
@@ -58,11 +74,17 @@ class ModelFeature(Feature):
         """Slot the strips and stand them in their places."""
         model = model_of(obj)
         obj.Shape = Part.Compound(solids_of(model, container(obj).inverse()))
-        put(obj, Joints=len(model.joints), Reports=[worded(report) for report in model.reports])
+        known = _overlaps.get(model)
+        put(
+            obj,
+            Joints=len(model.joints),
+            Reports=_worded(model.reports),
+            Overlaps=_worded(known.result()) if known is not None and known.done() else [],
+        )
 
     def tell_error(self, obj: Any, error: ElasticaError) -> None:
         """No results of before."""
-        put(obj, Joints=0, Reports=[worded(str(error))])
+        put(obj, Joints=0, Reports=[worded(str(error))], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
         """The strips, which have no slots."""
@@ -108,6 +130,49 @@ def model_of(obj: Any) -> Model:
     return strips_model(obj.Strips, name=obj.Label, options=options)
 
 
+def overlaps_of(obj: Any) -> list[str]:
+    """A sentence for every two strips of a model that run into each other where no slot lets them.
+
+    Raises
+    ------
+    ElasticaError
+        As `model_of`.
+    """
+    return _worded(
+        in_background(
+            QT_TRANSLATE_NOOP("Elastica", "Looking for strips that meet"), _sought(model_of(obj)).result
+        )
+    )
+
+
+def tell_overlaps(obj: Any) -> bool:
+    """Write which strips of a model run into each other, once that is known; False while it is sought.
+
+    It takes about as long as the model, so no recompute waits.
+    """
+    try:
+        found = _sought(model_of(obj))
+    except FAILURES:  # the recompute has said it
+        return True
+    if not found.done():
+        return False
+    told = _worded(found.result())
+    if told and obj.Overlaps != told:
+        App.Console.PrintWarning(f"Elastica, {obj.Label}: {' '.join(told)}\n")
+    put(obj, Overlaps=told)
+    return True
+
+
+def _sought(model: Model) -> "Future[tuple[str, ...]]":
+    if model not in _overlaps:
+        _overlaps[model] = begun(missing_slots, model.placed, model.joints)
+    return _overlaps[model]
+
+
+def _worded(sentences: Iterable[str]) -> list[str]:
+    return [worded(sentence) for sentence in sentences]
+
+
 def solids_of(model: Model, place: App.Placement) -> list[Any]:
     """The bent strips of a model, seen from a place."""
     solids = []
@@ -123,7 +188,9 @@ def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any]
     if not strips:
         raise InputError("the model has no strips: choose some in the property Strips")
     places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj)]
-    return in_background("Putting the model together", _model, tuple(places), name, options)
+    return in_background(
+        QT_TRANSLATE_NOOP("Elastica", "Putting the model together"), _model, tuple(places), name, options
+    )
 
 
 def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:

@@ -48,7 +48,7 @@ SHOWN_BY_ERROR = Property(
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
 
-TOLD = ("Reasons", "Reports")
+TOLD = ("Reasons", "Reports", "Overlaps")
 """Properties with sentences."""
 
 MOST_NAMES = 6  # in a line of the report view

@@ -117,20 +117,30 @@ def is_ours(obj: Any) -> bool:
     return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)
 
 
-def _why_not_made_by_others(obj: Any) -> str:
-    """A sentence about an object of FreeCAD itself; its own words are those of a programmer."""
-    said = str(obj.getStatusString())
-    lost = LOST_LINK.search(said)
+def is_broken_link(obj: Any) -> bool:
+    """Is it a link whose object was deleted, or is not found?"""
+    return bool(obj.TypeId.startswith("App::Link")) and getattr(obj, "LinkedObject", obj) is None
+
+
+def told_of_broken_link(obj: Any) -> str:
+    """What is wrong with it, and what to do."""
+    lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
         return (
             f"{obj.Label} links to {lost[1]} in {lost[2]}, which is missing: put that file back or open it, and "
             "recompute the document"
         )
-    if obj.TypeId.startswith("App::Link") and getattr(obj, "LinkedObject", obj) is None:
-        return (
-            f"{obj.Label} links to what was deleted: choose another object in its property LinkedObject, or delete "
-            "the link"
-        )
+    return (
+        f"{obj.Label} links to what was deleted: choose another object in its property LinkedObject, or delete "
+        "the link"
+    )
+
+
+def _why_not_made_by_others(obj: Any) -> str:
+    """A sentence about an object of FreeCAD itself; its own words are those of a programmer."""
+    said = str(obj.getStatusString())
+    if is_broken_link(obj) or LOST_LINK.search(said):
+        return told_of_broken_link(obj)
     file = getattr(obj, "FileName", "")
     if isinstance(file, str) and file and not os.path.exists(file):
         return (

@@ -9,7 +9,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.qt import QtCore
-from freecad.elastica_wb.live.held_shapes import HeldShapes
+from freecad.elastica_wb.live.later_results import LaterResults
 from freecad.elastica_wb.live.sketches import (
     edited_sketch,
     followers,
@@ -31,7 +31,7 @@ _installed: list[Any] = []
 def install() -> None:
     """Begin to watch."""
     if not _installed:
-        _installed.extend([Edits(), Changes(), HeldShapes()])
+        _installed.extend([Edits(), Changes(), LaterResults()])
         Gui.addDocumentObserver(_installed[0])
         for one in _installed[1:]:
             App.addDocumentObserver(one)

@@ -16,7 +16,7 @@ MEMORY = "ElasticaLive"
 """Property of a sketch that remembers whether it has the overlay."""
 
 FEATURES = "freecad.elastica_wb.features."
-STRIPS, CURVES = f"{FEATURES}strip", f"{FEATURES}curves"
+STRIPS, CURVES, MODELS = f"{FEATURES}strip", f"{FEATURES}curves", f"{FEATURES}model"
 AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
 
 listeners: list[Callable[[bool], None]] = []
@@ -79,6 +79,11 @@ def is_strip(obj: Any) -> bool:
 def is_curve(obj: Any) -> bool:
     """Is this object a curve that follows others? Asked in the same way."""
     return type(getattr(obj, "Proxy", None)).__module__ == CURVES
+
+
+def is_model(obj: Any) -> bool:
+    """Is this object a model? Asked in the same way."""
+    return type(getattr(obj, "Proxy", None)).__module__ == MODELS
 
 
 def is_feature(obj: Any) -> bool:

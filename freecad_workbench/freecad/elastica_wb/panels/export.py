@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import Any
 
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.model import is_model, overlaps_of
+from freecad.elastica_wb.features.pieces import counted, pieces_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import progress
-from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.telling import tell_files
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import set_value
@@ -51,7 +52,8 @@ class ExportPanel(Panel):
         self._show_sheet(form.nest.isChecked())
         form.folder.setText(_usual_folder(strips[0].Document))
         form.browse.clicked.connect(self.browse)
-        words = list(map(_listed, self.pieces))
+        words = [said for obj in counted(strips) if is_model(obj) for said in overlaps_of(obj)]
+        words += map(_listed, self.pieces)
         if find_spec("ezdxf") is None:
             words.append(
                 translate(
@@ -98,7 +100,9 @@ class ExportPanel(Panel):
         )  # the home of nobody stays as it is
         if not folder.is_absolute():  # FreeCAD runs in a folder that nobody knows
             raise InputError(translate("Elastica", "write the whole path of the folder, or press Browse"))
-        with progress("Writing files", len(self.pieces) + len(self.strips)) as go_on:
+        with progress(
+            QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
+        ) as go_on:
             self.written = write_cutting_files(
                 self.strips,
                 folder,

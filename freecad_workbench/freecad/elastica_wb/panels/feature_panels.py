@@ -185,6 +185,7 @@ MODEL = Layout(
     ModelFeature.properties,
     dict.fromkeys(("Clearance", "Fit", "Relief"), _is_interlocked),
     told=lambda obj: ((translate("Elastica", "Joints"), str(obj.Joints)),),
+    footnote=lambda obj: "\n".join(obj.Overlaps),
 )
 
 FLAT = Layout(

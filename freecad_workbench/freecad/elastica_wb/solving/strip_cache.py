@@ -8,6 +8,7 @@ from typing import Any
 
 import Part
 from freecad.elastica_wb.host.progress import in_background
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend
@@ -26,7 +27,7 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
 MANY_HOLES = 100
 HEADROOM = 1.003  # times less curvature than its limit allows has a rod whose curve is to be drawn
 STRICTER, BEYOND = 4, 1.3  # times that search is repeated at most; of what its curve was beyond the limit
-SEARCHING = "Searching the nearest curve"
+SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
 def solve_strip(spec: StripSpec) -> Strip:
@@ -100,7 +101,11 @@ def bent_shape(strip: Strip) -> Part.Shape:
     """The strip bent, its curve in the xy plane; of a laminate both layers."""
     # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
     many = len(strip.holes) > MANY_HOLES
-    layers = in_background("Bending the strip", _bent, strip) if many else _bent(strip)
+    layers = (
+        in_background(QT_TRANSLATE_NOOP("Elastica", "Bending the strip"), _bent, strip)
+        if many
+        else _bent(strip)
+    )
     solids = [make_solid(layer) for layer in layers]
     return solids[0] if len(solids) == 1 else Part.Compound(solids)
 

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Finds what takes as long as a recompute, once nothing else waits: no recompute and no drag is held up."""
+
+from typing import Any
+
+from freecad.elastica_wb.host.lifetime import lives
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.live.sketches import is_model, is_strip
+
+PAUSE_MS = 300  # after the last recompute
+AGAIN_MS = 50  # until work in another thread is asked for again
+
+
+class LaterResults:
+    """Tells of recomputed strips how far they stray, and of models what overlaps in them, one at a time."""
+
+    def __init__(self) -> None:
+        self._waiting: dict[tuple[str, str], Any] = {}
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._next)
+
+    def slotRecomputedObject(self, obj: Any) -> None:
+        """It is not asked for before the last of many is made."""
+        if is_strip(obj) or is_model(obj):
+            self._wait_for(obj)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        """What was written after a step was closed is not undone with it."""
+        for obj in filter(is_model, document.Objects):
+            self._wait_for(obj)
+
+    def slotRedoDocument(self, document: Any) -> None:
+        """As after undo."""
+        self.slotUndoDocument(document)
+
+    def _wait_for(self, obj: Any) -> None:
+        self._waiting[obj.Document.Name, obj.Name] = obj
+        self._timer.start(PAUSE_MS)
+
+    def _next(self) -> None:
+        if not self._waiting:
+            return
+        first, obj = next(iter(self._waiting.items()))
+        # something is dragged, or the document is not done: its progress bar lets timers run
+        if QtWidgets.QApplication.mouseButtons() or (lives(obj) and obj.Document.Recomputing):
+            self._timer.start(PAUSE_MS)
+            return
+        del self._waiting[first]
+        is_sought = lives(obj) and not _told(obj)
+        if is_sought:
+            self._waiting.setdefault(first, obj)
+        self._timer.start(AGAIN_MS if is_sought else 0)
+
+
+def _told(obj: Any) -> bool:
+    """Write what is known later; False while it is not known yet."""
+    if is_strip(obj):
+        from freecad.elastica_wb.features.strip import tell_held
+
+        tell_held(obj)
+        return True
+    from freecad.elastica_wb.features.model import tell_overlaps
+
+    return tell_overlaps(obj)

@@ -1,0 +1,101 @@
+"""What is found a moment after a model is made, and what is missing: strips that meet, a link to nothing."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import FreeCADGui as Gui
+from inside import (
+    ARCH,
+    QtWidgets,
+    action_of,
+    answers,
+    begun,
+    button,
+    choose,
+    click,
+    open_panel,
+    panel,
+    picture,
+    press,
+    run,
+    scroll_to,
+    sketch,
+    told,
+    trigger,
+    until,
+    window,
+)
+
+ACROSS = [(80, -60), (87, -20), (90, 30), (87, 100), (80, 140)]
+
+
+def reported():
+    """What stands in the report view."""
+    return Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view").toPlainText()
+
+
+def switched(model):
+    """The box that cuts the slots is clicked in the model's panel."""
+    choose(model)
+    Gui.ActiveDocument.setEdit(model.Name)
+    until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
+    scroll_to(panel().form.Interlock)
+    click(panel().form.Interlock)
+
+
+def stepped(command):
+    """Undo or redo, once FreeCAD offers it."""
+    until(action_of(command).isEnabled)
+    trigger(command)
+
+
+def broken_link(document):
+    """A strip is exported with a link to one that was deleted."""
+    open_panel("Elastica_Strip", sketch(document, ARCH, name="Other"))
+    button()
+    gone = document.Strip002
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = gone
+    document.recompute()
+    document.removeObject(gone.Name)
+    document.recompute()
+    choose(document.Strip, link)
+    press("Elastica_Export")
+    until(told)
+    answers["broken link"] = [told(), bool(Gui.Control.activeDialog())]
+
+
+def work():
+    window()
+    document = begun("Meeting")
+    for name, points in (("Arch", ARCH), ("Across", ACROSS)):
+        open_panel("Elastica_Strip", sketch(document, points, name=name))
+        button()
+    open_panel("Elastica_Interlock", document.Strip, document.Strip001)
+    button()
+    model = document.Model
+    answers["slotted"] = [model.Joints, until(lambda: not model.Overlaps)]
+    switched(model)
+    answers["found"] = until(lambda: model.Overlaps)
+    until(panel().form.footnote.text)
+    picture("meeting.png")
+    answers["told"] = [list(model.Overlaps), panel().form.footnote.text()]
+    answers["reported"] = reported().count(model.Overlaps[0])
+    button()
+    open_panel("Elastica_Export", model)
+    answers["before export"] = panel().form.message.text().splitlines()
+    button("Cancel")
+    stepped("Std_Undo")
+    answers["undone"] = [until(lambda: model.Interlock and not model.Overlaps), model.Joints]
+    stepped("Std_Redo")
+    answers["redone"] = [until(lambda: not model.Interlock and model.Overlaps), model.Joints]
+    switched(model)
+    answers["slotted again"] = until(lambda: model.Interlock and not model.Overlaps)
+    button()
+    answers["states"] = [model.State, document.Strip.State]
+    broken_link(document)
+
+
+run(work)
