@@ -1,6 +1,9 @@
-"""Counts in words, for sentences that users read."""
+"""Counts in words, and numbers that are compared, for sentences that users read."""
 
 from collections.abc import Sized
+
+MORE_DIGITS = 9
+"""Beyond those that are usual: numbers that so many do not tell apart are as good as equal."""
 
 
 def counted(count: int, noun: str) -> str:
@@ -26,3 +29,16 @@ def and_more(found: Sized, noun: str = "") -> str:
     if others < 1:
         return ""
     return f" (and {counted(others, f'more {noun}') if noun else f'{others} more'})"
+
+
+def told_apart(one: float, other: float, digits: str) -> tuple[str, str]:
+    """Two numbers with as many digits as show that they differ, at least as their format says.
+
+    Examples
+    --------
+    >>> told_apart(2.51, 3.0, ".3g"), told_apart(2.9982, 3.0, ".3g"), told_apart(0.8729, 0.8734, ".2f")
+    (('2.51', '3'), ('2.998', '3'), ('0.8729', '0.8734'))
+    """
+    usual, kind = int(digits[1:-1]), digits[-1]
+    told = [(f"{one:.{n}{kind}}", f"{other:.{n}{kind}}") for n in range(usual, usual + MORE_DIGITS)]
+    return next((pair for pair in told if pair[0] != pair[1]), told[0])

@@ -7,6 +7,7 @@ from pathlib import Path as FilePath
 
 import numpy as np
 
+from elastica_cad._counts import told_apart
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
@@ -65,8 +66,9 @@ class Travel:
             raise InputError("the end of the strip is there already: give another point for it to go to")
         apart = float(np.hypot(*(point - self._rod.position[0])))
         if apart > self._rod.length:
+            far, long = told_apart(apart, self._rod.length, ".4g")
             raise InputError(
-                f"the travel ends {apart:.4g} mm from the start of a strip that is {self._rod.length:.4g} mm long: "
+                f"the travel ends {far} mm from the start of a strip that is {long} mm long: "
                 "give a nearer point"
             )
 

@@ -14,7 +14,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.ocp_import import bare
-from elastica_cad.kernel.strip_body import MadeStrip, StripBody
+from elastica_cad.kernel.strip_body import MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_warnings import warn, warn_of_contact, warn_of_strain
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
@@ -51,6 +51,7 @@ class StripOptions(TypedDict, total=False):
     """What every skin takes besides path, sheet and max_width; see `StripSpec`.
 
     `plane` is the plane of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`.
+    `gravity` may be a vector of the library too, a direction in space.
     A single `Tab` stands for both ends, a single `Slot` for a sequence of one.
     """
 
@@ -59,7 +60,7 @@ class StripOptions(TypedDict, total=False):
     style: Style
     limits: "Limits | None"
     keep: "Keep | None"
-    gravity: "AskedGravity"
+    gravity: "AskedGravity | Point"
     loads: Sequence[PointMass] | Weight
     supports: Supports
     natural_curvature: float
@@ -145,6 +146,8 @@ def make_strip_on(
     for name, kind in (("ends", Tab), ("slots", Slot)):
         if isinstance(asked.get(name), kind):
             asked[name] = (asked[name],) * (2 if name == "ends" else 1)
+    if _is_vector(asked.get("gravity")):
+        asked["gravity"] = _row(asked["gravity"])
     if isinstance(path, PlaneCurve):
         curve, frame = path, frame or Frame()
     else:
@@ -196,7 +199,11 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
 
     if not isinstance(planes, SectionSpec):
         alone = isinstance(planes, Frame | str) or not isinstance(planes, Iterable)
-        rows = (planes,) if alone else planes
+        rows = (planes,) if alone else tuple(planes)
+        if not rows:
+            raise InputError(
+                "no plane was given: give at least one plane that cuts the body, of a Workplane its .plane"
+            )
         planes = SectionSpec(GivenCuts(tuple(map(_frame_of, rows))), half=half)
     curves, reports = planes.curves(shape_surface(bare(body)))
     for text in reports:
@@ -247,7 +254,16 @@ def _frame_of(plane: Any) -> Frame:
         return plane
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
         if all(hasattr(plane, name) for name in names):
-            axes: list[Any] = [getattr(plane, name) for name in names]
-            rows = [axis.toTuple() if hasattr(axis, "toTuple") else tuple(axis) for axis in axes]
-            return Frame(*rows)
+            return Frame(*(_row(getattr(plane, name)) for name in names))
     raise InputError(f"plane is {plane!r}: give a Plane of your library, or a Frame")
+
+
+def _is_vector(value: Any) -> bool:
+    """A vector of a library, not numbers or records of ours?"""
+    return hasattr(value, "toTuple") or all(hasattr(value, name) for name in ("X", "Y", "Z", "__iter__"))
+
+
+def _row(vector: Any) -> tuple[float, float, float]:
+    """The numbers of a vector of any library."""
+    row: tuple[float, float, float] = vector.toTuple() if hasattr(vector, "toTuple") else tuple(vector)
+    return row

@@ -201,3 +201,12 @@ def test_shapes_that_hold_nothing_are_told_as_no_edge(given):
 def test_a_body_that_holds_nothing_cannot_be_cut():
     with pytest.raises(InputError, match="a body to cut is a face, shell or solid"):
         section_strips(bd.Part(), bd.Plane.XZ, "birch-plywood-0.8", max_width=30)
+
+
+def test_gravity_is_a_vector_of_the_library(edge):
+    upright = edge.rotate(bd.Axis.X, 90)
+    felt = BentStrip(upright, "card-200gsm", max_width=30, gravity=bd.Vector(0, 0, -1))
+    assert felt.rod.gravity == BentStrip(upright, "card-200gsm", max_width=30, gravity=(0, 0, -1)).rod.gravity
+    assert felt.rod.gravity is not None
+    with pytest.raises(InputError, match="such as"):
+        BentStrip(upright, "card-200gsm", max_width=30, gravity=bd.Vector(0, 0, 0))

@@ -170,3 +170,14 @@ class TestBadInput:
     def test_no_edge(self):
         with pytest.raises(ValueError, match="not int"):
             flat_strip(3, SHEET, max_width=3)
+
+
+def test_gravity_is_a_vector_of_the_library(edge):
+    upright = edge.rotate(cq.Vector(), cq.Vector(1, 0, 0), 90)
+    felt = bent_strip(upright, "card-200gsm", max_width=30, gravity=cq.Vector(0, 0, -1))
+    assert (
+        felt.rod.gravity == bent_strip(upright, "card-200gsm", max_width=30, gravity=(0, 0, -1)).rod.gravity
+    )
+    assert felt.rod.gravity is not None
+    with pytest.raises(InputError, match="such as"):
+        bent_strip(upright, "card-200gsm", max_width=30, gravity=cq.Vector(0, 0, 0))

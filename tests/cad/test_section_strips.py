@@ -41,6 +41,8 @@ def test_build123d():
         section_strips(bd.Sphere(60), bd.Plane.XZ, CARD, max_width=8)
     with pytest.raises(InputError, match="no faces"):
         section_strips(bd.Edge.make_line((0, 0), (1, 0)), bd.Plane.XZ, CARD, max_width=8)
+    with pytest.raises(InputError, match="no plane was given: give at least one"):
+        section_strips(dome, [], CARD, max_width=8)
     with pytest.warns(StripWarning, match="misses"):
         section_strips(dome, [bd.Plane.XZ, bd.Plane.XZ.offset(100)], CARD, max_width=8)
 
@@ -61,3 +63,5 @@ def test_cadquery():
     assert len(halves) == 4
     with pytest.raises(InputError, match="split"):
         section_strips(cq.Solid.makeSphere(60, angleDegrees1=-90), cq.Plane.XZ(), CARD, max_width=8)
+    with pytest.raises(InputError, match=r"of a Workplane its \.plane"):
+        section_strips(dome, cq.Workplane("XZ"), CARD, max_width=8)

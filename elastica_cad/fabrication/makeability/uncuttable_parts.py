@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._counts import and_more
+from elastica_cad._counts import and_more, told_apart
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.shop import (
     FILLED_SLOT_MM,
@@ -217,7 +217,8 @@ def _told(
             if loops
             else "wide "
         )
-        what = f"only {place.width:.3g} mm {between}{at}{more}, {least:.3g} mm are needed in {sheet.name}"
+        wide, needed = told_apart(place.width, least, ".3g")
+        what = f"only {wide} mm {between}{at}{more}, {needed} mm are needed in {sheet.name}"
         yield Fault(name, what, cure)
 
 
@@ -226,8 +227,11 @@ def _too_large(
 ) -> Iterator[Fault]:
     long, short = max(length, width), min(length, width)
     if long > stock[0] or short > stock[1]:
-        sides = " x ".join(f"{side:.4g}" for side in stock)
-        what = f"{long:.4g} x {short:.4g} mm is larger than the stock of {sides} mm in {sheet.name}"
+        (its_long, long_side), (its_short, short_side) = (
+            told_apart(own, side, ".4g") for own, side in zip((long, short), stock, strict=True)
+        )
+        sides = f"{long_side} x {short_side}"
+        what = f"{its_long} x {its_short} mm is larger than the stock of {sides} mm in {sheet.name}"
         if width > length or (width > stock[1] and length <= stock[0]):
             yield Fault(name, what, "give a smaller max_width, or name a larger stock")
         else:

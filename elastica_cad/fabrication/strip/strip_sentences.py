@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
+from elastica_cad._counts import told_apart
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.reactions import Reactions
@@ -52,10 +53,12 @@ def warn_of_strains(strains: Sequence[LayerStrain], s: FloatArray, bend: FloatAr
         if layer.exceeded:
             at = layer.station
             bearable = bend[at] * layer.limit / layer.largest
+            strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2f")
+            radius, least = told_apart(1 / bend[at], 1 / bearable, ".1f")
             yield (
-                f"strain {100 * layer.largest:.2f} % at {s[at]:.1f} mm is beyond the {100 * layer.limit:.2f} % "
-                f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
-                f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
+                f"strain {strain} % at {s[at]:.1f} mm is beyond the {limit} % "
+                f"that {layer.name} bears: its radius there is {radius} mm, the least advisable "
+                f"{least} mm; use a thinner sheet or a gentler curve"
             )
 
 

@@ -1,5 +1,6 @@
 """Parts that no workshop can cut or handle are found, each with its place, its size and the cure."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -18,6 +19,8 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -126,3 +129,23 @@ def test_near_pairs_are_all_that_are_near(count, reach):
     near = np.hypot(*(points[i] - points[j]).T) <= reach
     found = near_pairs(points, reach)
     assert sorted(map(tuple, found.T.tolist())) == list(zip(i[near].tolist(), j[near].tolist(), strict=True))
+
+
+def test_what_misses_by_less_than_usual_digits_show_is_told_with_more():
+    """ "Only 3 mm wide, 3 mm are needed" leaves one none the wiser."""
+    fault, *_ = find_strip_faults(strip((1, 2, 1), max_width=5.996))
+    assert "only 2.998 mm wide at" in fault.what
+    assert ", 3 mm are needed" in fault.what
+    (fault,) = find_strip_faults(strip(length=3030.4, max_width=30))
+    assert "3050.4 x 30 mm is larger than the stock of 3050 x 1525 mm" in fault.what
+
+
+def test_strain_that_is_just_beyond_its_limit_differs_from_it():
+    curve = PlaneCurve.arc((0, 0), 0.9999 * PLYWOOD.least_radius, 0.2, 2.2)
+    (told,) = make_strip(curve, PLYWOOD, max_width=20).warnings
+    found = re.search(
+        r"strain (\S+) % at .* beyond the (\S+) % .* there is (\S+) mm, .* advisable (\S+) mm", told
+    )
+    strain, limit, radius, least = map(float, found.groups())
+    assert strain > limit
+    assert radius < least
