@@ -377,6 +377,30 @@ def test_a_sheet_of_the_users_own(document, sketch, tmp_path: Path):
         App.closeDocument(again.Name)
 
 
+def test_sheets_on_a_disk_that_nobody_may_write_to(monkeypatch):
+    """Root may write into every folder: the refusal of a read-only disk is that of its calls."""
+
+    def refuse(self, *_, **__):
+        raise OSError(30, "Read-only file system", str(self))
+
+    own = Sheet("my-board", thickness=1.1, youngs_modulus=4000, density=700, max_strain=0.02)
+    library.save_own_sheets([own])
+    try:
+        with monkeypatch.context() as patched:
+            patched.setattr(Path, "unlink", refuse)
+            with pytest.raises(
+                InputError, match=r"elastica-sheets.toml can't be changed: Read-only file system; "
+            ):
+                library.save_own_sheets([])
+        assert library.own_sheets() == {"my-board": own}
+        with monkeypatch.context() as patched:
+            patched.setattr(Path, "mkdir", refuse)
+            with pytest.raises(InputError, match="can't be changed: Read-only"):
+                library.save_own_sheets([own])
+    finally:
+        library.save_own_sheets([])
+
+
 def test_the_numbers_of_a_sheet_that_was_changed(document, sketch):
     """What strips are made with is what the document keeps, and what was measured of one sheet stays."""
     old = Sheet("my-board", thickness=1.1, youngs_modulus=4000, density=700, max_strain=0.02)

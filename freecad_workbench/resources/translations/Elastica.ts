@@ -2763,6 +2763,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 can't be changed: %2; allow it to be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All limits are met, and no nearer rod was found.</source>
         <translation type="unfinished"></translation>
     </message>

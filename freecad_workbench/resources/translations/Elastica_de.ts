@@ -2775,6 +2775,10 @@
         <translation>%1 kann nicht geschrieben werden: %2; einen anderen Ort wählen</translation>
     </message>
     <message>
+        <source>%1 can't be changed: %2; allow it to be written</source>
+        <translation>%1 kann nicht geändert werden: %2; das Schreiben erlauben</translation>
+    </message>
+    <message>
         <source>All limits are met, and no nearer rod was found.</source>
         <translation>Alle Grenzen sind eingehalten, und es wurde kein näherer Stab gefunden.</translation>
     </message>

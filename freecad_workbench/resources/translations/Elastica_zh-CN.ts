@@ -2775,6 +2775,10 @@
         <translation>无法写入 %1：%2；请换位置</translation>
     </message>
     <message>
+        <source>%1 can't be changed: %2; allow it to be written</source>
+        <translation>无法更改 %1：%2；请允许写入</translation>
+    </message>
+    <message>
         <source>All limits are met, and no nearer rod was found.</source>
         <translation>满足所有限制，未找到更近的杆。</translation>
     </message>

@@ -10,7 +10,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.atomic_write import reason, write_atomically
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheet_names, sheets_from_table
 
 
@@ -51,10 +51,13 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
     path = own_sheets_file()
     if path.exists():
         load_sheets(path)
-    if not text:
-        path.unlink(missing_ok=True)
-        return
-    path.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        if not text:
+            path.unlink(missing_ok=True)
+            return
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{path} can't be changed: {reason(error)}; allow it to be written") from error
     write_atomically(path, text.encode(), force=True)
 
 
