@@ -1,7 +1,6 @@
 """Several strips: slotted into each other, held by fixtures and a base plate, laid on sheets."""
 
 import re
-import time
 from dataclasses import replace
 
 import FreeCAD as App
@@ -69,8 +68,7 @@ def test_interlocked_strips_touch_nowhere(document, crossing):
 
 def overlaps(made):
     """What is told a moment after the recompute."""
-    while not model.tell_overlaps(made):
-        time.sleep(0.01)
+    model.tell_overlaps(made, model.overlaps_sought(made).result())
     return list(made.Overlaps)
 
 

@@ -145,22 +145,23 @@ def overlaps_of(obj: Any) -> list[str]:
     )
 
 
-def tell_overlaps(obj: Any) -> bool:
-    """Write which strips of a model run into each other, once that is known; False while it is sought.
+def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
+    """Which strips of a model run into each other, sought in another thread; None where there is no model.
 
     It takes about as long as the model, so no recompute waits.
     """
     try:
-        found = _sought(model_of(obj))
+        return _sought(model_of(obj))
     except FAILURES:  # the recompute has said it
-        return True
-    if not found.done():
-        return False
-    told = _worded(found.result())
+        return None
+
+
+def tell_overlaps(obj: Any, found: tuple[str, ...]) -> None:
+    """Write which strips of a model run into each other."""
+    told = _worded(found)
     if told and obj.Overlaps != told:
         App.Console.PrintWarning(f"Elastica, {obj.Label}: {' '.join(told)}\n")
     put(obj, Overlaps=told)
-    return True
 
 
 def _sought(model: Model) -> "Future[tuple[str, ...]]":

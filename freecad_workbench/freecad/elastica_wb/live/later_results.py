@@ -3,6 +3,7 @@
 
 """Finds what takes as long as a recompute, once nothing else waits: no recompute and no drag is held up."""
 
+from concurrent.futures import Future
 from typing import Any
 
 from freecad.elastica_wb.host.lifetime import lives
@@ -18,6 +19,7 @@ class LaterResults:
 
     def __init__(self) -> None:
         self._waiting: dict[tuple[str, str], Any] = {}
+        self._sought: dict[tuple[str, str], Future[tuple[str, ...]]] = {}
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._next)
@@ -37,7 +39,9 @@ class LaterResults:
         self.slotUndoDocument(document)
 
     def _wait_for(self, obj: Any) -> None:
-        self._waiting[obj.Document.Name, obj.Name] = obj
+        name = obj.Document.Name, obj.Name
+        self._sought.pop(name, None)
+        self._waiting[name] = obj
         self._timer.start(PAUSE_MS)
 
     def _next(self) -> None:
@@ -49,19 +53,24 @@ class LaterResults:
             self._timer.start(PAUSE_MS)
             return
         del self._waiting[first]
-        is_sought = lives(obj) and not _told(obj)
-        if is_sought:
+        is_told = not lives(obj) or self._told(first, obj)
+        if not is_told:
             self._waiting.setdefault(first, obj)
-        self._timer.start(AGAIN_MS if is_sought else 0)
+        self._timer.start(0 if is_told else AGAIN_MS)
 
+    def _told(self, name: tuple[str, str], obj: Any) -> bool:
+        """Write what was found; False while it is sought."""
+        if is_strip(obj):
+            from freecad.elastica_wb.features.strip import tell_held
 
-def _told(obj: Any) -> bool:
-    """Write what is known later; False while it is not known yet."""
-    if is_strip(obj):
-        from freecad.elastica_wb.features.strip import tell_held
+            tell_held(obj)
+            return True
+        from freecad.elastica_wb.features.model import overlaps_sought, tell_overlaps
 
-        tell_held(obj)
+        found = self._sought.pop(name, None) or overlaps_sought(obj)
+        if found is not None and not found.done():
+            self._sought[name] = found
+            return False
+        if found is not None:
+            tell_overlaps(obj, found.result())
         return True
-    from freecad.elastica_wb.features.model import tell_overlaps
-
-    return tell_overlaps(obj)
