@@ -8,9 +8,11 @@ sys.path.insert(0, str(Path(__file__).parent))
 import FreeCADGui as Gui
 from inside import (
     ARCH,
+    QtCore,
     QtWidgets,
     action_of,
     answers,
+    at_rest,
     begun,
     button,
     choose,
@@ -41,8 +43,12 @@ def switched(model):
     choose(model)
     Gui.ActiveDocument.setEdit(model.Name)
     until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
-    scroll_to(panel().form.Interlock)
-    click(panel().form.Interlock)
+    at_rest()
+    box = panel().form.Interlock
+    scroll_to(box)
+    click(
+        box, at=QtCore.QPoint(box.height() // 2, box.height() // 2)
+    )  # it may be wider than what can be clicked
 
 
 def stepped(command):
