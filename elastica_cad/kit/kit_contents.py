@@ -1,5 +1,6 @@
 """Everything that a model becomes: pieces, sheets, what holds it, and what is to be told of it."""
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -101,7 +102,11 @@ def kit_of(
     for asked in spec.holders:
         made, sentence = asked.made(model, spec.shop, anyway=spec.anyway)
         plates = [one for one in made if not isinstance(one, EndFixture)]
-        cut = tuple(replace(plate.piece, name=f"{model.name}-{plate.name}") for plate in plates)
+        often = Counter(plate.name for plate in plates)  # feet of equal strips share a name
+        once = {plate.name: plate.piece for plate in reversed(plates)}
+        cut = tuple(
+            replace(once[name], name=f"{model.name}-{name}", count=count) for name, count in often.items()
+        )
         shared.setdefault((asked.kind, asked.sheet, asked.nesting), []).append((asked.name, cut))
         pieces, holders = (*pieces, *cut), [*holders, *made]
         told += [sentence] if sentence else []

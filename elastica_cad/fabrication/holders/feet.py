@@ -5,11 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import ENGRAVE
+from elastica_cad.fabrication.drawings.drawing import ENGRAVE, SAME_MM
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.sheets.pieces import distinct
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 
@@ -23,7 +25,8 @@ LABEL_MM = 3.0
 def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib, ...]:
     """Plates whose tabs are glued, and the feet that set their angle: two for every tab, of the plate's sheet.
 
-    A foot stands square to plate and tab; one of its sides lies on the plate's back, one along the tab.
+    A foot stands square to plate and tab; one of its sides lies on the plate's back, one along the tab. Feet of
+    equal strips are equal and share a name; others of that name have a number behind it.
 
     Parameters
     ----------
@@ -38,7 +41,7 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     if not (np.isfinite(size) and size >= LEAST_GLUED_MM):
         raise InputError(f"feet are {size} mm: make them {LEAST_GLUED_MM:g} mm or larger")
     glued = tuple(replace(plate, glued=True) for plate in plates)
-    return (*glued, *(foot for plate in plates for foot in _feet(plate, size)))
+    return (*glued, *_told_apart([foot for plate in plates for foot in _feet(plate, size)]))
 
 
 def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
@@ -69,6 +72,28 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
             outline = Path.polygon(corners if side > 0 else corners[::-1])
             name = f"foot-{slot.name.replace(':', '-')}{called}"
             yield Rib(name, plate.sheet, profile, outline, _label(name, corners))
+
+
+def _told_apart(feet: Sequence[Rib]) -> Iterator[Rib]:
+    """The feet, those of one name and another shape called by another name; copies of a strip have equal feet."""
+    shapes: list[tuple[str, FloatArray]] = []
+    places: list[int] = []
+    for foot in feet:
+        corners = foot.outline.points(SAME_MM)
+        alike = (
+            i
+            for i, (name, known) in enumerate(shapes)
+            if name == foot.name and known.shape == corners.shape and np.abs(known - corners).max() < SAME_MM
+        )
+        place = next(alike, len(shapes))
+        if place == len(shapes):
+            shapes.append((foot.name, corners))
+        places.append(place)
+    names = distinct(name for name, _ in shapes)
+    for foot, place in zip(feet, places, strict=True):
+        name = names[place]
+        same = name == foot.name
+        yield foot if same else replace(foot, name=name, label=_label(name, foot.outline.points(SAME_MM)))
 
 
 def _label(name: str, corners: np.ndarray) -> Text:

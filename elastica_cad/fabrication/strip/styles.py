@@ -40,6 +40,9 @@ CURVATURE_STATIONS = 2001
 SAME_SCALE = 1e-4
 """Relative difference of bending stiffnesses that an optimal rod's own accuracy explains."""
 
+BETWEEN_NODES = 1e-3
+"""Relative height by which the stiffness of a rod may rise between the nodes that a limit was kept at."""
+
 MOST_EXTREMES = 200
 """Local extremes at which finer stations are set: more of them are rounding."""
 
@@ -247,7 +250,10 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     solved = rod.bending_stiffness
     if solved is not None:
         bounded = not section.follows_bend and solved < B
-        if rod.gravity is not None or bounded or abs(B / solved - 1) < SAME_SCALE:
+        # a search keeps its largest size at nodes; what lies between them may be a little larger
+        over = np.isfinite(largest) and B < solved < B * (1 + BETWEEN_NODES)
+        heavy = rod.gravity is not None and not over
+        if heavy or bounded or abs(B / solved - 1) < SAME_SCALE:
             B = solved
     size = Profile.fit(
         lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)), rod.length,

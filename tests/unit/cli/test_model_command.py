@@ -344,6 +344,21 @@ def test_plates_keep_their_own_distance(design):
     assert corners[1] == pytest.approx([17, 17], abs=0.5)
 
 
+def test_feet_of_copies_are_one_part_of_the_cut_list(design, tmp_path):
+    """Copies of a strip have one label: their feet were refused as two parts of one file."""
+    design.write_text(
+        DESIGN.replace("[fixtures]\nwall = 3", "feet = 8")
+        + "[[patterns]]\nrepeat = { count = 2, step = [0, 300, 0] }\n"
+    )
+    quick = ("--no-step", "--no-pictures", "--no-effects")
+    result = run("model", design, "-o", tmp_path / "out", *quick)
+    assert result.exit_code == 0, result.stderr
+    rows = csv.DictReader((tmp_path / "out" / "kit-cut-list.csv").read_text().splitlines())
+    feet = {row["part"]: int(row["count"]) for row in rows if "foot" in row["part"]}
+    assert len(feet) == 8
+    assert set(feet.values()) == {2}
+
+
 def test_the_start_page_shows_and_links_every_file(design, tmp_path):
     out = tmp_path / "out"
     assert run("model", design, "-o", out, "--no-step").exit_code == 0

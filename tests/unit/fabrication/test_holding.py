@@ -303,6 +303,21 @@ def test_feet_stand_on_the_plate_and_lie_along_the_tab():
         add_feet([base_plate(inclined(replace(strip, ends=(Tab(6), Tab(6)))), MDF)], 8.0)
 
 
+def test_feet_of_copies_are_equal_and_others_of_their_name_have_a_number():
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+    strip = Strip(bow, PLY, max_width=30.0, ends=(Tab(15), Tab(15)), label="A")
+    longer = replace(strip, ends=(Tab(10), Tab(15)))
+    height = -bow.position[0, 1]
+    placed = [
+        Placed(one, (0, 40 * i, height), (1, 0, 0), (0, 0, 1)) for i, one in enumerate((strip, strip, longer))
+    ]
+    _, *feet = add_feet([base_plate(placed, MDF)], 8.0)
+    names = [foot.name for foot in feet]
+    assert names[:4] == names[4:8] == ["foot-A-1a", "foot-A-1b", "foot-A-2a", "foot-A-2b"]
+    assert names[8:] == ["foot-A-1a-2", "foot-A-1b-2", "foot-A-2a", "foot-A-2b"]
+    assert feet[8].label.text == "foot-A-1a-2"
+
+
 def test_slots_of_two_plates_are_offset_by_the_gap(rod):
     strip = Strip(rod, PLY, max_width=30.0, ends=(Tab(30), Tab(30)), label="A")
     placed = inclined(strip)

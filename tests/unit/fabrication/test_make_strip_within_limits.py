@@ -45,3 +45,15 @@ def test_limits_that_no_rod_meets():
     implied = replace(limits, sheet=card, ratio=20 / card.least_width)
     assert str(refused.value) == str(nearest_rod(ARCH, implied, keep))
     assert "radius" in str(refused.value)
+
+
+def test_a_search_that_keeps_the_width_at_nodes_gives_a_strip():
+    """Between them its stiffness rises by 1e-4 at a joint of the curve, and the strip was refused as too wide."""
+    knots, poles = (
+        [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2],
+        [(20, 0), (60, 70), (100, 70), (140, 0), (180, -70), (220, -70)],
+    )
+    wave, sheet = PlaneCurve(knots, [*poles, (260, 0)], 3), Sheet.named("pom-1")
+    strip = make_strip(wave, sheet, max_width=20, gravity=sheet.gravity(), limits=Limits(ratio=3), smooth=0.6)
+    assert strip.width.extremes[1] == pytest.approx(20, rel=1e-5)
+    assert strip.rod.ratio < 3
