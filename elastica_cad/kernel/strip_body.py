@@ -35,6 +35,18 @@ Point: TypeAlias = Iterable[float] | TupleLike
 """In space, or two numbers in the frame of a body, mm."""
 
 
+def numbers_of(point: Point) -> tuple[float, ...]:
+    """The numbers of a sequence, or of a vector of either library.
+
+    Raises
+    ------
+    TypeError, ValueError
+        It is neither.
+    """
+    given: Any = point.toTuple() if hasattr(point, "toTuple") else point
+    return tuple(map(float, given))
+
+
 class BendOptions(TypedDict, total=False):
     """Where the ends of a strip are led, as in `mechanics.bend`.
 
@@ -148,8 +160,7 @@ class StripBody:
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
         """A point in space in the plane of the curve; two numbers are taken as they are."""
         try:
-            numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
-            row = tuple(map(float, numbers))
+            row = numbers_of(point)
         except (TypeError, ValueError):
             row = ()
         if len(row) == 2:

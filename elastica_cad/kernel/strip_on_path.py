@@ -14,7 +14,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.ocp_import import bare
-from elastica_cad.kernel.strip_body import MadeStrip, Point, StripBody
+from elastica_cad.kernel.strip_body import MadeStrip, Point, StripBody, numbers_of
 from elastica_cad.kernel.strip_warnings import warn, warn_of_contact, warn_of_strain
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
@@ -147,7 +147,7 @@ def make_strip_on(
         if isinstance(asked.get(name), kind):
             asked[name] = (asked[name],) * (2 if name == "ends" else 1)
     if _is_vector(asked.get("gravity")):
-        asked["gravity"] = _row(asked["gravity"])
+        asked["gravity"] = numbers_of(asked["gravity"])
     if isinstance(path, PlaneCurve):
         curve, frame = path, frame or Frame()
     else:
@@ -254,16 +254,10 @@ def _frame_of(plane: Any) -> Frame:
         return plane
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
         if all(hasattr(plane, name) for name in names):
-            return Frame(*(_row(getattr(plane, name)) for name in names))
+            return Frame(*(numbers_of(getattr(plane, name)) for name in names))
     raise InputError(f"plane is {plane!r}: give a Plane of your library, or a Frame")
 
 
 def _is_vector(value: Any) -> bool:
     """A vector of a library, not numbers or records of ours?"""
     return hasattr(value, "toTuple") or all(hasattr(value, name) for name in ("X", "Y", "Z", "__iter__"))
-
-
-def _row(vector: Any) -> tuple[float, float, float]:
-    """The numbers of a vector of any library."""
-    row: tuple[float, float, float] = vector.toTuple() if hasattr(vector, "toTuple") else tuple(vector)
-    return row

@@ -41,7 +41,7 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     if not (np.isfinite(size) and size >= LEAST_GLUED_MM):
         raise InputError(f"feet are {size} mm: make them {LEAST_GLUED_MM:g} mm or larger")
     glued = tuple(replace(plate, glued=True) for plate in plates)
-    return (*glued, *_told_apart([foot for plate in plates for foot in _feet(plate, size)]))
+    return (*glued, *_distinctly_named([foot for plate in plates for foot in _feet(plate, size)]))
 
 
 def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
@@ -74,7 +74,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
             yield Rib(name, plate.sheet, profile, outline, _label(name, corners))
 
 
-def _told_apart(feet: Sequence[Rib]) -> Iterator[Rib]:
+def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
     """The feet, those of one name and another shape called by another name; copies of a strip have equal feet."""
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
@@ -91,9 +91,8 @@ def _told_apart(feet: Sequence[Rib]) -> Iterator[Rib]:
         places.append(place)
     names = distinct(name for name, _ in shapes)
     for foot, place in zip(feet, places, strict=True):
-        name = names[place]
-        same = name == foot.name
-        yield foot if same else replace(foot, name=name, label=_label(name, foot.outline.points(SAME_MM)))
+        name, (own, corners) = names[place], shapes[place]
+        yield foot if name == own else replace(foot, name=name, label=_label(name, corners))
 
 
 def _label(name: str, corners: np.ndarray) -> Text:

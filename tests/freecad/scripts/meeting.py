@@ -46,9 +46,8 @@ def switched(model):
     at_rest()
     box = panel().form.Interlock
     scroll_to(box)
-    click(
-        box, at=QtCore.QPoint(box.height() // 2, box.height() // 2)
-    )  # it may be wider than what can be clicked
+    mark = box.height() // 2  # the box may be wider than what can be clicked
+    click(box, at=QtCore.QPoint(mark, mark))
 
 
 def stepped(command):
