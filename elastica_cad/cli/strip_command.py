@@ -28,6 +28,7 @@ from elastica_cad.fabrication.makeability.makeable_strip import compensate_withi
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.reports.bent_blank import tell_blank
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
@@ -188,6 +189,8 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
         _tell_compensation(kit)
     if made.joint:
         say(made.joint)
+    if blank := tell_blank(made):
+        say(blank)
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance

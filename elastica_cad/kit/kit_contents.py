@@ -27,6 +27,7 @@ from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
+from elastica_cad.formats.reports.bent_blank import tell_blank
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -93,7 +94,7 @@ def kit_of(
     """
     spec = spec or KitSpec()
     model = _joined(model, spec, entries)
-    told, holders = [*_strip_faults(model, spec, entries)], list[Holder]()
+    told, holders = [*_bent_blanks(model), *_strip_faults(model, spec, entries)], list[Holder]()
     joined = _spliced(model, spec, entries)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
     pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
@@ -180,6 +181,11 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
         told += accept_faults(found, anyway or spec.anyway)
     known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(told) if text not in known)
+
+
+def _bent_blanks(model: Model) -> list[str]:
+    """How strips are bent before they are put in, which no cut pattern shows."""
+    return [f"{part.name}: {words}" for part in model.parts if (words := tell_blank(part.strip))]
 
 
 def count_strips(model: Model) -> str:

@@ -180,7 +180,8 @@ def _draw_flat(axes: Axes, strip: Strip) -> None:
     for side in axes.spines.values():
         side.set_visible(False)
     called = "widths" if called == "width" else called
-    _entitle(axes, f"Flat: {strip.breadth()}, {called} in mm below")
+    then = "; to be bent beforehand" if np.any(strip.rod.natural_curvature) else ""
+    _entitle(axes, f"Flat: {strip.breadth()}, {called} in mm below{then}")
 
 
 def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
@@ -230,10 +231,10 @@ def _stations_of(size: Profile) -> list[float]:
 
 
 def _inflections(rod: Rod) -> FloatArray:
-    """Points (k, 2) where the curvature changes sign."""
-    if rod.shape is not None:
+    """Points (k, 2) where the bending changes sign: of a flat blank, where the curvature does."""
+    if rod.shape is not None and not np.any(rod.natural_curvature):
         return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
-    kappa = rod.curvature
+    kappa = rod.curvature - rod.natural_curvature
     i = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
     u = (kappa[i] / (kappa[i] - kappa[i + 1]))[:, None]
     return np.asarray(rod.position[i] * (1 - u) + rod.position[i + 1] * u, dtype=float)

@@ -9,6 +9,7 @@ from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.strip_table import StripEntry
+from elastica_cad.formats.reports.bent_blank import report_blank
 from elastica_cad.formats.reports.check_report import round_numbers
 from elastica_cad.formats.reports.strip_report import list_versions, report_held
 from elastica_cad.geometry.paths.point_distance import largest_deviation
@@ -45,7 +46,14 @@ def report_model(
         "schema": MODEL_SCHEMA,
         "name": model.name,
         "versions": list_versions(),
-        "units": {"length": "mm", "strain": "1", "mass": "g", "area": "mm2", "angle": "rad"},
+        "units": {
+            "length": "mm",
+            "curvature": "1/mm",
+            "strain": "1",
+            "mass": "g",
+            "area": "mm2",
+            "angle": "rad",
+        },
         "strips": len(model.placed),
         "parts": [
             {
@@ -102,6 +110,7 @@ def _strip(strip: Strip) -> dict[str, Any]:
         "width": {"least": round_numbers(low), "largest": round_numbers(high)},
         "largest_strain": round_numbers(strip.max_strain),
         "mass": round_numbers(strip.mass),
+        "blank": report_blank(strip),
         "slots": len(strip.slots),
         "warnings": list(strip.warnings),
     }

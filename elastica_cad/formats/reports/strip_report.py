@@ -9,6 +9,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
+from elastica_cad.formats.reports.bent_blank import report_blank
 from elastica_cad.formats.reports.check_report import report_check, round_numbers
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest.nearest_record import NearestRod
@@ -20,6 +21,7 @@ _UNITS = {
     "length": "mm",
     "width": "mm",
     "angle": "rad",
+    "curvature": "1/mm",
     "strain": "1",
     "stiffness": "1 (least value 1)",
     "mass": "g",
@@ -96,6 +98,7 @@ def report_strip(
             "backing": None if backing is None else round_numbers(backing.width(s)),
             **{name: round_numbers(size(s)) for name, size in strip.tapered.items()},
         },
+        "blank": report_blank(strip),
         "width": {"least": round_numbers(low), "largest": round_numbers(high)},
         "sheet": {
             "name": sheet.name,

@@ -51,6 +51,8 @@ def test_a_strip_of_a_blank(drawn, monkeypatch, given, rest):
     assert told.exit_code == 0, told.output
     strip = StripSpec(ARCH, "birch-plywood-0.8", natural_curvature=rest, **WIDE).make()
     assert ratio_of(drawn / "out") == pytest.approx(strip.rod.ratio, rel=1e-6)
+    assert "bend it beforehand to a radius of" in told.output
+    assert json.loads((drawn / "out" / "arch.json").read_text())["blank"]["curvature"]
     assert run("check", *asked).exit_code == 0
 
 

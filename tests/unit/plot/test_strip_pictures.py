@@ -86,6 +86,19 @@ def test_inflection_line_passes_the_inflection():
     assert off / (along @ along) ** 0.5 == pytest.approx(0, abs=1e-6)
 
 
+def test_of_a_bent_blank_the_line_passes_where_the_bending_changes_sign():
+    curve = CURVES["S"]
+    found = make_strip(curve, "birch-plywood-0.8", max_width=20, natural_curvature=0.001)
+    figure = plot.strip_sheet(found)
+    lines = {line.get_label(): line.get_xydata() for line in figure.axes[0].lines}
+    points, line = lines["inflection"], lines["inflection line"]
+    along = (line[1] - line[0]) / np.hypot(*(line[1] - line[0]))
+    off = (points - line[0]) @ [along[1], -along[0]]
+    assert len(points) == len(found.rod.check.inflections)
+    assert np.abs(off).max() < 0.05
+    assert "beforehand" in figure.axes[2].get_title(loc="left")
+
+
 def test_png_is_written_whole_and_the_same(tmp_path):
     for name in ("a", "b"):
         plot.save_figure(plot.strip_sheet(made("arch")), tmp_path / f"{name}.png", resolution=80)

@@ -1,0 +1,68 @@
+"""What a workshop is told of strips whose blanks are bent beforehand: no cut pattern shows it."""
+
+import json
+
+import numpy as np
+import pytest
+
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.files import read_curves
+from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.formats.reports.bent_blank import report_blank, tell_blank
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_files import write_kit
+from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
+
+LEFT = PlaneCurve.arc((0, 0), 100, 0, 1)
+DESIGN = """schema = 1
+sheet = "birch-plywood-0.8"
+max_width = 20
+[[strips]]
+label = "bent"
+curve = { spline = [[0, 0], [40, 60], [90, 80], [140, 50], [190, 0]] }
+natural_curvature = -0.004
+[[strips]]
+label = "flat"
+curve = { spline = [[0, 0], [40, 60], [90, 80], [140, 50], [190, 0]] }
+"""
+
+
+def made(rest, curve=LEFT):
+    return make_strip(curve, "birch-plywood-0.8", max_width=20, natural_curvature=rest)
+
+
+def test_a_flat_blank_is_not_told():
+    assert report_blank(made(0.0)) is None
+    assert tell_blank(made(0.0)) == ""
+
+
+@pytest.mark.parametrize(("rest", "way"), [(0.004, ", the way it"), (-0.004, ", the other way than it")])
+def test_an_even_blank_is_told_by_its_radius_and_by_how_the_strip_stands(rest, way):
+    assert report_blank(made(rest)) == {"s": [0.0, 100.0], "curvature": [rest, rest]}
+    told = tell_blank(made(rest))
+    assert "to a radius of 250 mm all along" in told
+    assert way in told
+
+
+def test_a_blank_that_varies_is_listed_along_the_strip():
+    found = made(RestCurvature.linear([0, LEFT.length / 2, LEFT.length], [0, -0.008, 0.004]))
+    record = report_blank(found)
+    assert np.interp([0, 25, 50, 75, 100], record["s"], record["curvature"]) == pytest.approx(
+        [0, -0.004, -0.008, -0.002, 0.004], abs=1e-4
+    )
+    assert "125 mm at 50.0 mm, its sharpest, the other way than it stands bent there" in tell_blank(found)
+
+
+def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
+    (tmp_path / "two.toml").write_text(DESIGN)
+    design = read_design(tmp_path / "two.toml", read_curves)
+    kit = kit_of(design.model(), design.kit, entries=design.entries)
+    write_kit(kit, tmp_path / "kit", step=False, pictures=False, parts=False)
+    report = json.loads((tmp_path / "kit" / "two.json").read_text())
+    blanks = {part["name"]: part["blank"] for part in report["parts"]}
+    assert blanks["flat"] is None
+    assert blanks["bent"]["curvature"] == [-0.004, -0.004]
+    (told,) = [line for line in report["reports"] if "beforehand" in line]
+    assert told.startswith("bent: bend it beforehand to a radius of 250 mm all along, the way it stands")
+    assert told in (tmp_path / "kit" / "index.html").read_text()
