@@ -184,8 +184,15 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
 
 
 def _bent_blanks(model: Model) -> list[str]:
-    """How strips are bent before they are put in, which no cut pattern shows."""
-    return [f"{part.name}: {words}" for part in model.parts if (words := tell_blank(part.strip))]
+    """How strips are bent before they are put in, which no cut pattern shows; what many have in common once."""
+    alike = dict[str, list[str]]()
+    for part in model.parts:
+        alike.setdefault(tell_blank(part.strip), []).append(part.name)
+    alike.pop("", None)
+    return [
+        f"{first}{f' (and {len(more)} more)' if more else ''}: {words}"
+        for words, (first, *more) in alike.items()
+    ]
 
 
 def count_strips(model: Model) -> str:

@@ -23,6 +23,12 @@ label = "bent"
 curve = { spline = [[0, 0], [40, 60], [90, 80], [140, 50], [190, 0]] }
 natural_curvature = -0.004
 [[strips]]
+label = "like{i}"
+count = 2
+curve = { spline = [[0, 0], [40, 60], [90, 80], [140, 50], [190, 0]] }
+natural_curvature = -0.004
+slots = [{ at = "40 + 20 * i", width = 1 }]
+[[strips]]
 label = "flat"
 curve = { spline = [[0, 0], [40, 60], [90, 80], [140, 50], [190, 0]] }
 """
@@ -64,5 +70,8 @@ def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
     assert blanks["flat"] is None
     assert blanks["bent"]["curvature"] == [-0.004, -0.004]
     (told,) = [line for line in report["reports"] if "beforehand" in line]
-    assert told.startswith("bent: bend it beforehand to a radius of 250 mm all along, the way it stands")
+    assert blanks["like2"] == blanks["bent"]
+    assert told.startswith(
+        "bent (and 2 more): bend it beforehand to a radius of 250 mm all along, the way it stands"
+    )
     assert told in (tmp_path / "kit" / "index.html").read_text()
