@@ -5,6 +5,7 @@ import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from reprlib import Repr
+from typing import Self
 
 _QUOTED = Repr()
 _QUOTED.maxstring = _QUOTED.maxother = 60
@@ -21,6 +22,21 @@ class ElasticaError(Exception):
 
     look_for_cure: Callable[[], str] | None = None
 
+    @property
+    def verdict(self) -> str:
+        """What is known at once of what is wrong."""
+        return str(self)
+
+    @property
+    def advice(self) -> tuple[str, ...]:
+        """Sentences that the message ends with, where finding them takes longer than the verdict."""
+        return ()
+
+    def named(self, name: str) -> Self:
+        """The same error, told of the part of this name."""
+        said = str(self)
+        return type(self)(said if said.startswith(name) else f"{name}: {said}")
+
 
 class InputError(ElasticaError, ValueError):
     """Input that no computation can start from: a bad file, number, option or curve."""
@@ -35,7 +51,39 @@ class NotConvergedError(ElasticaError, RuntimeError):
 
 
 class NotMetError(NotConvergedError):
-    """The limits cannot be met near the drawn curve."""
+    """The limits cannot be met near the drawn curve.
+
+    Parameters
+    ----------
+    verdict : str
+    advise : callable
+        Gives the advice, sentences about what would help; each may take a search of its own, so it is looked for
+        when the message is read.
+    """
+
+    def __init__(self, verdict: str, advise: Callable[[], tuple[str, ...]] = tuple) -> None:
+        super().__init__(verdict)
+        self._advise = advise
+
+    def __str__(self) -> str:
+        return " ".join((self.verdict, *self.advice))
+
+    def __reduce__(self) -> tuple[type[Self], tuple[str]]:
+        return type(self), (str(self),)
+
+    @property
+    def verdict(self) -> str:
+        """What is known at once: how near the search came, and what it kept from the drawn curve."""
+        return str(self.args[0])
+
+    @property
+    def advice(self) -> tuple[str, ...]:
+        """What would help, the most useful first."""
+        return self._advise()
+
+    def named(self, name: str) -> Self:
+        """The same error, told of the part of this name."""
+        return type(self)(f"{name}: {self.verdict}", self._advise)
 
 
 class MissingDependencyError(ElasticaError, ImportError, RuntimeError):

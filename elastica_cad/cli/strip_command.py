@@ -114,7 +114,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             if len(curves) == 1 and not chosen["every"]:
                 raise
             wrong, refused = wrong + 1, refused + 1
-            called, said = asked.drawn.called, str(problem)
+            called, said = asked.drawn.called, problem.verdict
             warn(with_cure(said if called in said else f"{called}: {said}", cure_of(problem)))
     answer({"strips": reports})
     if refused > MOST_CURES:

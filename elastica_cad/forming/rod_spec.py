@@ -188,7 +188,7 @@ def accepted_rod(found: Rod | NearestRod) -> Rod:
     if isinstance(found, Rod):
         return found
     if not found.met:
-        raise NotMetError(str(found))
+        raise NotMetError(found.verdict, lambda: found.advice)
     if found.status is Status.MET:
         return found.rod
     return replace(found.rod, warnings=(*found.rod.warnings, found.status.value))

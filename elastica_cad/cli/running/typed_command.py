@@ -8,7 +8,7 @@ import click
 
 from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.program import name_program
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, NotMetError
 
 TRYING: ContextVar[bool] = ContextVar("elastica.trying", default=False)
 """Does a command run to see whether it works? It then looks for no cure of its own."""
@@ -54,13 +54,16 @@ def searched(look: Callable[[], str]) -> str:
 
 def is_cured(problem: ElasticaError) -> bool:
     """Is its cure known, or known where to look for?"""
-    return problem.look_for_cure is not None or hasattr(problem, "__notes__")
+    known = problem.look_for_cure is not None or hasattr(problem, "__notes__")
+    return known or isinstance(problem, NotMetError)
 
 
 def cure_of(problem: ElasticaError) -> str:
     """What would work instead, looked for now unless it came with the problem."""
     look = problem.look_for_cure
-    return " ".join(getattr(problem, "__notes__", ())) if look is None else look()
+    advice = () if TRYING.get() else problem.advice
+    cures = getattr(problem, "__notes__", ()) if look is None else (look(),)
+    return " ".join(filter(None, (*advice, *cures)))
 
 
 def with_cure(said: str, cure: str) -> str:

@@ -65,7 +65,7 @@ class Voice:
 
     def refuse(self, begins: str, problem: ElasticaError, code: int) -> None:
         """Say why there is no answer, and what would work."""
-        said = f"{begins}: {problem}"
+        said = f"{begins}: {problem.verdict}"
         told = with_cure(said, _tell_with_cure(said, partial(cure_of, problem), err=True))
         if self.as_json:
             _print_json(

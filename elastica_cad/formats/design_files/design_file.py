@@ -5,7 +5,7 @@ what they say, are in `keys`.
 """
 
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._equality import value_key
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, quoted, toml_slip
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, NotMetError, quoted, toml_slip
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
 from elastica_cad.fabrication.model.strip_model import Model
@@ -121,7 +121,7 @@ class Design:
             placed, plates = [*surface.placed, *placed], surface.plates
         if failed and not placed:
             raise failed[0]
-        without = tuple(f"{problem} This section is left out." for problem in failed)
+        without = tuple(f"{said} This section is left out." for said in _in_words(failed))
         model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
@@ -331,13 +331,25 @@ def _likeness(entry: StripEntry) -> Any:
     return digits.tobytes(), value_key(asked)
 
 
-def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
-    """The first, which tells all of them."""
-    slips = Slips()
+def _in_words(problems: Sequence[ElasticaError]) -> Iterator[str]:
+    """What is wrong with each part; advice, which takes searches of its own, for the first alone."""
+    advised = False
     for problem in problems:
-        slips.add(str(problem))
-    problems[0].args = (slips.text,)
-    return problems[0]
+        yield problem.verdict if advised else str(problem)
+        advised = advised or bool(problem.advice)
+
+
+def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
+    """One that tells all of them, of the kind of the first."""
+    first, slips = problems[0], Slips()
+    if len(problems) == 1:
+        return first
+    for problem in problems:
+        slips.add(problem.verdict)
+    if isinstance(first, NotMetError):
+        return NotMetError(slips.text, lambda: first.advice and ("What would help the first:", *first.advice))
+    first.args = (slips.text,)
+    return first
 
 
 def _make(entry: StripEntry, *, slotted: bool) -> Strip:
@@ -346,10 +358,5 @@ def _make(entry: StripEntry, *, slotted: bool) -> Strip:
     spec = entry.spec.changed(slots=(), compensate=False if asked and slotted else asked)
     try:
         return spec.make()
-    except NotRealizable as problem:
-        named = NotRealizable(problem.check)
-        named.args = (f"{entry.called}: {problem}",)
-        raise named from problem
-    except (InputError, NotConvergedError) as problem:
-        said = str(problem)
-        raise type(problem)(said if said.startswith(entry.called) else f"{entry.called}: {said}") from problem
+    except (NotRealizable, InputError, NotConvergedError) as problem:
+        raise problem.named(entry.called) from problem

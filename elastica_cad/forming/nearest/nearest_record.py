@@ -194,8 +194,13 @@ class NearestRod:
         found = [] if self.found is None else [(self.found.position, BLUE, False)]
         return svg_of_lines(drawn + found, repr(self))
 
-    def __str__(self) -> str:
+    @property
+    def verdict(self) -> str:
+        """How the search ended and how far the rod is from the drawn curve, without advice."""
         if self.found is None:
             return f"{self.status.value} {self.message}"
         far = f"The rod leaves the drawn curve by {self.deviation:.3g} mm at most."
-        return " ".join((self.status.value, far, *self.advice))
+        return f"{self.status.value} {far}"
+
+    def __str__(self) -> str:
+        return " ".join((self.verdict, *self.advice))

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from html import escape
-from typing import Any
+from typing import Any, Self
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
@@ -115,8 +115,14 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
         self.check = check
         super().__init__(str(check))
 
-    def __reduce__(self) -> tuple[type["NotRealizable"], tuple[EquilibriumCheck]]:
-        return NotRealizable, (self.check,)
+    def __reduce__(self) -> tuple[type[Self], tuple[EquilibriumCheck]]:
+        return type(self), (self.check,)
+
+    def named(self, name: str) -> Self:
+        """The same error, told of the part of this name."""
+        told = type(self)(self.check)
+        told.args = (f"{name}: {self}",)
+        return told
 
 
 def count(zeros: Sequence[object]) -> str:

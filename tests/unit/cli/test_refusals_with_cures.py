@@ -503,3 +503,51 @@ def test_no_command_is_told_where_the_folder_reads_as_an_option(tmp_path):
     refused = typed(words, tmp_path)
     assert refused.returncode == 2
     assert refused.stderr.endswith("name a folder before it, or write ./-o\n")
+
+
+FLATTER_THAN_THEY_CAN_BE = """schema = 1
+sheet = "card-200gsm"
+max_width = 20
+limits = { curvature = 0.001 }
+keep = { tangents = true, length = true }
+[[strips]]
+curve = { x = "t", y = "t * (120 - t) / 60", t = [0, 120] }
+label = "A"
+[[strips]]
+curve = { x = "t", y = "t * (120 - t) / 50", t = [0, 120] }
+label = "B"
+"""
+
+
+def test_limits_that_two_strips_miss_are_told_before_what_would_help_the_first(tmp_path):
+    (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
+    heard = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    slow = (
+        "import elastica_cad.forming.nearest.advice as a, time; a._ways_out = lambda _: time.sleep(60) or ()"
+    )
+    run = f"{heard}; {slow}; from elastica_cad.cli import main; main()"
+    words = [sys.executable, "-c", run, "model", "pair.toml", "-o", "out"]
+    with subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, bufsize=0) as running:
+        verdict = running.stderr.read(4096).decode()
+        running.send_signal(signal.SIGINT)
+        rest = running.stderr.read().decode()
+    assert verdict.startswith("Not within these limits: A: The limits cannot be met")
+    assert "Also: B: The limits cannot be met" in verdict
+    assert rest == "\n"
+    assert running.returncode == 1
+
+
+def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
+    (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
+    counted = (
+        "import elastica_cad.forming.nearest.advice as a, sys; said = a._ways_out;"
+        "a._ways_out = lambda near: (print('sought'), said(near))[1]"
+    )
+    run = f"{counted}; from elastica_cad.cli import main; main()"
+    words = [sys.executable, "-c", run, "model", "pair.toml", "-o", "out"]
+    told = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert told.stdout == "sought\n"
+    verdict, advice = told.stderr.split("What would help the first: ")
+    assert "is missed" not in verdict
+    assert "The least radius of 1e+03 mm is missed" in advice
+    assert "Without the curvature limit all limits are met" in advice

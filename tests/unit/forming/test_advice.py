@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import NotConvergedError, NotMetError
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.forming.limits import Box, Keep, Limits
 from elastica_cad.forming.nearest.advice import advise
@@ -178,3 +178,11 @@ def test_refused_limits_are_told_with_advice(tmp_path):
     assert radius in done.stderr
     assert "Without the sheet's strain limit all limits are met" in done.stderr
     assert " support" not in done.stderr  # pieces of the arch would be bent too much as well
+
+
+def test_a_refusal_looks_for_advice_when_it_is_read_and_keeps_it_between_processes():
+    sought = []
+    told = NotMetError("missed.", lambda: sought.append(1) or ("Without it, met.",)).named("rib 3")
+    assert (told.verdict, sought) == ("rib 3: missed.", [])
+    assert str(told) == "rib 3: missed. Without it, met."
+    assert str(pickle.loads(pickle.dumps(told))) == str(told)

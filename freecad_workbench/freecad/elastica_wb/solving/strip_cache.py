@@ -13,7 +13,7 @@ from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend
 
-from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
+from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError, NotMetError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -137,7 +137,11 @@ def _found(asked: RodSpec) -> Any:
 
 @growing_cache
 def _strip(spec: StripSpec) -> Strip:
-    return spec.make(_found(spec.rod_spec))
+    try:
+        return spec.make(_found(spec.rod_spec))
+    except NotMetError as problem:
+        _ = problem.advice  # looked for here, where a bar shows that it takes a while
+        raise
 
 
 @growing_cache
