@@ -2,7 +2,10 @@
 
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
+from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, proxy, strip
+from freecad.elastica_wb.features.pieces import pieces_of
+
+from elastica_cad.errors import InputError
 
 V = App.Vector
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
@@ -173,6 +176,54 @@ def test_expressions_that_go_wrong(document, sketch):
     assert feature.Shape.isValid(), "the last good shape is kept"
     cells.set("A1", "=0.8 mm")
     assert judged(document, feature) == [""]
+
+
+@pytest.mark.parametrize("lost", ["cell", "sheet"])
+def test_a_formula_that_cannot_be_computed(document, sketch, lost):
+    """FreeCAD keeps the number of before and asks nobody: that shape was shown, and cut, without a word."""
+    feature = strip.create(document, sketch)
+    made = [feature, flat.create(document, feature), nest.create(document, [feature])]
+    cells = document.addObject("Spreadsheet::Sheet", "Numbers")
+    cells.set("A1", "=14 mm")
+    cells.setAlias("A1", "breadth")
+    document.recompute()
+    feature.setExpression("MaxWidth", "Numbers.breadth")
+    document.recompute()
+    if lost == "cell":
+        cells.set("A1", "=1/0")
+        says = r"^Numbers cannot be made \(.*\): mend it first$"
+    else:
+        document.removeObject(cells.Name)
+        says = r"^the formula of MaxWidth cannot be computed \(.*Numbers.*\): mend it, or take it away$"
+    document.recompute()
+    with pytest.raises(InputError, match=says):
+        pieces_of([feature])
+    proxy.give_up(document)  # what a window is told
+    assert [one.Visibility for one in made] == [False] * 3
+    assert feature.Verdict == "There is no strip."
+    (said,) = feature.Reasons
+    feature.setExpression("MaxWidth", None)
+    feature.MaxWidth = 20
+    if lost == "cell":
+        cells.set("A1", "=14 mm")
+    document.recompute()
+    assert [one.Visibility for one in made] == [True] * 3
+    assert [one.State for one in made] == [["Up-to-date"]] * 3
+    assert feature.Reasons == [], said
+    assert [piece.size[1] for piece in pieces_of([feature])] == pytest.approx([20])
+
+
+def test_a_backing_of_a_strip_whose_curve_was_deleted(document, sketch):
+    """Laminate adds it whether there is a curve or not."""
+    feature = strip.create(document, sketch)
+    document.recompute()
+    document.removeObject(sketch.Name)
+    feature.Style = "Laminated"
+    backing = flat.create(document, feature, "Backing")
+    assert "the curve is missing" in judged(document, feature, backing)[0]
+    feature.Curve = (document.addObject("App::FeaturePython", "Text"), [])
+    flat.create(document, feature)
+    assert "has no shape" in judged(document, feature)[0]
 
 
 @pytest.mark.parametrize("data", ["not toml ][", '[sheets.nope]\nthickness = "a"\n', "[sheets]\n", ""])

@@ -57,6 +57,16 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     assert found["told again"] == found["file found, told"] == []
     assert found["panels"] == [lost, f"There is no strip.\n{lost}"]
     assert found["export"] == lost
+    seen, reasons, volume = found["numbers there"]
+    (told,) = found["numbers lost, told"]
+    assert told.startswith("Strip, Strip flat, Nest, Fixtures: the formula of MaxWidth cannot be computed (")
+    sentence = told.partition("Fixtures: ")[2]
+    assert sentence.endswith("): mend it, or take it away")
+    assert found["numbers lost"] == [dict.fromkeys(seen, False), [f"T{sentence[1:]}"], volume]
+    assert found["panel of the formula"] == f"There is no strip.\nT{sentence[1:]}"
+    assert found["export of the formula"] == sentence
+    assert found["numbers found"] == [seen, reasons, volume]
+    assert all(seen.values())
     arch = ["Up-to-date", pytest.approx(50), pytest.approx(90.4, abs=0.5), pytest.approx(20)]
     for picked in ("Body", "Linked body", "Linked part"):
         assert found[picked] == arch, "the strip is where the edge was seen"

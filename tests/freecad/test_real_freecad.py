@@ -335,6 +335,7 @@ def test_every_button_in_every_state(tmp_path):
         grey["an_open_sketch"]
     )
     assert "Elastica_Export" not in grey["a_strip"]
+    assert "Elastica_Laminate" not in grey["a_strip_without_a_curve"]
     assert {"Elastica_Strip", "Elastica_Export"} <= set(grey["foreign"])
     assert found["undo of a box"][0] == [], "nothing that was not changed is made anew"
     assert found["undo of a curve"] == [["Strip003"], True]

@@ -3063,6 +3063,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the formula of %1 cannot be computed (%2): mend it, or take it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 cannot be made (%2): mend it first</source>
         <translation type="unfinished"></translation>
     </message>

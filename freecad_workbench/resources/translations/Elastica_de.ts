@@ -3075,6 +3075,10 @@
         <translation>%1 liest %2, und diese Datei fehlt: sie zurücklegen oder in der Eigenschaft FileName eine andere nennen und das Dokument neu berechnen</translation>
     </message>
     <message>
+        <source>the formula of %1 cannot be computed (%2): mend it, or take it away</source>
+        <translation>die Formel von %1 lässt sich nicht berechnen (%2): sie berichtigen oder entfernen</translation>
+    </message>
+    <message>
         <source>%1 cannot be made (%2): mend it first</source>
         <translation>%1 lässt sich nicht erzeugen (%2): zuerst das beheben</translation>
     </message>

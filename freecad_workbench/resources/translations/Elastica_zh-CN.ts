@@ -3075,6 +3075,10 @@
         <translation>%1 读取的文件 %2 不存在：请将文件放回原处，或在属性 FileName 中指定另一个文件，然后重新计算文档</translation>
     </message>
     <message>
+        <source>the formula of %1 cannot be computed (%2): mend it, or take it away</source>
+        <translation>无法计算 %1 的公式（%2）：请更正或删除它</translation>
+    </message>
+    <message>
         <source>%1 cannot be made (%2): mend it first</source>
         <translation>%1 无法生成（%2）：请先修复它</translation>
     </message>

@@ -103,6 +103,34 @@ def lost_file():
     App.closeDocument(document.Name)
 
 
+def lost_numbers():
+    """A spreadsheet with the largest width is deleted, and the delete undone by the button."""
+    document = begun("Numbers")
+    everything_on(document, sketch(document, ARCH, poles=False))
+    cells = document.addObject("Spreadsheet::Sheet", "Cells")
+    cells.set("A1", "=14 mm")
+    cells.setAlias("A1", "breadth")
+    document.recompute()
+    document.Strip.setExpression("MaxWidth", "Cells.breadth")
+    refreshed(document)
+    answers["numbers there"] = state(document)
+    document.openTransaction("Delete")
+    document.removeObject(cells.Name)
+    document.commitTransaction()
+    answers["numbers lost, told"] = refreshed(document)
+    answers["numbers lost"] = state(document)
+    answers["panel of the formula"] = panel_of("Strip")
+    choose(document.Strip)
+    press("Elastica_Export")
+    until(told)
+    answers["export of the formula"] = told()
+    click(QtWidgets.QApplication.activeWindow().findChild(QtWidgets.QPushButton))
+    trigger("Std_Undo")
+    until(lambda: all(state(document)[0].values()), 10)
+    answers["numbers found"] = state(document)
+    App.closeDocument(document.Name)
+
+
 def lost_document():
     """A sketch and a strip of another document, which is not where it was when this one is opened."""
     source = begun("Source")
@@ -200,7 +228,7 @@ def unwritable():
 
 def work():
     window()
-    for one in (lost_file, lost_document, picked_through_a_link, unwritable):
+    for one in (lost_file, lost_numbers, lost_document, picked_through_a_link, unwritable):
         said = len(report())
         one()
         answers["tracebacks"] = answers.get("tracebacks", 0) + report()[said:].count("Traceback")

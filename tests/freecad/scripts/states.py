@@ -119,6 +119,13 @@ def a_strip(document):
     choose(strip_in(document))
 
 
+def a_strip_without_a_curve(document):
+    made = strip_in(document)
+    document.removeObject(made.Curve[0].Name)
+    document.recompute()
+    choose(made)
+
+
 def a_model(document):
     from freecad.elastica_wb.features import model
 
@@ -186,7 +193,8 @@ def work():
     window()
     Gui.activateWorkbench("ElasticaWorkbench")
     preferences.put("ExportFolder", str(OUT))
-    for prepare in (nothing, a_sketch, an_open_sketch, a_strip, a_model, foreign):
+    states = (nothing, a_sketch, an_open_sketch, a_strip, a_strip_without_a_curve, a_model, foreign)
+    for prepare in states:
         press_all(prepare.__name__, prepare)
     picture("states.png")
     many_strips()

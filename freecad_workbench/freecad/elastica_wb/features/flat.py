@@ -73,10 +73,10 @@ def _slotted(obj: Any) -> Strip:
 
 def _beside(strip: Any) -> App.Placement:
     """On the ground in front of the drawn curve, and of what else of strips lies there already."""
-    source, width = strip.Curve[0], _width(strip)
-    if not source.Shape.BoundBox.isValid():  # a sketch that undo brought back, or that was not recomputed yet
-        source.recompute()
-    box = source.Shape.BoundBox
+    source, width = strip.Curve[0] if strip.Curve else None, _width(strip)
+    if source is not None and not _box(source).isValid():
+        source.recompute()  # a sketch that undo brought back, or that was not recomputed yet
+    box = _box(source)
     if not box.isValid():
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
@@ -90,6 +90,11 @@ def _beside(strip: Any) -> App.Placement:
         ):
             y = other.YMin - GAP_MM - width / 2
     return App.Placement(App.Vector(box.XMin, y, 0), App.Rotation())
+
+
+def _box(source: Any) -> App.BoundBox:
+    """Around a curve; of none where that was deleted, or is an object without a shape."""
+    return source.Shape.BoundBox if hasattr(source, "Shape") else App.BoundBox()
 
 
 def _lying(strip: Any) -> Iterator[App.BoundBox]:

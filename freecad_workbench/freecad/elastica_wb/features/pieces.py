@@ -12,6 +12,7 @@ from freecad.elastica_wb.curves.copies import not_repeated
 from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.proxy import why_left_out
 from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
 
 from elastica_cad.errors import InputError
@@ -65,6 +66,9 @@ def is_cut(obj: Any) -> bool:
 
 
 def _pieces(obj: Any) -> Iterable[Piece]:
+    lost = why_left_out(obj)
+    if lost:  # its numbers are those of before
+        raise InputError(lost)
     if is_model(obj):
         return model_of(obj).pieces
     if is_base_plate(obj):

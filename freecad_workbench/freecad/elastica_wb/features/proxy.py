@@ -17,6 +17,7 @@ from freecad.elastica_wb.host.refusal import (
     is_ours,
     raising,
     refused,
+    why_not_computed,
     why_not_made,
 )
 from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list
@@ -193,8 +194,11 @@ def hide(obj: Any) -> None:
 
 
 def give_up(document: Any) -> None:
-    """FreeCAD recomputes nothing behind what failed: where that is not ours, what is made from it says so."""
-    for source in (one for one in document.Objects if "Invalid" in one.State and not is_ours(one)):
+    """FreeCAD recomputes nothing behind what failed: where that is not ours, what is made from it says so.
+
+    Nor does it ask what is ours, where a formula of it cannot be computed.
+    """
+    for source in filter(_failed_unasked, document.Objects):
         ours = [one for one in _with_users(source) if isinstance(getattr(one, "Proxy", None), Feature)]
         said = why_not_made(source)
         if any(one.Visibility for one in ours):  # else it was told
@@ -203,6 +207,20 @@ def give_up(document: Any) -> None:
         for one in ours:
             one.Proxy.tell_error(one, InputError(said))
         hide(source)
+
+
+def why_left_out(obj: Any) -> str:
+    """Why FreeCAD does not make an object anew, which the object itself is not asked: as `give_up` tells it."""
+    for one in (obj, *_followed(obj)):
+        sources = [source for source in one.OutList if source not in getattr(one, CONTAINERS.name, ())]
+        for failed in filter(_failed_unasked, (one, *sources)):
+            return why_not_made(failed)
+    return ""
+
+
+def _failed_unasked(obj: Any) -> bool:
+    """Did it fail, and no feature of ours was asked?"""
+    return "Invalid" in obj.State and (not is_ours(obj) or bool(why_not_computed(obj)))
 
 
 def hide_failed(source: Any) -> None:

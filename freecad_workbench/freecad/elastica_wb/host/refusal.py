@@ -32,6 +32,10 @@ LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
 """What FreeCAD says of a link whose file it does not find, or whose document was closed."""
 
 
+FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)
+"""What FreeCAD says of an object with a formula that it cannot compute: it leaves the object as it was."""
+
+
 class _Speaker(type):
     """The class of a class whose text is the name of what failed."""
 
@@ -108,8 +112,17 @@ def why_not_made(obj: Any) -> str:
         return ""
     if not is_ours(first):
         return worded(_why_not_made_by_others(first))
-    said = str(first.getStatusString())
+    said = why_not_computed(first) or str(first.getStatusString())
     return said if first is obj else f"{first.Label}: {said}"
+
+
+def why_not_computed(obj: Any) -> str:
+    """What is wrong with a formula of an object; empty where nothing is."""
+    found = FORMULA.fullmatch(str(obj.getStatusString())) if "Invalid" in obj.State else None
+    if found is None:
+        return ""
+    reason = " ".join(found[1].split())
+    return worded(f"the formula of {found[2]} cannot be computed ({reason}): mend it, or take it away")
 
 
 def is_ours(obj: Any) -> bool:
