@@ -55,6 +55,8 @@ PEERS = {
 }  # fmt: skip
 """What is measured beside a solver of others, and which one."""
 
+BESIDE_SCIPY = "500 evaluations of a cubic spline at 601 points, by scipy"
+
 OURS = {
     "test_lp_cost.py::test_cost_hardly_grows_with_the_samples": (
         "least stiffness ratio, 20,000 samples",
@@ -67,19 +69,19 @@ OURS = {
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-arch]": (
         "verdict of Theorem 1, a drawn arch",
-        "500 evaluations of a cubic spline at 601 points, by scipy",
+        BESIDE_SCIPY,
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-wave]": (
         "the same, a wave",
-        "500 evaluations of a cubic spline at 601 points, by scipy",
+        BESIDE_SCIPY,
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[optimal_rod-arch]": (
         "`optimal_rod`, a drawn arch",
-        "500 evaluations of a cubic spline at 601 points, by scipy",
+        BESIDE_SCIPY,
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[optimal_rod-wave]": (
         "the same, a wave",
-        "500 evaluations of a cubic spline at 601 points, by scipy",
+        BESIDE_SCIPY,
     ),
     "test_nearest_speed.py::test_second_solves_after_a_small_move": (
         "nearest rods of sixteen curves after a small move, `start=`",

@@ -24,6 +24,19 @@ def typed(words, cwd):
     )
 
 
+def ended_by_ctrl_c(words, cwd, first="pass"):
+    """What a command says before Ctrl-C and after it, and its exit code; `first` is run before it."""
+    heard = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"  # also behind a shell's &
+    )
+    run = [sys.executable, "-c", f"{heard}; {first}; from elastica_cad.cli import main; main()", *words]
+    with subprocess.Popen(run, cwd=cwd, stderr=subprocess.PIPE, bufsize=0) as running:
+        before = running.stderr.read(4096).decode()
+        running.send_signal(signal.SIGINT)
+        after = running.stderr.read().decode()
+    return before, after, running.returncode
+
+
 @pytest.fixture
 def zigzag(tmp_path):
     """A drawing of which no strip comes near soon: the search for one takes seconds."""
@@ -32,19 +45,11 @@ def zigzag(tmp_path):
 
 
 def test_the_verdict_is_told_before_the_search_for_a_cure_which_ctrl_c_ends(zigzag):
-    heard = (
-        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"  # also behind a shell's &
-    )
-    run = f"{heard}; from elastica_cad.cli import main; main()"
-    words = [sys.executable, "-c", run, "check", "zigzag.csv"]
-    with subprocess.Popen(words, cwd=zigzag, stderr=subprocess.PIPE, bufsize=0) as running:
-        verdict = running.stderr.read(4096).decode()
-        running.send_signal(signal.SIGINT)
-        rest = running.stderr.read().decode()
+    verdict, rest, code = ended_by_ctrl_c(["check", "zigzag.csv"], zigzag)
     assert verdict.startswith("Error: zigzag.csv: the curve has a corner at")
     assert "This works" not in verdict
     assert rest == "\n"
-    assert running.returncode == 2
+    assert code == 2
 
 
 def test_a_search_that_takes_longer_than_it_may_leaves_the_verdict(zigzag):
@@ -521,20 +526,14 @@ label = "B"
 
 def test_limits_that_two_strips_miss_are_told_before_what_would_help_the_first(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
-    heard = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
     slow = (
         "import elastica_cad.forming.nearest.advice as a, time; a._ways_out = lambda _: time.sleep(60) or ()"
     )
-    run = f"{heard}; {slow}; from elastica_cad.cli import main; main()"
-    words = [sys.executable, "-c", run, "model", "pair.toml", "-o", "out"]
-    with subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, bufsize=0) as running:
-        verdict = running.stderr.read(4096).decode()
-        running.send_signal(signal.SIGINT)
-        rest = running.stderr.read().decode()
+    verdict, rest, code = ended_by_ctrl_c(["model", "pair.toml", "-o", "out"], tmp_path, first=slow)
     assert verdict.startswith("Not within these limits: A: The limits cannot be met")
     assert "Also: B: The limits cannot be met" in verdict
     assert rest == "\n"
-    assert running.returncode == 1
+    assert code == 1
 
 
 def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
