@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.fabrication.makeability.near_pairs import near_pairs
 from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
@@ -51,7 +51,10 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    points, normals, _ = _sampled(outlines, holes, least, COARSE)
+    chords = _Chords.of(outlines, holes, FLAT_SHARE * least)
+    cells = chords.cells(least / COARSE)
+    points, chord = chords.middles(cells)
+    normals = chords.inward[chord]
     i, j = near_pairs(points, least * (1 + 1 / COARSE))
     i, j = np.stack([i, j])[:, np.einsum("ij,ij->i", normals[i], normals[j]) < OPPOSED]
     across = points[j] - points[i]
@@ -61,7 +64,10 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     )
     if not np.any(between):
         return ()
-    points, normals, loop = _sampled(outlines, holes, least, SAMPLES_PER_WIDTH)
+    is_near = np.zeros(len(points), dtype=bool)
+    is_near[i[between]] = is_near[j[between]] = True
+    points, chord = chords.middles(chords.cells(least / SAMPLES_PER_WIDTH), cells, is_near)
+    normals = chords.inward[chord]
     i, j = near_pairs(points, least * (1 - 1e-9))
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
@@ -71,6 +77,8 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     i, j, width = i[facing], j[facing], width[facing]
     if not width.size:
         return ()
+    narrowest = np.unique(np.concatenate([_narrowest(i, width), _narrowest(j, width)]))
+    i, j, width = i[narrowest], j[narrowest], width[narrowest]
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
@@ -80,6 +88,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     group = connected_components(links, directed=False)[1]
     order = np.argsort(width, kind="stable")
     thinnest = order[np.unique(group[order], return_index=True)[1]]
+    loop = chords.loop[chord]
     places = [
         ThinPlace(
             float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
@@ -89,26 +98,56 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     return tuple(sorted(places, key=lambda place: place.width))
 
 
-def _sampled(
-    outlines: Sequence[Path], holes: Sequence[Path], least: float, per_width: int
-) -> tuple[FloatArray, FloatArray, IntArray]:
-    """Points (n, 2) on all cuts, their normals (n, 2) into the material, and the numbers (n,) of their cuts."""
-    points: list[FloatArray] = []
-    normals: list[FloatArray] = []
-    loops: list[IntArray] = []
-    sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
-    # the material on the left
-    ways = areas([path for path, _ in sided]) > 0
-    runs = [path if way == outer else path.reversed() for (path, outer), way in zip(sided, ways, strict=True)]
-    for line in polylines(runs, FLAT_SHARE * least):
-        sides = np.roll(line, -1, axis=0) - line
-        long = np.hypot(sides[:, 0], sides[:, 1])
-        corners, sides, long = line[long > 0], sides[long > 0], long[long > 0]
-        counts = np.maximum(1, np.ceil(long * per_width / least)).astype(int)
-        side = np.repeat(np.arange(len(sides)), counts)
-        place = (numbers_in_groups(counts) + 0.5) / counts[side]
-        points.append(corners[side] + place[:, None] * sides[side])
-        inward = np.column_stack([-sides[:, 1], sides[:, 0]]) / long[:, None]
-        normals.append(inward[side])
-        loops.append(np.full(side.size, len(loops)))
-    return np.concatenate(points), np.concatenate(normals), np.concatenate(loops)
+def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
+    """Of all widths (k,) across each point, the place of the least."""
+    order = np.lexsort((width, point))
+    return order[np.unique(point[order], return_index=True)[1]]
+
+
+@dataclass(frozen=True, eq=False)
+class _Chords:
+    """All cuts as chords (m): where each begins, its way, both (m, 2), its length, and the number of its cut.
+
+    The material is on their left; `inward` are unit normals (m, 2) into it.
+    """
+
+    start: FloatArray
+    way: FloatArray
+    length: FloatArray
+    loop: IntArray
+    inward: FloatArray
+
+    @classmethod
+    def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
+        """The chords of closed cuts, to `flat` mm."""
+        sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
+        ways = areas([path for path, _ in sided]) > 0
+        runs = [
+            path if way == outer else path.reversed() for (path, outer), way in zip(sided, ways, strict=True)
+        ]
+        lines = polylines(runs, flat)
+        start = np.concatenate(lines)
+        way = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
+        loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
+        length = np.hypot(way[:, 0], way[:, 1])
+        start, way, length, loop = (each[length > 0] for each in (start, way, length, loop))
+        inward = np.column_stack([-way[:, 1], way[:, 0]]) / length[:, None]
+        return cls(start, way, length, loop, inward)
+
+    def cells(self, longest: float) -> IntArray:
+        """Into how many equal cells (m,) each chord is cut, that none is longer than `longest` mm."""
+        return np.maximum(1, np.ceil(self.length / longest)).astype(np.int64)
+
+    def middles(
+        self, cells: IntArray, coarse: IntArray | None = None, chosen: BoolArray | None = None
+    ) -> tuple[FloatArray, IntArray]:
+        """The middles (n, 2) of cells and the numbers (n,) of their chords.
+
+        With `coarse`, those alone that lie in the `chosen` of coarser cells.
+        """
+        chord = np.repeat(np.arange(len(cells)), cells)
+        place = (numbers_in_groups(cells) + 0.5) / cells[chord]
+        if coarse is not None and chosen is not None:
+            within = (place * coarse[chord]).astype(np.int64) + (np.cumsum(coarse) - coarse)[chord]
+            chord, place = chord[chosen[within]], place[chosen[within]]
+        return self.start[chord] + place[:, None] * self.way[chord], chord
