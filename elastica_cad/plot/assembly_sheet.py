@@ -18,7 +18,7 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.plot.canvas import INK
+from elastica_cad.plot.canvas import INK, paint_polygons
 from elastica_cad.plot.model_pictures import look_from, rule_strip
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
@@ -123,8 +123,6 @@ def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> I
 
 def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     """Strips spread out, holders drawn off their tabs, a line from every tab to where it goes."""
-    from matplotlib.collections import PolyCollection
-
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
     toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
@@ -154,7 +152,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
             some = [outlines[k - len(patches)] for k in run]
             polygons = [outline @ screen for outline, _, _ in some]
             inks = {"facecolors": [color for _, _, color in some], "edgecolors": INK}
-        axes.add_collection(PolyCollection(polygons, **inks, linewidths=0.4, rasterized=True))
+        paint_polygons(axes, polygons, **inks, linewidths=0.4, rasterized=True)
     numbered = len(model.placed) * 2 <= MOST_NUMBERS
     targets = dict(_targets([*model.plates, *holders], far))
     for tab in place_tabs(spread):

@@ -7,8 +7,10 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.geometry.boxes import box_about
 
 Figure: TypeAlias = Any
 Axes: TypeAlias = Any
@@ -76,6 +78,19 @@ def _png(figure: Figure, resolution: float) -> bytes:
         figure.dpi = before
         figure.set_canvas(canvas)
     return stream.getvalue()
+
+
+def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
+    """Polygons (n, k, 2), or (k, 2) each, one over the other.
+
+    Their box is told here: matplotlib would look for it polygon by polygon, which takes as long as drawing them.
+    """
+    from matplotlib.collections import PolyCollection
+
+    painted: Any = polygons  # an array (n, k, 2) is a sequence, too
+    axes.add_collection(PolyCollection(painted, **style), autolim=False)
+    corners = polygons.reshape(-1, 2) if isinstance(polygons, np.ndarray) else np.concatenate(polygons)
+    axes.update_datalim(box_about(corners))
 
 
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:

@@ -17,7 +17,7 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_polygons
 from elastica_cad.plot.holder_pictures import holder_patches, level_plates
 from elastica_cad.plot.slabs import trapezoids
 from elastica_cad.plot.strip_pictures import paint_flat
@@ -130,8 +130,6 @@ def _seen(
 
     What lies on the eye's side of a face is painted after all that lies on its other side.
     """
-    from matplotlib.collections import PolyCollection
-
     toward = look_from(elevation, azimuth)
     right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
     plane = patches @ np.column_stack([right, np.cross(toward, right)])
@@ -147,7 +145,7 @@ def _seen(
     if flat is not None:
         _draw_flats(lower[0], *flat)
     tints = colors[order]
-    axes.add_collection(PolyCollection(plane[order], facecolors=tints, edgecolors=tints, linewidths=0.6))
+    paint_polygons(axes, plane[order], facecolors=tints, edgecolors=tints, linewidths=0.6)
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_axis_off()

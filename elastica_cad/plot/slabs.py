@@ -14,7 +14,7 @@ APART_MM = 1e-7
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) -> FloatArray:
-    """What lies inside an odd number of loops, cut along x at every corner and at `stations`.
+    """What lies inside an odd number of loops, cut along x at its corners and at `stations`.
 
     Parameters
     ----------
@@ -59,5 +59,15 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
     y = left[line, 1:] + slope[line, None] * (sides[slab] - left[line, :1])
     order = np.lexsort((y.sum(axis=1), slab))
     # loops are closed: every slab has its lines in pairs, below and above what lies inside
-    y, x = y[order], sides[slab[order[0::2]]]
-    return np.stack([x, y[0::2], y[1::2]], axis=-1)
+    below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
+    # between the same two lines it is one trapezoid, up to the next station
+    ends_here = np.zeros(len(cuts), dtype=bool)
+    ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
+    along = np.lexsort((slab, above, below))
+    below, above, slab = below[along], above[along], slab[along]
+    goes_on = (np.diff(below) == 0) & (np.diff(above) == 0) & (np.diff(slab) == 1) & ~ends_here[slab[1:]]
+    begin = np.flatnonzero(np.concatenate([[True], ~goes_on]))
+    end = np.append(begin[1:], len(slab)) - 1
+    below, above, x = below[begin], above[begin], np.stack([cuts[slab[begin]], cuts[slab[end] + 1]], axis=1)
+    heights = (left[k, 1:] + slope[k, None] * (x - left[k, :1]) for k in (below, above))
+    return np.stack([x, *heights], axis=-1)
