@@ -116,10 +116,7 @@ def report_strip(
         "held": _held(strip),
         "joint": _joint(strip),
         "mass": round_numbers(strip.mass),
-        "layers": [
-            {"sheet": layer.sheet.name, "thickness": layer.sheet.thickness, "mass": round_numbers(layer.mass)}
-            for layer in strip.layers
-        ],
+        "layers": _layers(strip),
         "reactions": {
             "start_force": round_numbers(reactions.start_force),
             "start_moment": round_numbers(reactions.start_moment),
@@ -128,6 +125,19 @@ def report_strip(
         },
         "warnings": list(strip.warnings),
     }
+
+
+def _layers(strip: Strip) -> list[dict[str, Any]]:
+    """What it is made of, the base first; what is planed or turned is as thick as it ever is."""
+    worked = strip.layout.worked_size
+    return [
+        {
+            "sheet": layer.sheet.name,
+            "thickness": layer.sheet.thickness if worked is None else round_numbers(worked.extremes[1]),
+            "mass": round_numbers(layer.mass if worked is None else strip.mass),
+        }
+        for layer in strip.layers
+    ]
 
 
 def _creep(strip: Strip) -> dict[str, Any] | None:
