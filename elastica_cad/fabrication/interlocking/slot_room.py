@@ -47,6 +47,7 @@ def bent_slot_width(
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
     x = np.zeros((len(rows), 3))  # across the slot, and along and across the other strip
     error = np.full(len(rows), np.inf)
+    farthest = own.length + other.length  # where faces do not meet, steps would grow beyond all numbers
     for _ in range(MOST_STEPS):
         here = _on_face(own, rows + x[:, :1] * across, z[:, :1])
         there = _on_face(other, mates + x[:, 1:], z[:, 1:])
@@ -54,6 +55,7 @@ def bent_slot_width(
         if not (error > CLOSE_MM).any():
             break
         x -= (inverse @ (here - there)[:, :, None])[:, :, 0]
+        np.clip(x, -farthest, farthest, out=x)
     reach = np.where(error <= CLOSE_MM, np.abs(x[:, 0]), 0.0)
     return np.asarray(2 * reach.reshape(4, -1).max(axis=0), dtype=float)
 

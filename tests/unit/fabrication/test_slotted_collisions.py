@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
 from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.kit.kit_contents import kit_of
@@ -64,3 +65,12 @@ def test_kits_tell(slotted_pairs):
         text for text in kit_of(model, KitSpec(anyway=True), effects=False).notes if "also runs" in text
     )
     assert TOLD.fullmatch(told)
+
+
+def test_faces_that_bend_away_from_each_other_ask_for_no_width(slotted_pairs):
+    """Where they do not meet, the search ends among numbers: numpy's warnings are errors here."""
+    model = slotted_pairs.pair(231172)
+    assert len(model.joints) == 2
+    assert all(np.isfinite(slot.widths).all() for joint in model.joints for slot in joint.slots)
+    with pytest.raises(InputError, match="move them apart"):
+        slotted_pairs.pair(231102)

@@ -14,7 +14,11 @@ GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
 
 @pytest.mark.parametrize(
     "law",
-    [ThicknessLaw(GLASS, 1.0, 4.0, width=20.0), RoundLaw(GLASS, 1.0, 4.0), RoundLaw(GLASS, 1.0, 4.0, bore=0.6)],
+    [
+        ThicknessLaw(GLASS, 1.0, 4.0, width=20.0),
+        RoundLaw(GLASS, 1.0, 4.0),
+        RoundLaw(GLASS, 1.0, 4.0, bore=0.6),
+    ],
     ids=["thickness", "rod", "tube"],
 )
 def test_its_layer_weighs_what_it_weighs_and_is_as_thick_as_it_ever_is(law):
