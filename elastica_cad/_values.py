@@ -65,8 +65,10 @@ def require_path(path: object) -> Path:
     return Path(path)
 
 
-def several(name: str, values: object, record: type[Any], kind: str) -> tuple[Any, ...]:
+def several(name: str, values: object, record: type[Any], kind: str, cure: str = "") -> tuple[Any, ...]:
     """A tuple of records of one kind; one record alone stands for a tuple of it.
+
+    `cure` says how such records are had.
 
     Raises
     ------
@@ -78,5 +80,5 @@ def several(name: str, values: object, record: type[Any], kind: str) -> tuple[An
     found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for one in found:
         if not isinstance(one, record):
-            raise InputError(f"{name} hold {one!r}: give {kind} records")
+            raise InputError(f"{name} hold {one!r}: give {kind} records{cure and f', {cure}'}")
     return found

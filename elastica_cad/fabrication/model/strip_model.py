@@ -28,6 +28,8 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
 
+PLACED_BY = "of a strip Placed(strip), of a body in CAD its `placed`"
+
 
 @dataclass(frozen=True, eq=False)
 class Model:
@@ -59,7 +61,7 @@ class Model:
     plates: tuple[Ring, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "placed", several("placed", self.placed, Placed, "Placed"))
+        object.__setattr__(self, "placed", several("placed", self.placed, Placed, "Placed", PLACED_BY))
         object.__setattr__(self, "reports", tuple(self.reports))
         printable(self.name, "the model's name")
         if not self.placed:

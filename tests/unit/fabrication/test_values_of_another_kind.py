@@ -76,7 +76,9 @@ SLIPS = {
     "the label is 3: give a text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
     "wall is '4'": lambda: EndFixture.of(STRIP, "end", wall="4"),
     "clearance is": lambda: EndFixture.of(STRIP, "end", clearance=(1, 2)),
-    "placed hold 3: give Placed records": lambda: Model(3),
+    r"placed hold 3: give Placed records, of a strip Placed\(strip\), of a body in CAD its `placed`$": lambda: (
+        Model(3)
+    ),
     "placed hold <Strip": lambda: Model([STRIP]),
     "clearance is '0.1': it must be 0 mm or more": lambda: interlock([Placed(STRIP)], clearance="0.1"),
     "keep ends=3": lambda: Keep(ends=3),
