@@ -28,7 +28,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
 
-PLACED_BY = "of a strip Placed(strip), of a body in CAD its `placed`"
+PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
 
 
 @dataclass(frozen=True, eq=False)

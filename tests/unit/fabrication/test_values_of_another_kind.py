@@ -76,7 +76,7 @@ SLIPS = {
     "the label is 3: give a text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
     "wall is '4'": lambda: EndFixture.of(STRIP, "end", wall="4"),
     "clearance is": lambda: EndFixture.of(STRIP, "end", clearance=(1, 2)),
-    r"placed hold 3: give Placed records, of a strip Placed\(strip\), of a body in CAD its `placed`$": lambda: (
+    r"placed hold 3: give Placed records, of a strip ec.Placed\(strip\), of a body in CAD its `placed`$": lambda: (
         Model(3)
     ),
     "placed hold <Strip": lambda: Model([STRIP]),
