@@ -84,7 +84,10 @@ class _Sentences(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.meta[TYPED] = tuple(args)
-        return super().parse_args(ctx, args)
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as problem:
+            raise self._with_cure(ctx, problem) from problem
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
@@ -94,10 +97,11 @@ class _Sentences(click.Group):
                 problem.look_for_cure = partial(self._cure, ctx, str(problem))
             ctx.exit(_refuse(problem))
         except click.UsageError as problem:
-            said = problem.format_message()
-            raise click.UsageError(
-                " ".join(filter(None, (said, self._cure(ctx, said)))), problem.ctx
-            ) from problem
+            raise self._with_cure(ctx, problem) from problem
+
+    def _with_cure(self, ctx: click.Context, problem: click.UsageError) -> click.UsageError:
+        said = problem.format_message()
+        return click.UsageError(" ".join(filter(None, (said, self._cure(ctx, said)))), problem.ctx)
 
     def _cure(self, ctx: click.Context, said: str) -> str:
         from elastica_cad.cli.cures import cure_by_trial

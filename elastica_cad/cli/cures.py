@@ -193,6 +193,9 @@ def _changes(group: click.Group, words: Words, said: str) -> Iterator[Words]:
     if not words:
         return
     if words[0] not in group.commands:
+        for i in [i for i, word in enumerate(words) if word in group.commands][:1]:
+            before = words[:i] if words[0].startswith("-") else ()
+            yield *words[i:], *before  # options stand behind the command
         for near in get_close_matches(words[0], group.commands, n=1):
             yield near, *words[1:]
         return

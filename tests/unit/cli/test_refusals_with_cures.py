@@ -132,6 +132,8 @@ def test_a_long_thin_arch_is_refused(tmp_path):
 REFUSED = [
     ("check wave.dxf", "--sheet card-200gsm --max-width 14 --nearest"),
     ("check arch.dfx", "check arch.dxf"),
+    ("--units inch check arch.dxf", "check arch.dxf --units inch"),
+    ("please check arch.dxf", "check arch.dxf"),
     ("check tall.dxf --start clampd", "--start clamped"),
     ("strip tall.dxf --sheet pom-1 --max-width 30 --curve 3 -o out", "--max-width 30 -o out --curve 1"),
     ("strip corner.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
