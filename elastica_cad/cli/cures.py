@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 import click
 import numpy as np
 
+from elastica_cad.cli.asking.lengths import Length
 from elastica_cad.cli.running.design_mends import mends
 from elastica_cad.cli.running.typed_command import TRYING, command_line
 from elastica_cad.errors import ElasticaError
@@ -36,9 +37,9 @@ QUICK = {"model": ("--no-step", "--no-pictures", "--no-effects")}
 ADDED = (
     (r"-o out", ("-o", "out")),
     (r"--sheet", ("--sheet", "birch-plywood-0.8")),
-    (r"--max-width", ("--max-width", "20")),
+    (r"--max-width", ("--max-width", "20mm")),
     (r"planes to cut", ("--radial", "8")),
-    (r"length of a straight strip|CURVE", ("--straight", "300", "--to", "200", "0")),
+    (r"length of a straight strip|CURVE", ("--straight", "300mm", "--to", "200mm", "0mm")),
     (r"no rest shape|of the path|continu", ("--steps", "20")),
     (r"no rest shape|of the path|continu", ("--steps", "100")),
     (r"split", ("--split-corners", "20")),
@@ -79,6 +80,20 @@ class _Refused:
     def knows(self, word: str) -> bool:
         """Is it an option of the command?"""
         return any(word in option.opts for option in self.command.params)
+
+    def length(self, mm: str) -> str:
+        """A length, mm, as it is typed behind these words: with its unit where they have others."""
+        units = [
+            self.words[end - 1].rpartition("=")[2]
+            for option in self.command.params
+            if "--units" in option.opts
+            for _, end in self.typed(option)
+        ]
+        return mm if units[-1:] in ([], ["mm"]) else f"{mm}mm"
+
+    def in_its_units(self, word: str) -> str:
+        """A word to be added, the unit of a length only where these words have others."""
+        return self.length(word[:-2]) if re.fullmatch(r"[\d.]+mm", word) else word
 
     @property
     def spoken_of(self) -> list[click.Parameter]:
@@ -269,7 +284,10 @@ def _closer(refused: _Refused) -> Iterator[Words]:
     more = ("--steps", "20")  # one step may be too long for a curve that is bent already
     for (start, end), share, added in product(refused.typed(ends), (0.9 * reach, 0.6 * reach), ((), more)):
         to_x, to_y = asked["end"]
-        near = (f"{x + share * (to_x - x):.4g}", f"{y + share * (to_y - y):.4g}")
+        near = (
+            refused.length(f"{x + share * (to_x - x):.4g}"),
+            refused.length(f"{y + share * (to_y - y):.4g}"),
+        )
         yield (*refused.words[: start + 1], *near, *refused.words[end:], *added)
 
 
@@ -299,7 +317,7 @@ def _handled(refused: _Refused) -> Iterator[Words]:
     rest = tuple(word for i, word in enumerate(refused.words) if i not in gone)
 
     def towards(start: Sequence[float], end: Sequence[float], share: float) -> list[str]:
-        return [f"{a + share * (b - a):.6g}" for a, b in zip(start, end, strict=True)]
+        return [refused.length(f"{a + share * (b - a):.6g}") for a, b in zip(start, end, strict=True)]
 
     for share in (1.0, 0.5, 0.2) if handles and places else (0.5, 0.2, 0.05):
         if places:
@@ -330,14 +348,15 @@ def _within(refused: _Refused) -> Iterator[Words]:
     for number, option in product(told, sorted(refused.spoken_of, key=unquoted)):
         for start, end in refused.typed(option):
             if end == start + 2:
-                yield (*refused.words[: start + 1], number, *refused.words[end:])
+                told_as = refused.length(number) if isinstance(option.type, Length) else number
+                yield (*refused.words[: start + 1], told_as, *refused.words[end:])
 
 
 def _added(refused: _Refused) -> Iterator[Words]:
     """Words that the refusal asks for."""
     for pattern, words in ADDED:
         if re.search(pattern, refused.said) and refused.knows(words[0]) and words[0] not in refused.words:
-            yield (*refused.words, *words)
+            yield (*refused.words, *map(refused.in_its_units, words))
 
 
 def _dropped(refused: _Refused) -> Iterator[Words]:

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import click
 import numpy as np
 
-from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line, cure_later
+from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line, cure_later, typed_length
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -157,14 +157,15 @@ def cure_for_curve(
         return StripSpec(curve, sheet, **asked, **{"smooth": smooth, **fields})
 
     def words(sheet: str, *added: str) -> tuple[str, ...]:
-        return ("--sheet", sheet, "--max-width", f"{width:g}", *added)
+        return ("--sheet", sheet, "--max-width", typed_length(width), *added)
 
-    for sheet in TRIED_SHEETS if slight and file is None else ():
-        answer = _solved(strip, drawn, sheet, smooth=slight)
-        if answer is not None and _bears(answer[1]):
-            smoothed = strip(drawn, sheet, smooth=slight).rod_spec.smoothing.moved
-            typed = _typed_line(*words(sheet, "--smooth", f"{slight:g}"), *which, instead="strip")
-            return _told((np.inf, ""), smoothed, f"`{typed}` {_costs(*answer, smoothed)}")
+    if slight and file is None:
+        for sheet in TRIED_SHEETS:
+            answer = _solved(strip, drawn, sheet, smooth=slight)
+            if answer is not None and _bears(answer[1]):
+                smoothed = strip(drawn, sheet, smooth=slight).rod_spec.smoothing.moved
+                typed = _typed_line(*words(sheet, "--smooth", typed_length(slight)), *which, instead="strip")
+                return _told((np.inf, ""), smoothed, f"`{typed}` {_costs(*answer, smoothed)}")
     tries = [(words(sheet, *added), {"sheet": sheet} | more) for sheet in TRIED_SHEETS
              for added, more in (((), {}), ((NEAREST,), freed))]  # fmt: skip
     pieces = (np.inf, "") if file else _in_pieces(drawn, which, strip, tries, instead="strip")
@@ -256,18 +257,18 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
     limits, keep = spec.limits or Limits(), spec.keep or Keep()
     if spec.max_width is not None and spec.max_width > spec.curve.length:
         narrower = float(f"{USUAL_WIDTH_SHARE * spec.curve.length:.2g}")
-        yield ("--max-width", f"{narrower:g}"), {"max_width": narrower}
+        yield ("--max-width", typed_length(narrower)), {"max_width": narrower}
     flat = spec.curve.length + sum(tab.length for tab in spec.ends)
     sheets = [spec.material, *([spec.style.backing] if isinstance(spec.style, Laminated) else [])]
     too_long = flat > min(spec.shop.stock_for(sheet)[0] for sheet in sheets)
     if too_long and spec.shop.lap is None:
         lap = round(LAP_THICKNESSES * max(sheet.thickness for sheet in sheets))
         joined = {"shop": replace(spec.shop, lap=float(lap))}
-        yield ("--lap", f"{lap}"), joined
-        yield ("--lap", f"{lap}", NEAREST), joined | {"limits": limits, "keep": keep}
+        yield ("--lap", typed_length(lap)), joined
+        yield ("--lap", typed_length(lap), NEAREST), joined | {"limits": limits, "keep": keep}
     slight = _slight(spec.curve, spec.smooth)
     if slight and not spec.may_change:
-        yield ("--smooth", f"{slight:g}"), {"smooth": slight}
+        yield ("--smooth", typed_length(slight)), {"smooth": slight}
     if not spec.may_change:
         yield (NEAREST,), {"limits": limits, "keep": keep}
     if keep.both_ends == (True, True):
@@ -275,7 +276,10 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
         yield (NEAREST, "--keep-ends", "start"), {"limits": limits, "keep": freed}
     if spec.max_width is not None:
         wider = round(2 * spec.max_width, 3)
-        yield ("--max-width", f"{wider:g}", NEAREST), {"limits": limits, "keep": keep, "max_width": wider}
+        yield (
+            ("--max-width", typed_length(wider), NEAREST),
+            {"limits": limits, "keep": keep, "max_width": wider},
+        )
 
 
 def _slight(drawn: PlaneCurve, smooth: float | None) -> float | None:

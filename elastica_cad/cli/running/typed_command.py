@@ -31,6 +31,13 @@ def command_line(*words: str) -> str:
     return f"{name_program()} {shlex.join(words)}"
 
 
+def typed_length(mm: float) -> str:
+    """A length, mm, as it is typed behind the words of the running command: with its unit where it has others."""
+    context = click.get_current_context(silent=True)
+    plain = context is None or context.params.get("units", "mm") == "mm"
+    return f"{mm:g}" if plain else f"{mm:g}mm"
+
+
 def cure_later(problem: ElasticaError, look: Callable[[], str]) -> None:
     """Have a cure looked for once the problem is told, as the running command would."""
     context = click.get_current_context()

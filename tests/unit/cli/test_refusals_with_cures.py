@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 import elastica_cad as ec
@@ -552,3 +553,36 @@ def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
     assert "is missed" not in verdict
     assert "The least radius of 1e+03 mm is missed" in advice
     assert "Without the curvature limit all limits are met" in advice
+
+
+@pytest.mark.parametrize(
+    ("words", "ending", "widest"),
+    [
+        ("strip ring.csv --sheet pom-0.5 --max-width 0.5", "--smooth 0.1mm", 12.7),
+        ("strip arch.csv --sheet birch-plywood-0.8 --max-width 0.1", "--max-width 5.08mm --nearest", 5.08),
+        ("strip arch.csv --sheet birch-plywood-0.8", "--max-width 20mm", 20.0),
+        ("check ring.csv", "--max-width 53mm --smooth 0.1mm", 53.0),
+    ],
+)
+def test_a_command_in_inches_is_told_lengths_that_are_read_as_they_are_meant(words, ending, widest, tmp_path):
+    (tmp_path / "arch.csv").write_text("0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n")
+    turns = np.linspace(0, 2 * np.pi, 49)
+    ring = np.round(np.column_stack([120 * np.cos(turns), 80 * np.sin(turns)]), 6)
+    (tmp_path / "ring.csv").write_text("".join(f"{x},{y}\n" for x, y in ring))
+    refused = typed([*words.split(), "--units", "inch"], tmp_path)
+    assert refused.returncode == 2
+    (command,) = re.findall(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr)
+    assert command.endswith(ending)
+    made = typed([*shlex.split(command), "-o", "out", "--json"], tmp_path)
+    assert made.returncode == 0, made.stderr
+    (strip,) = json.loads(made.stdout)["strips"]
+    assert strip["width"]["largest"] == pytest.approx(widest, rel=1e-4)
+    assert strip["smoothing"] is None or strip["smoothing"]["moved"] < 0.1
+
+
+def test_ends_in_inches_are_told_where_the_strip_reaches(tmp_path):
+    refused = typed(["bend", "--straight", "10", "--to", "12", "0", "--units", "inch"], tmp_path)
+    (command,) = re.findall(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr)
+    made = typed([*shlex.split(command), "-o", "out", "--json"], tmp_path)
+    assert made.returncode == 0, made.stderr
+    assert json.loads(made.stdout)["shapes"][-1]["end"] == pytest.approx([228.6, 0.0])
