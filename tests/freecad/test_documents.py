@@ -15,6 +15,7 @@ import Sketcher
 from freecad.elastica_wb.curves.projective_sketch import box_around, evened, lost_constraints
 from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, sketch_curve
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
+from freecad.elastica_wb.export.later_features import tell_later_features
 from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.features.proxy import keep_sheets
@@ -94,6 +95,28 @@ def test_in_a_body(document, sketch):
     assert feature.State == ["Up-to-date"]
     assert in_document(feature).isInside(middle(feature), 1e-6, True)
     assert body.Shape.Volume == pytest.approx(feature.Shape.Volume, rel=1e-9)
+
+
+def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sketch):
+    """A pocket in its body, a cut of that body, a rounded flat part: files are written from the strip."""
+    body = document.addObject("PartDesign::Body", "Body")
+    body.addObject(sketch)
+    feature = strip.create(document, sketch)
+    twin = flat.create(document, feature)
+    document.recompute()
+    assert tell_later_features(feature) == []
+    hole = body.newObject("PartDesign::SubtractiveCylinder", "Hole")
+    hole.Radius, hole.Height = 2, 100
+    hole.Placement = App.Placement(middle(feature) - App.Vector(0, 0, 50), App.Rotation())
+    document.recompute()
+    assert hole.State == ["Up-to-date"]
+    assert body.Shape.Volume < feature.Shape.Volume - 1, "it takes something away"
+    (said,) = tell_later_features(feature)
+    assert said.startswith("Strip is followed by Hole, which these files leave out: ")
+    box = document.addObject("Part::Box", "Box")
+    cut, rounded, away = (document.addObject(f"Part::{kind}", kind) for kind in ("Cut", "Chamfer", "Cut"))
+    cut.Base, cut.Tool, rounded.Base, away.Base, away.Tool = body, box, twin, box, body
+    assert tell_later_features(feature)[0].startswith("Strip is followed by Hole, Cut, Chamfer, which")
 
 
 def test_links_and_copies(document, sketch, move_pole):

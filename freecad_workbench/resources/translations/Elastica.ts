@@ -607,6 +607,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>choose a folder for the files</source>
         <translation type="unfinished"></translation>
     </message>

@@ -611,6 +611,10 @@
         <translation>DXF-Dateien sind hier von der Version R12, Kurven als Bögen: die Bibliothek ezdxf fehlt.</translation>
     </message>
     <message>
+        <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
+        <translation>Auf {strip} folgt {later}, was diese Dateien auslassen: im Streifen selbst anlegen (Schlitze, Laschen, Löcher) oder in die Dateien einzeichnen</translation>
+    </message>
+    <message>
         <source>choose a folder for the files</source>
         <translation>bitte einen Ordner für die Dateien wählen</translation>
     </message>

@@ -611,6 +611,10 @@
         <translation>此处 DXF 文件为 R12 版本，曲线写为圆弧：缺少库 ezdxf。</translation>
     </message>
     <message>
+        <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
+        <translation>{strip} 之后还有 {later}，这些文件不包含它：请在条带本身中制作（槽、端片、孔），或在文件中补画</translation>
+    </message>
+    <message>
         <source>choose a folder for the files</source>
         <translation>请选择文件夹</translation>
     </message>

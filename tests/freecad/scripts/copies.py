@@ -47,6 +47,22 @@ def exported(*things):
     return counts
 
 
+def followed(document, strip):
+    """What the panel of the export says of a strip that a box is cut from; a picture of it."""
+    cut, box = document.addObject("Part::Cut", "Cut"), document.addObject("Part::Box", "Box")
+    cut.Base, cut.Tool = strip, box
+    document.recompute()
+    open_panel("Elastica_Export", strip)
+    said = panel().form.message.text()
+    picture("followed.png")
+    button("Cancel")
+    for one in (cut, box):
+        document.removeObject(one.Name)
+    strip.ViewObject.Visibility = True
+    document.recompute()
+    return said
+
+
 def outlines(nest):
     return sum(100 < wire.BoundBox.XLength < 500 for wire in nest.Shape.Wires)
 
@@ -84,6 +100,7 @@ def work():
     typed("MaxWidth", "20 mm")
     button()
     strip, flat = document.getObject("Strip"), document.getObject("Flat")
+    answers["followed"] = followed(document, strip)
     row = array(strip)
     choose(row)
     answers["grey for an array"] = [

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
+from freecad.elastica_wb.export.later_features import tell_later_features
 from freecad.elastica_wb.features.model import is_model, overlaps_of
 from freecad.elastica_wb.features.pieces import counted, pieces_of
 from freecad.elastica_wb.host import preferences
@@ -52,7 +53,8 @@ class ExportPanel(Panel):
         self._show_sheet(form.nest.isChecked())
         form.folder.setText(_usual_folder(strips[0].Document))
         form.browse.clicked.connect(self.browse)
-        words = [said for obj in counted(strips) if is_model(obj) for said in overlaps_of(obj)]
+        words = [said for obj in counted(strips) for said in tell_later_features(obj)]
+        words += [said for obj in counted(strips) if is_model(obj) for said in overlaps_of(obj)]
         words += map(_listed, self.pieces)
         if find_spec("ezdxf") is None:
             words.append(
