@@ -182,7 +182,8 @@ def _calibrate(
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
-    found = _as_readings_tell(result.sheet(name, **limit, poisson_ratio=sheet.poisson_ratio, **own))
+    shear: dict[str, Any] = {"poisson_ratio": sheet.poisson_ratio, "shear_modulus": sheet.shear_modulus}
+    found = _as_readings_tell(result.sheet(name, **limit, **shear, **own))
     file = f"{name}.toml"
     with write_together(output, [file], force=force) as workshop:
         write_text(workshop / file, found.toml())

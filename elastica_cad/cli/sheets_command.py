@@ -43,6 +43,8 @@ def sheets(name: str | None) -> None:
         "thickness": f"{one.thickness:g} mm",
         "Young's modulus": f"{one.youngs_modulus:g} MPa",
         "Poisson's ratio": f"{one.poisson_ratio:g}" + ("" if one.poisson_known else ", nominal"),
+        "shear modulus": f"{one.shear_ratio * one.youngs_modulus:.4g} MPa"
+        + ("" if one.shear_modulus else ", as without grain"),
         "density": f"{one.density:g} kg/m3",
         "largest strain": f"{100 * one.max_strain:.3g} %",
         "least radius": f"{one.least_radius:.4g} mm",

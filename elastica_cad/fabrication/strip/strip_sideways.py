@@ -18,16 +18,16 @@ from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
     """The verdict on a rod that is made by a layout; its slots are left out."""
-    sheet, nu = layout.sheet, layout.sheet.poisson_ratio
+    sheet, ratio = layout.sheet, layout.sheet.shear_ratio
     s = stations_of_sideways(rod)
     K, width = np.interp(s, rod.s, rod.stiffness), layout.width(s)
     if isinstance(layout.section, RoundLaw):
         thickest = float(layout.width.extremes[1])
-        return sideways_stability_of(rod, SidewaysSection.round(K, thickest, nu))
+        return sideways_stability_of(rod, SidewaysSection.round(K, thickest, ratio))
     if isinstance(layout.pattern, DiamondPattern):
         between = SidewaysSection.perforated(
             K, width, layout.material(s), layout.pattern.slopes(s), ligaments=layout.pattern.ligaments,
-            thickness=sheet.thickness, poisson_ratio=nu,
+            thickness=sheet.thickness, shear_ratio=ratio,
         )  # fmt: skip
         return sideways_stability_of(rod, *between)
     if layout.backing is not None:
@@ -36,4 +36,4 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
         laminate = SidewaysSection.laminated(K, layout.bending_stiffness, width, backing, section)
         return sideways_stability_of(rod, laminate)
     thickness = sheet.thickness if layout.size is None else layout.size
-    return sideways_stability(rod, layout.width, thickness, poisson_ratio=nu)
+    return sideways_stability(rod, layout.width, thickness, shear_ratio=ratio)

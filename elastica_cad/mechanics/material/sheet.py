@@ -58,6 +58,9 @@ class Sheet:
         nu, dimensionless; 0 where the modulus is that of a plate, measured on a wide coupon. A number given here
         is known, and widths make up for it (`poisson_known`); without one, or as a `NominalRatio`, it is only
         estimated with.
+    shear_modulus : float, optional
+        G of shear in the sheet's plane, MPa, which twist works against; without it E / (2 (1 + nu)), as of sheets
+        without grain. That of plywood is far less.
     grain : "along", "across" or "none"
         How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain. 0 and
         90, degrees, say the first two.
@@ -106,6 +109,7 @@ class Sheet:
     least_ligament: float | None = None
     least_bridge: float | None = None
     stock: Range | None = None
+    shear_modulus: float | None = None
     poisson_known: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -124,6 +128,9 @@ class Sheet:
         nu = checked_poisson_ratio(self.poisson_ratio, f"sheet {self.name!r}")
         object.__setattr__(self, "poisson_ratio", nu)
         object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
+        G = self.shear_modulus
+        if G is not None and not finite_number(G, f"sheet {self.name!r}: shear_modulus") > 0:
+            raise InputError(f"sheet {self.name!r}: shear_modulus is {G:g}; it must be positive, in MPa")
         sides = () if self.stock is None else tuple(self.stock)
         if self.stock is not None and len(sides) != 2:
             raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")
@@ -254,6 +261,12 @@ class Sheet:
         if self.kind != "plywood" or self.grain == "none":
             return None
         return least_plywood_radius(self.thickness, self.grain)
+
+    @property
+    def shear_ratio(self) -> float:
+        """G / E: as known, or 1 / (2 (1 + nu))."""
+        G = self.shear_modulus
+        return 1 / (2 * (1 + self.poisson_ratio)) if G is None else G / self.youngs_modulus
 
     @property
     def elasto_gravity_length(self) -> float:

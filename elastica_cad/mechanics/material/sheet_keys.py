@@ -40,6 +40,7 @@ KEYS: dict[str, tuple[str, str]] = {
     "least_ligament_mm": ("least_ligament", "number"),
     "least_bridge_mm": ("least_bridge", "number"),
     "stock_mm": ("stock", "range"),
+    "shear_modulus_MPa": ("shear_modulus", "number"),
 }
 
 # key -> (lowest, highest that any sheet has, what the unit is)
@@ -52,6 +53,7 @@ PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "least_width_mm": (1e-2, 1e3, "millimetres: 3 for plywood"),
     "least_ligament_mm": (1e-2, 1e3, "millimetres: 0.5 for card"),
     "least_bridge_mm": (1e-2, 1e3, "millimetres: 3 for a board of 3 mm"),
+    "shear_modulus_MPa": (0.01, 1e6, "N/mm2: 620 for 0.62 GPa"),
     "stock_mm": (10.0, 1e5, "millimetres: [1250, 2500]"),
 }
 

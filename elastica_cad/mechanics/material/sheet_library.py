@@ -86,6 +86,10 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
                 fields[f"{field}_range"] = (lowest, value)
             if "source" in figure:
                 sources.append(f"{label}: {figure['source']}")
+        if "shear_modulus_MPa" in entry:
+            shear = entry["shear_modulus_MPa"]
+            fields["shear_modulus"] = shear["value"]
+            sources.append(f"G: {shear['source']}")
         if isinstance(known, dict):
             sources.append(f"nu: {known['source']}")
         yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}

@@ -11,7 +11,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.discrete_rod import node_weights, tangents
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection, checked_ratio
+from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection, checked_shear_ratio
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
 EDGES = 200
@@ -103,7 +103,12 @@ class SidewaysStability:
 
 
 def sideways_stability(
-    rod: Rod, width: Profile | ArrayLike, thickness: Profile | ArrayLike, *, poisson_ratio: float = 0.3
+    rod: Rod,
+    width: Profile | ArrayLike,
+    thickness: Profile | ArrayLike,
+    *,
+    poisson_ratio: float = 0.3,
+    shear_ratio: float | None = None,
 ) -> SidewaysStability:
     """Is the rest shape of a rectangular strip stable against leaving its plane? O(n).
 
@@ -120,6 +125,8 @@ def sideways_stability(
         The same of its thickness.
     poisson_ratio : float
         nu; an isotropic sheet's G / E = 1 / (2 (1 + nu)).
+    shear_ratio : float, optional
+        G / E of a sheet with grain, as `Sheet.shear_ratio` has it.
 
     Raises
     ------
@@ -152,7 +159,7 @@ def sideways_stability(
         np.interp(s, rod.s, rod.stiffness),
         _sizes(width, s, "strip width"),
         _sizes(thickness, s, "thickness"),
-        checked_ratio(poisson_ratio),
+        checked_shear_ratio(shear_ratio, poisson_ratio),
     )
     return sideways_stability_of(rod, section)
 
@@ -168,7 +175,7 @@ def sideways_stability_of(
 
     >>> from elastica_cad.mechanics.bending.bend_forward import bend
     >>> arch = bend(Rod.straight(300.0), end=(280.0, 0.0))
-    >>> section = SidewaysSection.round(np.ones(EDGES + 1), 4.0, 0.3)
+    >>> section = SidewaysSection.round(np.ones(EDGES + 1), 4.0, 0.38)
     >>> sideways_stability_of(arch, section).decided
     True
     """

@@ -34,10 +34,10 @@ class SidewaysSection:
 
     @classmethod
     def rectangle(
-        cls, stiffness: FloatArray, width: FloatArray, thickness: FloatArray, poisson_ratio: float
+        cls, stiffness: FloatArray, width: FloatArray, thickness: FloatArray, shear_ratio: float
     ) -> "SidewaysSection":
-        """A solid strip whose stiffness (n,) of bending in the plane is given."""
-        torsion = 2 * stiffness / (1 + poisson_ratio) * _held_back(thickness, width)
+        """A solid strip whose stiffness (n,) of bending in the plane is given; `shear_ratio` is G / E."""
+        torsion = 4 * shear_ratio * stiffness * _held_back(thickness, width)
         return cls(width, thickness, stiffness * (width / thickness) ** 2, torsion)
 
     @classmethod
@@ -50,7 +50,7 @@ class SidewaysSection:
         *,
         ligaments: int,
         thickness: float,
-        poisson_ratio: float,
+        shear_ratio: float,
     ) -> tuple["SidewaysSection", "SidewaysSection"]:
         """The least and the most that a strip with holes may have: bounds on its energy.
 
@@ -62,20 +62,22 @@ class SidewaysSection:
             Of ligaments against the strip: tan(theta).
         ligaments : int
             How many equal ones run side by side.
+        shear_ratio : float
+            G / E.
 
         Notes
         -----
         The least by stresses in balance: every ligament, b wide across the strip, carries its share by itself. A
         torque T turned into a ligament's own directions is twist T cos(theta) and bending T sin(theta), so that G b
-        h^3/3 keeps cos^2 / (cos^2 + 2/(1 + nu) sin^2) of itself; edgewise it bends as b^3 h/12. The most by
+        h^3/3 keeps cos^2 / (cos^2 + 4 G/E sin^2) of itself; edgewise it bends as b^3 h/12. The most by
         displacements: the whole twists alike, G t h^3/3 with t in all, and bends edgewise as a plane section, at
         most as if all material lay at the edges, (W^3 - (W - t)^3) h/12.
         """
         h = np.full(width.size, thickness)
         cos2 = 1 / (1 + slope**2)
         one = material / ligaments
-        twist = 2 * stiffness / (1 + poisson_ratio)
-        leaning = cos2 / (cos2 + 2 / (1 + poisson_ratio) * (1 - cos2))
+        twist = 4 * shear_ratio * stiffness
+        leaning = cos2 / (cos2 + 4 * shear_ratio * (1 - cos2))
         least = cls(
             width,
             h,
@@ -113,7 +115,7 @@ class SidewaysSection:
         """
         sheets, widths = (section.base, section.backing), (base_width, backing_width)
         h1, h2 = (sheet.thickness for sheet in sheets)
-        G1, G2 = (sheet.youngs_modulus / (2 * (1 + sheet.poisson_ratio)) for sheet in sheets)
+        G1, G2 = (sheet.youngs_modulus * sheet.shear_ratio for sheet in sheets)
         both = G1 * h1**3 / 3 + G2 * h2**3 / 3 + G1 * h1 * G2 * h2 / (G1 * h1 + G2 * h2) * (h1 + h2) ** 2
         apart = G1 * h1**3 / 3 * base_width * _held_back(h1, base_width) + np.where(
             backing_width > 0, G2 * h2**3 / 3 * backing_width * _held_back(h2, backing_width), 0.0
@@ -139,18 +141,21 @@ class SidewaysSection:
         )
 
     @classmethod
-    def round(cls, stiffness: FloatArray, diameter: float, poisson_ratio: float) -> "SidewaysSection":
-        """A rod or tube, at most `diameter` mm thick: E I all round, and G J = E I / (1 + nu)."""
+    def round(cls, stiffness: FloatArray, diameter: float, shear_ratio: float) -> "SidewaysSection":
+        """A rod or tube, at most `diameter` mm thick: E I all round, and G J = 2 G/E times that."""
         size = np.full(stiffness.size, diameter)
-        return cls(size, size, stiffness, stiffness / (1 + poisson_ratio))
+        return cls(size, size, stiffness, 2 * shear_ratio * stiffness)
 
 
-def checked_ratio(poisson_ratio: float) -> float:
-    """A Poisson number, or an InputError."""
+def checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
+    """G / E as given, else that of an isotropic sheet; or an InputError."""
     nu = float(poisson_ratio)
     if not -1 < nu < 1:
         raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
-    return nu
+    ratio = 1 / (2 * (1 + nu)) if shear_ratio is None else float(shear_ratio)
+    if not 0 < ratio < np.inf:
+        raise InputError(f"shear_ratio is {shear_ratio}: G / E is positive")
+    return ratio
 
 
 def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:

@@ -69,6 +69,7 @@ class Calibration:
         least_radius: float | None = None,
         kerf: float = 0.0,
         poisson_ratio: float = USUAL_RATIO,
+        shear_modulus: float | None = None,
         grain: Grain = "none",
         kind: str = "",
     ) -> Sheet:
@@ -80,7 +81,7 @@ class Calibration:
             What to call it.
         max_strain, least_radius : float
             The largest strain it bears, or the least radius (mm) that left no lasting bend; one of them.
-        kerf, poisson_ratio, grain, kind
+        kerf, poisson_ratio, shear_modulus, grain, kind
             As in `Sheet`.
 
         Raises
@@ -107,6 +108,7 @@ class Calibration:
             max_strain or 0.0,
             kerf=kerf,
             poisson_ratio=poisson_ratio,
+            shear_modulus=shear_modulus,
             grain=grain,
             kind=kind,
             source=f"cantilever test, {len(self.readings)} reading{'s' if len(self.readings) > 1 else ''}, "

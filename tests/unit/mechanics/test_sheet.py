@@ -168,6 +168,21 @@ def test_a_poisson_ratio_is_known_where_somebody_vouches_for_it(tmp_path):
         load_sheets(written(tmp_path, twice))
 
 
+def test_a_shear_modulus_goes_through_a_file_and_is_nobodys_guess(tmp_path):
+    given, none = Sheet("ply", **PLY, shear_modulus=620.0), Sheet("ply", **PLY)
+    assert given.shear_ratio == 620 / given.youngs_modulus
+    assert none.shear_ratio == pytest.approx(1 / 2.6)
+    file = written(tmp_path, given.toml())
+    assert load_sheets(file)["ply"] == given
+    assert "shear_modulus" not in none.toml()
+    with pytest.raises(InputError, match="shear_modulus is -1; it must be positive, in MPa"):
+        Sheet("ply", **PLY, shear_modulus=-1)
+    with pytest.raises(
+        InputError, match=r"shear_modulus_MPa = 6.2e-07 looks like the wrong unit; N/mm2: 620"
+    ):
+        load_sheets(written(tmp_path, f"[sheets.mine]\n{ENTRY}shear_modulus_MPa = 6.2e-7\n"))
+
+
 def test_the_library_knows_a_poisson_ratio_that_has_a_source():
     sheets = list(map(Sheet.named, sheet_names()))
     assert all(sheet.poisson_known == ("nu: " in sheet.source) for sheet in sheets)

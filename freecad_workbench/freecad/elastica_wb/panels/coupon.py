@@ -95,7 +95,12 @@ class CouponPanel(Panel):
         base = sheet_called(self.form.sheet.currentText())
         name = self.form.name.text().strip() or f"{base.name}-measured"
         sheet = self.calibration.sheet(
-            name, max_strain=base.max_strain, kerf=base.kerf, grain=base.grain, kind=base.kind
+            name,
+            max_strain=base.max_strain,
+            kerf=base.kerf,
+            shear_modulus=base.shear_modulus,
+            grain=base.grain,
+            kind=base.kind,
         )
         save_own_sheets((own_sheets() | {name: sheet}).values())
         keep_sheets()
