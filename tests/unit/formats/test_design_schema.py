@@ -154,6 +154,7 @@ least_width_mm = 2
 least_ligament_mm = 1
 least_bridge_mm = 2
 stock_mm = [900, 600]
+shear_modulus_MPa = 620
 [["""),
     ONE.replace("card-200gsm", "felt").replace("[[", """
 [sheets.felt]
