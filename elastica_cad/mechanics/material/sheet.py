@@ -20,6 +20,7 @@ from elastica_cad.mechanics.material.sheet_keys import (
     USUAL_RATIO,
     NominalRatio,
     checked_poisson_ratio,
+    even_shear_ratio,
     finite_number,
     printable,
     quoted,
@@ -264,9 +265,9 @@ class Sheet:
 
     @property
     def shear_ratio(self) -> float:
-        """G / E: as known, or 1 / (2 (1 + nu))."""
+        """G / E: as known, else that of a sheet without grain."""
         G = self.shear_modulus
-        return 1 / (2 * (1 + self.poisson_ratio)) if G is None else G / self.youngs_modulus
+        return even_shear_ratio(self.poisson_ratio) if G is None else G / self.youngs_modulus
 
     @property
     def elasto_gravity_length(self) -> float:

@@ -89,6 +89,11 @@ def printable(text: str, where: str) -> str:
     return text
 
 
+def even_shear_ratio(poisson_ratio: float) -> float:
+    """G / E of a sheet without grain: 1 / (2 (1 + nu))."""
+    return 1 / (2 * (1 + poisson_ratio))
+
+
 def finite_number(value: Any, where: str) -> float:
     """The number, unless it is none or not finite."""
     if isinstance(value, bool | str | bytes) or value is None:

@@ -89,7 +89,7 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
         if "shear_modulus_MPa" in entry:
             shear = entry["shear_modulus_MPa"]
             fields["shear_modulus"] = shear["value"]
-            sources.append(f"G: {shear['source']}")
+            sources += [f"G: {shear['source']}"] if "source" in shear else []
         if isinstance(known, dict):
             sources.append(f"nu: {known['source']}")
         yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}

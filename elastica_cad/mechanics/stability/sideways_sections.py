@@ -7,6 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.sheet_keys import even_shear_ratio
 
 EDGE_LOSS = 0.63
 """Thicknesses by which a rectangle seems narrower in torsion (St Venant): G w h^3/3 (1 - 0.63 h/w)."""
@@ -152,7 +153,7 @@ def checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> floa
     nu = float(poisson_ratio)
     if not -1 < nu < 1:
         raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
-    ratio = 1 / (2 * (1 + nu)) if shear_ratio is None else float(shear_ratio)
+    ratio = even_shear_ratio(nu) if shear_ratio is None else float(shear_ratio)
     if not 0 < ratio < np.inf:
         raise InputError(f"shear_ratio is {shear_ratio}: G / E is positive")
     return ratio
