@@ -250,7 +250,15 @@ class StripSpec(EqualByValue):
             layers=layers,
             smooth=self.smooth,
             section=self._section(share),
+            largest_stiffness=self._largest_stiffness if weight is not None else None,
         )
+
+    @property
+    def _largest_stiffness(self) -> float | None:
+        """Of a plain strip as wide as it may be, N mm2: masses settle how wide it is."""
+        if self.max_width is None or self.law is not None or not isinstance(self.style, Plain):
+            return None
+        return self.material.bending_stiffness(self.max_width)
 
     @cached_property
     def _begun(self) -> PlaneCurve:

@@ -69,6 +69,8 @@ class RodSpec(EqualByValue):
         How far the curve may be moved to make it fair, mm: see `smooth_curve`.
     section : BoundedLaw, optional
         What stiffness is made of, as in `optimal_rod`.
+    largest_stiffness : float, optional
+        Of a rod that carries loads, N mm2, as in `optimal_rod`.
 
     Raises
     ------
@@ -87,6 +89,7 @@ class RodSpec(EqualByValue):
     layers: LaminateLayers | None = None
     smooth: float | None = None
     section: BoundedLaw | None = None
+    largest_stiffness: float | None = None
 
     def __post_init__(self) -> None:
         require_curve(self.curve)
@@ -173,6 +176,7 @@ class RodSpec(EqualByValue):
             self.natural_curvature,
             self.samples,
             weight=self.weight,
+            largest_stiffness=self.largest_stiffness,
             section=self.section,
         )
 

@@ -244,7 +244,8 @@ def _highs() -> Any:
     if not hasattr(_local, "highs"):
         import highspy
 
-        _local.highs = highspy.Highs()
+        # what Highs puts on top, callbacks, has it print its name before it can be silenced
+        _local.highs = highspy.Highs.__bases__[0]()
         for name, value in {
             "output_flag": False, "presolve": "off", "solver": "simplex", "parallel": "off",
             "primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10,

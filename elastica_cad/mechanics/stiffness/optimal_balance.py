@@ -26,6 +26,15 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.stiffness.stiffness_smoothing import largest_number
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
+COMPLIANCE_STEP = 0.2
+"""Of log(1 / B), on the way to lighter rods."""
+
+FITTED_SHARE = 1e-3
+"""Of the largest stiffness: what is left for finer panels and for the spline that the width is."""
+
+BEYOND = 1e6
+"""Times the stiffness that there is room for: more is as bad."""
+
 
 def balance_without_weight(
     check: EquilibriumCheck,
@@ -51,6 +60,7 @@ def balance_with_weight(
     law: MaterialLaw | None = None,
     weight: Weight | None = None,
     bending_stiffness: float | None = None,
+    largest_stiffness: float | None = None,
     nodes: FloatArray | None = None,
 ) -> BalancedStiffness:
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
@@ -64,7 +74,9 @@ def balance_with_weight(
             problem = load.against(0.0)
             balance = problem.balance(problem.least(problem.homogeneous(3)))
         else:
-            tau = _least_compliance(load, weight) if tau is None else tau
+            if tau is None:
+                tau = _least_compliance(load, weight)
+                tau = tau if largest_stiffness is None else _compliance_within(load, tau, largest_stiffness)
             problem = load.against(tau)
             balance = problem.balance(problem.least(problem.at_compliance(tau)))
         finer = cut.for_stiffness(balance.stiffness)
@@ -170,13 +182,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
-        tau = float(np.exp(logarithm))
-        try:
-            problem = load.against(tau)
-            found = problem.ratio(problem.at_compliance(tau))
-        except NotRealizable:
-            return np.inf
-        return np.inf if found is None else found[1]
+        return _ratio_at(load, float(np.exp(logarithm)))
 
     s = np.linspace(0.0, load.check.length, 101)
     newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
@@ -198,6 +204,51 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
         return float(np.exp(trial[-1]))
     low, high = trial[within], trial[within + 1]
     return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
+
+
+def _ratio_at(load: WeightedPanels, tau: float) -> float:
+    """The least ratio of a rod of B = 1 / tau; infinite where none carries the weight."""
+    try:
+        problem = load.against(tau)
+        found = problem.ratio(problem.at_compliance(tau))
+    except NotRealizable:
+        return np.inf
+    return np.inf if found is None else found[1]
+
+
+def _compliance_within(load: WeightedPanels, tau: float, most: float) -> float:
+    """The compliance next to that of least ratio whose rod is nowhere stiffer than `most`, N mm2.
+
+    The least largest stiffness is the ratio over tau, whose ratio is convex in tau: it falls up to one place and
+    rises behind it. Where it stays above `most`, that place is taken.
+    """
+    from scipy.optimize import brentq, minimize_scalar
+
+    # where inflections leave a choice, the smoothest stiffness takes its share
+    room = most / (1 + FITTED_SHARE) / (1 + SMOOTHING_SHARE if load.check.zeros else 1)
+
+    def over(logarithm: float) -> float:
+        """log of the largest stiffness over the room for it."""
+        stiffest = _ratio_at(load, float(np.exp(logarithm))) / np.exp(logarithm)
+        return float(np.log(min(stiffest / room, BEYOND)))
+
+    start = before = float(np.log(tau))
+    last = over(start)
+    if last <= 0:
+        return tau
+    while True:
+        after = before + COMPLIANCE_STEP
+        here = over(after)
+        if here <= 0:
+            return float(np.exp(brentq(over, before, after, xtol=1e-6)))
+        if here >= last:
+            break
+        before, last = after, here
+    around = (max(before - COMPLIANCE_STEP, start), after)
+    lowest = minimize_scalar(over, bounds=around, method="bounded", options={"xatol": 1e-6})
+    if lowest.fun <= 0:
+        return float(np.exp(brentq(over, around[0], lowest.x, xtol=1e-6)))
+    return float(np.exp(lowest.x if lowest.fun < over(start) else start))
 
 
 def _raised(value: float | Profile, step: float) -> float | Profile:

@@ -48,6 +48,7 @@ def optimal_rod(
     *,
     weight: Weight | None = None,
     bending_stiffness: float | None = None,
+    largest_stiffness: float | None = None,
     law: MaterialLaw | None = None,
     section: BoundedLaw | None = None,
     tolerance: float = 1e-4,
@@ -72,6 +73,10 @@ def optimal_rod(
         Lower bound B of the bending stiffness E I, N mm2, that the weight in newtons is set against. Unless
         given it is solved for: that of least ratio, or where the ratio only falls with growing B, the least B
         whose ratio is within 1 % of the weightless one.
+    largest_stiffness : float, optional
+        Upper bound of E I anywhere, N mm2, under a weight in newtons whose B is solved for: as of the widest strip
+        that there is room for. Where the rod of least ratio is stiffer, the rod of next larger ratio within it is
+        taken; where none is, the one that comes nearest.
     law : MaterialLaw, optional
         Nonlinear material: its effective curvature takes the place of kappa - kappa_0 (Appendix D).
     section : BoundedLaw, optional
@@ -110,7 +115,9 @@ def optimal_rod(
     """
     require_gravity(gravity)
     supports = require_supports(supports)
-    _check_options(gravity, samples, weight, bending_stiffness)
+    _check_options(gravity, samples, weight)
+    _check_stiffness("bending_stiffness", bending_stiffness, weight)
+    _check_stiffness("largest_stiffness", largest_stiffness, weight)
     if section is not None:
         _check_section(section, weight, bending_stiffness, law)
     if gravity is None:
@@ -151,6 +158,7 @@ def optimal_rod(
             law=law,
             weight=weight,
             bending_stiffness=bending_stiffness,
+            largest_stiffness=largest_stiffness,
             nodes=nodes,
         )
     return _bent_rod(problem, balance)
@@ -190,20 +198,20 @@ def _check_section(
         )
 
 
-def _check_options(
-    gravity: Gravity | None, samples: int | None, weight: Weight | None, bending_stiffness: float | None
-) -> None:
+def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight | None) -> None:
     if samples is not None:
         whole_number(samples, "samples", 3)
     if weight is not None and gravity is None:
         raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
-    if bending_stiffness is not None:
-        if weight is None:
-            raise InputError(
-                "bending_stiffness is for rods with a weight in newtons: pass weight=Weight(...) as well"
-            )
-        if not (np.isfinite(bending_stiffness) and bending_stiffness > 0):
-            raise InputError(f"bending stiffness is {bending_stiffness}: it must be positive, in N mm2")
+
+
+def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> None:
+    if value is None:
+        return
+    if weight is None:
+        raise InputError(f"{name} is for rods with a weight in newtons: pass weight=Weight(...) as well")
+    if not (np.isfinite(value) and value > 0):
+        raise InputError(f"{name.replace('_', ' ')} is {value}: it must be positive, in N mm2")
 
 
 def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:

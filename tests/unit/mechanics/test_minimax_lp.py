@@ -1,5 +1,8 @@
 """The row-generated program against the whole one, and against answers known by hand."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from scipy.optimize import linprog
@@ -122,3 +125,12 @@ def test_least_variation_is_that_of_the_program_as_it_is_written(numbers, seed):
     cost, bounds = np.repeat([0.0, 1.0], [numbers, 150]), [(None, None)] * numbers + [(0, None)] * 150
     whole = linprog(cost, matrix, limit, bounds=bounds, method="highs")
     assert np.abs(bends @ x + bend_offset).sum() == pytest.approx(whole.fun, rel=1e-8)
+
+
+def test_highs_is_silent():
+    """Of late it prints its name as it is made, past Python, into what programs read."""
+    words = (
+        "from elastica_cad.mechanics.stiffness.minimax_lp import _library_program as made; made('auto', 2)"
+    )
+    ran = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=True)
+    assert ran.stdout == ran.stderr == ""
