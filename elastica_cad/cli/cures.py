@@ -17,7 +17,7 @@ import numpy as np
 
 from elastica_cad.cli.asking.lengths import Length
 from elastica_cad.cli.running.design_mends import mends
-from elastica_cad.cli.running.typed_command import TRYING, command_line
+from elastica_cad.cli.running.typed_command import TRYING, command_line, length_among
 from elastica_cad.errors import ElasticaError
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.design_files.reshaping import CORNERS, box_around_curves
@@ -89,7 +89,7 @@ class _Refused:
             if "--units" in option.opts
             for _, end in self.typed(option)
         ]
-        return mm if units[-1:] in ([], ["mm"]) else f"{mm}mm"
+        return length_among(mm, units[-1] if units else "mm")
 
     def in_its_units(self, word: str) -> str:
         """A word to be added, the unit of a length only where these words have others."""

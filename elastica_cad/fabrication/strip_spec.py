@@ -228,7 +228,7 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def rod_spec(self) -> RodSpec:
-        """What the rod is found from; requests that differ only in widths, ends, slots or label share it."""
+        """What the rod is found from; requests alike but for ends, slots, label or (unloaded) widths share it."""
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
         weight = hung_weight(self.loads, share)

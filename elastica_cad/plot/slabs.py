@@ -49,15 +49,13 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
         np.concatenate([left[:, 0], right[:, 0], stations[(stations > low) & (stations < high)]])
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
-    sides = np.stack([cuts[:-1], cuts[1:]], axis=1)
-    middles = sides.mean(axis=1)
+    middles = (cuts[:-1] + cuts[1:]) / 2
     # each line goes through all slabs from one to another
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
     slab = numbers_in_groups(count) + np.repeat(first, count)
-    y = left[line, 1:] + slope[line, None] * (sides[slab] - left[line, :1])
-    order = np.lexsort((y.sum(axis=1), slab))
+    order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
     # loops are closed: every slab has its lines in pairs, below and above what lies inside
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
     # between the same two lines it is one trapezoid, up to the next station

@@ -131,7 +131,7 @@ def turned_away(rod, edgewise, torsion):
 def test_a_rod_in_space_buckles_where_the_margin_vanishes(shear_ratio, width, between):
     edgewise, torsion = (width / 0.8) ** 2, 4 * shear_ratio * (1 - 0.63 * 0.8 / width)
     by_margin, by_shooting = (
-        brentq(at, *between, xtol=1e-4)
+        brentq(at, *between, xtol=1e-5)
         for at in (
             lambda k: sideways_stability(pushed_together(k), width, 0.8, shear_ratio=shear_ratio).margin,
             lambda k: turned_away(pushed_together(k), edgewise, torsion),

@@ -34,8 +34,12 @@ def command_line(*words: str) -> str:
 def typed_length(mm: float) -> str:
     """A length, mm, as it is typed behind the words of the running command: with its unit where it has others."""
     context = click.get_current_context(silent=True)
-    plain = context is None or context.params.get("units", "mm") == "mm"
-    return f"{mm:g}" if plain else f"{mm:g}mm"
+    return length_among(f"{mm:g}", "mm" if context is None else context.params.get("units", "mm"))
+
+
+def length_among(mm: str, units: str) -> str:
+    """A length, mm, as it is typed among others in `units`: with its own where these are not mm."""
+    return mm if units == "mm" else f"{mm}mm"
 
 
 def cure_later(problem: ElasticaError, look: Callable[[], str]) -> None:

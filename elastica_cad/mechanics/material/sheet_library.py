@@ -32,7 +32,9 @@ _FIGURES = {
     "density_kg_m3": ("density", "density"),
     "max_strain": ("max_strain", "strain"),
     "kerf_mm": ("kerf", "kerf"),
+    "shear_modulus_MPa": ("shear_modulus", "G"),
 }
+_ESTIMATED = ("shear_modulus_MPa",)  # from other figures, where it is not published
 
 
 @lru_cache(maxsize=1)
@@ -72,7 +74,8 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
             fields["poisson_ratio"] = NominalRatio(known)
         for key, (field, label) in _FIGURES.items():
             if key not in entry:
-                sources.append(f"{label} not published: measure it on a coupon")
+                if key not in _ESTIMATED:
+                    sources.append(f"{label} not published: measure it on a coupon")
                 continue
             figure = entry[key]
             value, lowest = (
@@ -86,10 +89,6 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
                 fields[f"{field}_range"] = (lowest, value)
             if "source" in figure:
                 sources.append(f"{label}: {figure['source']}")
-        if "shear_modulus_MPa" in entry:
-            shear = entry["shear_modulus_MPa"]
-            fields["shear_modulus"] = shear["value"]
-            sources += [f"G: {shear['source']}"] if "source" in shear else []
         if isinstance(known, dict):
             sources.append(f"nu: {known['source']}")
         yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}

@@ -53,8 +53,9 @@ class ExportPanel(Panel):
         self._show_sheet(form.nest.isChecked())
         form.folder.setText(_usual_folder(strips[0].Document))
         form.browse.clicked.connect(self.browse)
-        words = [said for obj in counted(strips) for said in tell_later_features(obj)]
-        words += [said for obj in counted(strips) if is_model(obj) for said in overlaps_of(obj)]
+        cut = counted(strips)
+        words = [said for obj in cut for said in tell_later_features(obj)]
+        words += [said for obj in cut if is_model(obj) for said in overlaps_of(obj)]
         words += map(_listed, self.pieces)
         if find_spec("ezdxf") is None:
             words.append(
