@@ -328,6 +328,7 @@ def test_every_button_in_every_state(tmp_path):
     found = launching.run_window("states.py", tmp_path)
     assert found["trouble"] == []
     assert found["pressed"] > 30
+    assert found["strangers"] == [False, False, True]
     grey = found["grey"]
     assert "Elastica_Strip" in grey["nothing"]
     assert "Elastica_Strip" not in grey["a_sketch"]

@@ -31,6 +31,19 @@ from inside import (
 answers["trouble"], answers["grey"], answers["pressed"] = [], {}, 0
 
 
+def strangers():
+    """What filters make of a widget that PySide hands them for an event."""
+    from freecad.elastica_wb.host.qt import EscapeKey, QtCore, kind_of
+    from freecad.elastica_wb.panels.widgets.fields import _Keeper
+
+    found = [_Keeper().eventFilter(QtWidgets.QLineEdit(), QtWidgets.QGraphicsView())]
+    found += [EscapeKey().eventFilter(None, QtWidgets.QGraphicsView())]
+    return [*found, kind_of(QtCore.QEvent(QtCore.QEvent.Wheel)) == QtCore.QEvent.Wheel]
+
+
+answers["strangers"] = strangers()
+
+
 def report():
     view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
     return view.toPlainText() if view is not None else ""

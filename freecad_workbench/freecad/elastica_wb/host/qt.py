@@ -13,7 +13,7 @@ try:
 except ImportError:
     from PySide2 import QtWidgets
 
-__all__ = ["EscapeKey", "QtCore", "QtGui", "QtWidgets", "surface_of"]
+__all__ = ["EscapeKey", "QtCore", "QtGui", "QtWidgets", "kind_of", "surface_of"]
 
 
 def surface_of(view: Any) -> Any | None:
@@ -34,6 +34,14 @@ def surface_of(view: Any) -> Any | None:
     return None
 
 
+def kind_of(event: Any) -> Any | None:
+    """What an event that PySide hands to a filter is; None where it hands the wrapper of a widget for it.
+
+    As with views: an event may lie in memory where a deleted widget lay, and it is then no event that can be asked.
+    """
+    return event.type() if isinstance(event, QtCore.QEvent) else None
+
+
 class EscapeKey(QtCore.QObject):
     """Notes that Escape was pressed, whoever has the keyboard."""
 
@@ -49,6 +57,7 @@ class EscapeKey(QtCore.QObject):
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:
         """Escape is for us alone."""
-        if event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+        typed = kind_of(event) == QtCore.QEvent.KeyPress
+        if typed and event.key() == QtCore.Qt.Key_Escape:
             self.pressed = True
-        return self.pressed and event.type() == QtCore.QEvent.KeyPress
+        return self.pressed and typed

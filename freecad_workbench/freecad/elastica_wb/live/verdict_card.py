@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, surface_of
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.overlay import COLORS
 from freecad.elastica_wb.live.verdict import Answer, Verdict
@@ -85,7 +85,7 @@ class VerdictCard(QtCore.QObject):
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
         """The view has another size."""
-        if event.type() == QtCore.QEvent.Resize:
+        if kind_of(event) == QtCore.QEvent.Resize:
             self._place()
         return False
 

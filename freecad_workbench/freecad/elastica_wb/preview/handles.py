@@ -10,7 +10,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from freecad.elastica_wb.host.qt import QtCore, surface_of
+from freecad.elastica_wb.host.qt import QtCore, kind_of, surface_of
 from pivy import coin
 
 from elastica_cad._types import ArrayLike, FloatArray
@@ -167,7 +167,7 @@ class _Mouse(QtCore.QObject):
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:
         """Was the event for a handle? Then nobody else gets it."""
-        answer = self._answers.get(event.type())
+        answer = self._answers.get(kind_of(event))
         if answer is None:
             return False
         button = QtCore.Qt.LeftButton

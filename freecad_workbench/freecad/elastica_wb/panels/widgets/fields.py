@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
+from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets, kind_of
 from freecad.elastica_wb.host.resources import translate
 
 LARGEST = 1e9  # of numbers without a limit of their own
@@ -167,7 +167,7 @@ class _Keeper(QtCore.QObject):
 
     def eventFilter(self, widget: Any, event: Any) -> bool:
         """A wheel over a widget that has no focus is not for it; a typed number is as exact as it is typed."""
-        kind = event.type()
+        kind = kind_of(event)
         if kind == QtCore.QEvent.KeyPress and event.text() == "." and _takes_numbers(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
