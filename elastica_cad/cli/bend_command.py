@@ -33,6 +33,11 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
+OF_A_CURVE = {
+    "--curve": "number", "--layer": "layer", "--unit": "unit", "--smooth": "smooth", "--nearest": "nearest",
+}  # fmt: skip
+"""Options that a straight strip has no use for."""
+
 
 @click.command("bend")
 @curve_argument(required=False)
@@ -82,6 +87,14 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError("name a CURVE, or give the length of a straight strip with --straight MM")
+    if chosen["straight"] is not None:
+        idle = [
+            option
+            for option, name in OF_A_CURVE.items()
+            if chosen[name] is not None and chosen[name] is not False
+        ]
+        if idle:
+            raise InputError(f"{idle[0]} is of a drawn CURVE, and --straight has none: leave it out")
     if chosen["gravity"] and chosen["sheet"] is None:
         raise InputError("--gravity needs to know the material: add --sheet NAME")
     if not chosen["gravity"]:

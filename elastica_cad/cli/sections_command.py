@@ -49,6 +49,12 @@ GAP_MM = 20.0
 UPRIGHT = 1e-9
 """Share of its length by which a direction may lean and still be upright: rounding."""
 
+_IDLE = {
+    "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
+    "--along": ("point", "axis", "zero"),
+}  # fmt: skip
+"""Options that do not place the planes of a family."""
+
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)
 POSITIVE = click.FloatRange(0, min_open=True)
@@ -119,7 +125,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         asked_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
     named = {key: chosen[key] for key in ("unit", "scale") if chosen[key] is not None}
-    family = _family_named(chosen)
+    family = _family_named(chosen | {"sheet": sheet})
     try:
         surface = read_sized_surface(read_surface, mesh, **named)
         spec = _spec(family, chosen, surface)
@@ -162,6 +168,15 @@ def _family_named(chosen: dict[str, Any]) -> str:
         )
     if chosen["count"] is not None and chosen["along"] is None:
         raise InputError(f"--count is of planes along a path, and {given[0]} takes none: leave it out")
+    for option in _IDLE[given[0]]:
+        if chosen[option] is not None:
+            raise InputError(f"--{option} says nothing of the planes of {given[0]}: leave it out")
+    if chosen["sheet"] is None:
+        lost = [option for option in ("margin", "gravity") if chosen[option]]
+        if lost:
+            raise InputError(
+                f"--{lost[0]} is for the design file, which is written with --sheet: add --sheet NAME"
+            )
     return given[0]
 
 

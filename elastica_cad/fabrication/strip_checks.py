@@ -2,12 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 
 from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.styles import Plain, Style
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -56,6 +59,42 @@ def check_law(
     other = getattr(law, "sheet", sheet)
     if other != sheet:
         raise InputError(f"the law is of {other.name}, the strip of {sheet.name}: give both the same sheet")
+
+
+def limits_beside(
+    limits: Limits, sheet: Sheet, style: Style, *, max_width: float | None, min_width: float | None
+) -> Limits:
+    """Limits of a strip without a law, agreed with its own sheet and widths.
+
+    What is asked of a plain strip's width stands in two places: the narrower range is kept.
+
+    Raises
+    ------
+    InputError
+        Widths outside those of the limits, or strains of a sheet of another thickness.
+    """
+    if (
+        limits.sheet is not None
+        and not isinstance(style, Laminated)
+        and limits.sheet.thickness != sheet.thickness
+    ):
+        raise InputError(
+            f"the limits are of {limits.sheet.name}, {limits.sheet.thickness:g} mm thick, the strip of "
+            f"{sheet.name}, {sheet.thickness:g} mm: leave sheet out of the limits, which are then of the strip's"
+        )
+    if limits.width is None or not isinstance(style, Plain):
+        return limits
+    low, high = limits.width
+    for name, width in (("max_width", max_width), ("min_width", min_width)):
+        if width is not None and not low <= width <= high:
+            raise InputError(
+                f"{name} is {width:g} mm, outside the limit width of {low:g} to {high:g} mm: change one of them, "
+                "or leave the limit out"
+            )
+    narrowest, widest = min_width or low, max_width or high
+    if narrowest > widest:  # refused where the widths are compared
+        return limits
+    return replace(limits, width=(narrowest, widest))
 
 
 def masses_of(loads: object) -> tuple[PointMass, ...]:

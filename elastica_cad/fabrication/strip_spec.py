@@ -27,6 +27,7 @@ from elastica_cad.fabrication.strip_checks import (
     check_compensate,
     check_joint,
     check_law,
+    limits_beside,
     masses_of,
     told_in_python,
 )
@@ -315,6 +316,9 @@ class StripSpec(EqualByValue):
         limits = Limits() if self.limits is None else self.limits
         if self.anyway or not isinstance(limits, Limits):  # the rod's request refuses what is no record
             return limits
+        if self.law is None:
+            widths = {"max_width": self.max_width, "min_width": self.min_width}
+            limits = limits_beside(limits, self.material, self.style, **widths)
         if limits.sheet is None:
             limits = replace(limits, sheet=self.material)
         if self.law is None and isinstance(self.style, Plain) and self.max_width is not None:

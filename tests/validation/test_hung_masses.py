@@ -10,6 +10,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core
@@ -73,3 +74,14 @@ def test_a_largest_stiffness_is_positive(given):
         optimal_rod(ARCH, BIRCH.gravity(), weight=weight, largest_stiffness=given)
     with pytest.raises(InputError, match="largest_stiffness is for rods with a weight in newtons"):
         optimal_rod(ARCH, BIRCH.gravity(), largest_stiffness=100.0)
+
+
+def test_a_largest_stiffness_beside_what_settles_the_stiffness_is_refused():
+    """It had been taken, and ignored."""
+    asked = {"weight": Weight(masses=(PointMass(PLACE, 16),), own=True), "largest_stiffness": 1e4}
+    with pytest.raises(
+        InputError, match="bending_stiffness settles how stiff the rod is, and leaves largest_st"
+    ):
+        optimal_rod(ARCH, BIRCH.gravity(), bending_stiffness=1e3, **asked)
+    with pytest.raises(InputError, match="leave out bending_stiffness, largest_stiffness and law"):
+        optimal_rod(ARCH, BIRCH.gravity(), section=ThicknessLaw(BIRCH, 2, 8, width=20), **asked)

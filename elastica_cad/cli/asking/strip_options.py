@@ -51,7 +51,7 @@ OPTION_OF = {
     "natural curvature": "--natural-curvature", "natural_curvature": "--natural-curvature",
     "limits": "--nearest and the limits", "gravity": "--gravity", "width of the outline": "--outer-width",
     "width of the base": "--outer-width", "smooth": "--smooth", "anyway": "--anyway",
-    "least_width": "--least-width", "law": "--law", "joint": "--joint",
+    "least_width": "--least-width", "law": "--law", "joint": "--joint", "limit width": "--width-range",
 }  # fmt: skip
 """Options for what the sentences of `StripSpec` name by its fields."""
 
@@ -309,6 +309,7 @@ def _loads(chosen: Mapping[str, Any]) -> tuple[PointMass, ...] | Weight:
 
 def _limits(chosen: Mapping[str, Any], sheet: Sheet) -> Limits | None:
     """The limits; none that are asked for, with --nearest alone; None where the curve may not change."""
+    _refuse_both(chosen, "keep_strain", "max_strain", "a largest strain")
     margin = chosen["margin"]
     if margin is None and chosen["stable"]:
         margin = SAFE_MARGIN
@@ -329,6 +330,8 @@ def _limits(chosen: Mapping[str, Any], sheet: Sheet) -> Limits | None:
 
 
 def _keep(chosen: Mapping[str, Any]) -> Keep | None:
+    _refuse_both(chosen, "keep_tangents", "keep_tangent", "which tangents stay")
+    _refuse_both(chosen, "keep_line", "inflection_line", "on which line inflections stay")
     tangent, line = chosen["keep_tangent"], chosen["inflection_line"]
     asked: dict[str, Any] = {
         "ends": None if chosen["keep_ends"] is None else BOTH_ENDS[chosen["keep_ends"]],
@@ -340,6 +343,13 @@ def _keep(chosen: Mapping[str, Any]) -> Keep | None:
     }
     given = {name: value for name, value in asked.items() if value is not None}
     return Keep(**given) if given else None
+
+
+def _refuse_both(chosen: Mapping[str, Any], flag: str, other: str, what: str) -> None:
+    """Refuse a flag beside the option that says the same otherwise."""
+    if chosen[flag] and chosen[other] is not None:
+        options = " and ".join(f"--{name.replace('_', '-')}" for name in (flag, other))
+        raise InputError(f"{options} both say {what}: leave one of them out")
 
 
 def _ends(chosen: Mapping[str, Any]) -> tuple[Tab, Tab]:

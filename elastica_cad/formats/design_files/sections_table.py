@@ -85,6 +85,8 @@ def _split(cut: Table) -> Split:
 
 def _radial(table: Table) -> RadialCuts:
     """`angles`, or as many as `count` says all around."""
+    if table.has("count") and table.has("angles"):
+        raise InputError(f"{table.place('count')} means nothing beside angles: leave one of them out")
     given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "axis", "zero") if table.has(key)}
     angles = _list(table, "angles") if table.has("angles") else None
     return RadialCuts(table.count("count", RadialCuts.count, MANY), angles, **given)

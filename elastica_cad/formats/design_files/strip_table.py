@@ -222,6 +222,9 @@ def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve
         return PlaneCurve.ellipse(
             center, axes, rotation, given.number("start", 0.0), given.number("end", full)
         )
+    idle = [key for key in ("start", "end") if given.has(key)]
+    if idle:
+        raise InputError(f"{given.place(idle[0])} means nothing beside above: leave one of them out")
     rise = given.number("above") - center[1]
     # y - center = a sin(rotation) cos v + b cos(rotation) sin v = reach cos(v - top)
     tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)

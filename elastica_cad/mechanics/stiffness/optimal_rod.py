@@ -119,7 +119,12 @@ def optimal_rod(
     _check_stiffness("bending_stiffness", bending_stiffness, weight)
     _check_stiffness("largest_stiffness", largest_stiffness, weight)
     if section is not None:
-        _check_section(section, weight, bending_stiffness, law)
+        _check_section(section, weight, bending_stiffness, largest_stiffness, law)
+    elif bending_stiffness is not None and largest_stiffness is not None:
+        raise InputError(
+            "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: leave "
+            "one of them out"
+        )
     if gravity is None:
         check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
     else:
@@ -178,7 +183,11 @@ class _Problem:
 
 
 def _check_section(
-    section: BoundedLaw, weight: Weight | None, bending_stiffness: float | None, law: MaterialLaw | None
+    section: BoundedLaw,
+    weight: Weight | None,
+    bending_stiffness: float | None,
+    largest_stiffness: float | None,
+    law: MaterialLaw | None,
 ) -> None:
     if isinstance(section, LeavesLaw):
         raise InputError(
@@ -191,10 +200,11 @@ def _check_section(
             f"section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)"
         )
     alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
-    if bending_stiffness is not None or law is not None or not alone:
+    settled = any(one is not None for one in (bending_stiffness, largest_stiffness, law))
+    if settled or not alone:
         raise InputError(
-            "a section settles its own stiffness and weight: leave out bending_stiffness and law, and give masses "
-            "only, as Weight(masses=..., own=True)"
+            "a section settles its own stiffness and weight: leave out bending_stiffness, largest_stiffness and "
+            "law, and give masses only, as Weight(masses=..., own=True)"
         )
 
 

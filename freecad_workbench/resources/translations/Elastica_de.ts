@@ -2579,6 +2579,10 @@
         <translation>ein Laminat, das sein Gewicht trägt, muss aufrecht stehen und wiegen, was seine Platten wiegen: seine Ebene drehen oder die Schwerkraft weglassen</translation>
     </message>
     <message>
+        <source>%1 is %2 mm, outside the limit width of %3 to %4 mm: change one of them, or leave the limit out</source>
+        <translation>%1 ist %2 mm, außerhalb der Grenzen von %3 bis %4 mm für die Breite: eines davon ändern oder die Grenzen weglassen</translation>
+    </message>
+    <message>
         <source>min_width is %1 mm, more than max_width, %2 mm: give the larger one as max_width</source>
         <translation>MinWidth ist %1 mm, mehr als MaxWidth mit %2 mm: das größere Maß als MaxWidth angeben</translation>
     </message>

@@ -2579,6 +2579,10 @@
         <translation>承受自重的层压条必须竖立，且重量等于其板材：转动其平面，或去掉重力</translation>
     </message>
     <message>
+        <source>%1 is %2 mm, outside the limit width of %3 to %4 mm: change one of them, or leave the limit out</source>
+        <translation>%1 为 %2 mm，超出宽度限制 %3 至 %4 mm：请更改其中之一，或去掉该限制</translation>
+    </message>
+    <message>
         <source>min_width is %1 mm, more than max_width, %2 mm: give the larger one as max_width</source>
         <translation>MinWidth 为 %1 mm，大于 MaxWidth 的 %2 mm：请把较大的值填为 MaxWidth</translation>
     </message>

@@ -283,6 +283,14 @@ def test_options_without_effect_are_told(dome, tmp_path):
     counted = run("sections", mesh, "--radial", 3, "--count", 5)
     assert counted.exit_code == 2
     assert "--count is of planes along a path, and --radial takes none" in counted.stderr
+    for options, message in (
+        (("--radial", 3, "--up", 0, 1, 0), "--up says nothing of the planes of --radial: leave it out"),
+        (("--offset", 3, "--zero", 0, 1, 0), "--zero says nothing of the planes of --offset: leave it out"),
+        (("--radial", 3, "--gravity"), "--gravity is for the design file, which is written with --sheet"),
+    ):
+        idle = run("sections", mesh, *options)
+        assert idle.exit_code == 2
+        assert message in idle.stderr
     for options in (("--angle", 0, "--angle", 90, "--angle", 360), ("--offset", 5, "--offset", 5)):
         twice = run("sections", mesh, *options)
         assert twice.exit_code == 2

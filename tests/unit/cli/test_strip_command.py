@@ -365,3 +365,33 @@ def test_a_pen_curve_between_pins(tmp_path):
         report = json.loads((tmp_path / "out" / "wave.json").read_text())
         # (1 + (pi h / L)^2)^(3/2) of the half wave
         assert report["ratio"] == pytest.approx((1 + (np.pi * height / length) ** 2) ** 1.5, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (
+            ("--keep-strain", "--max-strain", 0.05),
+            "--keep-strain and --max-strain both say a largest strain: leave",
+        ),
+        (
+            ("--keep-line", "--inflection-line", 0, 0, 1, 1),
+            "--keep-line and --inflection-line both say on which",
+        ),
+        (
+            ("--keep-tangents", "--keep-tangent", "end"),
+            "--keep-tangents and --keep-tangent both say which tangents",
+        ),
+        (
+            ("--width-range", 10, 15),
+            "outside the limit width of 10 to 15 mm: .* out \\(--max-width, --width-range\\)",
+        ),
+    ],
+)
+def test_of_two_options_none_is_ignored(drawn, tmp_path, options, message):
+    """The larger strain had been kept within, the tangent of the other end too, without a word."""
+    told = elastica(
+        "strip", drawn, "--sheet", "card-200gsm", "--max-width", 20, "--nearest", *options, "-o", tmp_path
+    )
+    assert told.returncode == 2
+    assert re.search(message, told.stderr)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
@@ -34,6 +35,36 @@ def test_both_widths_bound_the_ratio():
     assert even.width.extremes == pytest.approx((20, 20))
     with pytest.raises(InputError, match="min_width is 25 mm, more than max_width, 20 mm"):
         make_strip(ARCH, "card-200gsm", max_width=20, min_width=25, limits=Limits())
+
+
+@pytest.mark.parametrize("asked", [{"max_width": 30}, {"max_width": 8}, {"min_width": 8}, {"min_width": 21}])
+def test_widths_stay_within_the_limit_width(asked):
+    """A strip of 30 mm had been made under limits that end at 20 mm."""
+    with pytest.raises(InputError, match=r"_width is \d+ mm, outside the limit width of 10 to 20 mm"):
+        make_strip(ARCH, "card-200gsm", **asked, limits=Limits(width=(10, 20)))
+
+
+@pytest.mark.parametrize("asked", [{"max_width": 15.0}, {"min_width": 14.0}])
+def test_a_limit_width_bounds_both_places(asked):
+    """With the widest place of 15 mm, the quotient of the limits alone had left 7.5 mm at the narrowest."""
+    strip = make_strip(WAVE, "card-200gsm", **asked, limits=Limits(width=(10, 20)))
+    low, high = strip.width.extremes
+    assert low >= 10 * (1 - 1e-5)
+    assert high <= 20 * (1 + 1e-5)
+    assert (
+        make_strip(ARCH, "card-200gsm", style=Perforated(40.0), limits=Limits(width=(10, 20))).rod.ratio
+        <= 2.001
+    )
+
+
+def test_limits_of_another_thickness_are_refused():
+    thin = Sheet.named("card-200gsm")
+    with pytest.raises(
+        InputError, match=r"the limits are of card-200gsm, 0\.2 mm thick, the strip of birch-ply"
+    ):
+        make_strip(ARCH, "birch-plywood-0.8", max_width=20, limits=Limits(sheet=thin))
+    other = replace(thin, max_strain=1.1 * thin.max_strain)
+    assert make_strip(ARCH, thin, max_width=20, limits=Limits(sheet=other)).rod.ratio > 1
 
 
 def test_limits_that_no_rod_meets():
