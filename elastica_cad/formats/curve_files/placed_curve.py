@@ -16,6 +16,7 @@ from elastica_cad.geometry.frame import Frame
 JOIN = 1e-4  # mm: ends of edges that are meant to meet
 TANGENT = 1e-3  # rad
 EVEN = 1e-6  # rad: curves that turn by less on the whole turn to neither side
+MEANT = 0.05  # of the extent of all edges: ends farther apart than this are not meant to meet
 AS_DRAWN = np.eye(3)
 
 
@@ -50,10 +51,7 @@ def placed_curve(
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")
     if len(runs) > 1:
-        raise InputError(
-            f"the edges make {len(runs)} separate chains: a strip follows one chain of edges that meet "
-            "end to end"
-        )
+        raise InputError(_why_not_one(runs))
     return place_chain(runs[0], plane, AS_DRAWN if turned is None else np.asarray(turned, dtype=float))
 
 
@@ -86,6 +84,29 @@ def place_chain(
     across = frame.axes[:2]
     flat = [edge.mapped(across, -across @ frame.origin) for edge in run]
     return curve_from_run(flat, tolerance=JOIN), frame
+
+
+def _why_not_one(runs: Sequence[Run]) -> str:
+    """A sentence about several chains: the ends that were meant to meet, where there are such."""
+    ends = np.array([(run[0].start, run[-1].end) for run in runs])
+    between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)  # run, its end; other run, its end
+    between[np.arange(len(runs)), :, np.arange(len(runs))] = np.inf
+    run, side = np.unravel_index(between.argmin(), between.shape)[:2]
+    gap, (x, y, z) = between.min(), ends[run, side]
+    where = f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
+    if gap <= JOIN:
+        return (
+            f"three edges or more meet at {where}: a strip goes on in one way, so give only the edges that it is "
+            "to follow"
+        )
+    if gap <= MEANT * np.ptp(np.concatenate([edge.points for one in runs for edge in one]), axis=0).max():
+        return (
+            f"two edges end {gap:.3g} mm apart at {where}: make their ends meet there, in a sketch by a coincident "
+            "constraint"
+        )
+    return (
+        f"the edges make {len(runs)} separate chains: a strip follows one chain of edges that meet end to end"
+    )
 
 
 def _within(run: Sequence[Edge], plane: Frame) -> Frame:

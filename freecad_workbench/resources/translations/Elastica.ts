@@ -2715,6 +2715,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>two edges end %1 mm apart at %2: make their ends meet there, in a sketch by a coincident constraint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three edges or more meet at %1: a strip goes on in one way, so give only the edges that it is to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>
         <translation type="unfinished"></translation>
     </message>

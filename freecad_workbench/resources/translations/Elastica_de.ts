@@ -2731,6 +2731,14 @@
         <translation>die Kanten bilden %1 getrennte Ketten: ein Streifen folgt einer Kette von Kanten, die aneinanderstoßen</translation>
     </message>
     <message>
+        <source>two edges end %1 mm apart at %2: make their ends meet there, in a sketch by a coincident constraint</source>
+        <translation>zwei Kanten enden %1 mm auseinander bei %2: ihre Enden dort zusammenführen, in einer Skizze mit der Randbedingung Koinzident</translation>
+    </message>
+    <message>
+        <source>three edges or more meet at %1: a strip goes on in one way, so give only the edges that it is to follow</source>
+        <translation>drei oder mehr Kanten treffen sich bei %1: ein Streifen geht nur auf einem Weg weiter, also nur die Kanten angeben, denen er folgen soll</translation>
+    </message>
+    <message>
         <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>
         <translation>die Kurve liegt bis zu %1 mm neben der Ebene, die für sie angegeben ist: die Ebene nehmen, in der sie gezeichnet ist, oder keine</translation>
     </message>

@@ -2731,6 +2731,14 @@
         <translation>这些边组成 %1 条分离的链：条带只跟随一条首尾相接的链</translation>
     </message>
     <message>
+        <source>two edges end %1 mm apart at %2: make their ends meet there, in a sketch by a coincident constraint</source>
+        <translation>两条边的端点在 %2 处相距 %1 mm：请使端点在该处相接，草图中用重合约束</translation>
+    </message>
+    <message>
+        <source>three edges or more meet at %1: a strip goes on in one way, so give only the edges that it is to follow</source>
+        <translation>三条或更多的边在 %1 处相接：条带只沿一条路延续，请只给出它要沿着的边</translation>
+    </message>
+    <message>
         <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>
         <translation>曲线偏离给定平面达 %1 mm：请给出绘制它的平面，或不给</translation>
     </message>

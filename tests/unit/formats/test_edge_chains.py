@@ -184,6 +184,13 @@ def test_edges_that_do_not_make_one_smooth_chain_are_refused():
         placed_curve([side, up])
     with pytest.raises(InputError, match="make 2 separate chains"):
         placed_curve([side, Edge.polyline([(0, 9, 0), (40, 9, 0)])])
+    beyond = Edge.polyline([(40.3, 0, 0), (90, 0, 0)])
+    with pytest.raises(
+        InputError, match=r"two edges end 0\.3 mm apart at \(40, 0, 0\) mm: make their ends meet"
+    ):
+        placed_curve([side, beyond])
+    with pytest.raises(InputError, match=r"three edges or more meet at \(40, 0, 0\) mm"):
+        placed_curve([side, up, Edge.polyline([(40, 0, 0), (90, 0, 0)])])
     with pytest.raises(InputError, match="no edge was given: give at least one"):
         placed_curve([])
     with pytest.raises(InputError, match="the edge has no length: draw a curve"):
