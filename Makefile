@@ -38,9 +38,9 @@ lint: $(VENV)/test-installed
 	$(BIN)/lint-imports
 
 # The core on the oldest libraries that a Debian FreeCAD brings: numpy 1.24, scipy 1.10, no highspy, no ezdxf. The test
-# modules that say `pytestmark = pytest.mark.core` run there; the others are not even imported.
+# modules that say `pytestmark = pytest.mark.core` run there, without compiled kernels; the others are not even imported.
 test-core: .venv-core/installed
-	PYTHONPATH=. .venv-core/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" -m core \
+	ELASTICA_PURE=1 PYTHONPATH=. .venv-core/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" -m core \
 		tests/house tests/unit tests/properties tests/validation
 
 # Kernels: .venv has build123d and CadQuery together (OCP 7.9); here the newest of each, alone.

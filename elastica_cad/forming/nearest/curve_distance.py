@@ -5,11 +5,13 @@ from typing import Protocol
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.nearest.constraints.constraint import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
-from elastica_cad.forming.nearest.target_curve import TargetCurve
-from elastica_cad.forming.optimizer.dense_solves import gram
+from elastica_cad.forming.nearest.target_curve import TargetCurve, hermite
+from elastica_cad.forming.optimizer.dense_solves import gram, weighted_gram
 from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
 
 _MOST_EXACT = 8  # points whose distance is computed from all chords before a search tree is cheaper
@@ -47,11 +49,8 @@ class MeanDistance:
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Gauss-Newton: J^T W J and J^T W r."""
-        root = np.sqrt(self.shares)
-        columns = sensitivities.position.shape[2]
-        J = (sensitivities.position * root[:, None, None]).reshape(-1, columns)
-        r = ((rod.position - self.targets) * root[:, None]).ravel()
-        return _least_squares(J, r, rod.z.size)
+        J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
+        return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2), rod.z.size)
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,9 +75,9 @@ class ClosestDistance:
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Gauss-Newton across the target; along it a node slides freely."""
         off, normal = offsets(self.target, rod)
-        root = np.sqrt(self.shares)
-        J = _across(normal, sensitivities) * root[:, None]
-        return _least_squares(J, (off * normal).sum(axis=1) * root, rod.z.size)
+        return _least_squares(
+            _across(normal, sensitivities), (off * normal).sum(axis=1), self.shares, rod.z.size
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,13 +148,12 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
     return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
 
 
-def _least_squares(J: FloatArray, r: FloatArray, p: int) -> LocalModel:
-    """Model of |r + J d|^2 / 2; a closing column of J belongs to r."""
-    if J.shape[1] > p:
-        r = r + J[:, p]
+def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray, p: int) -> LocalModel:
+    """Model of half the mean square of r + J d, weighted by `shares` (k,); a closing column of J belongs to r."""
     joined = np.empty((J.shape[0], p + 1))
-    joined[:, :p], joined[:, p] = J[:, :p], r
-    product = gram(joined)
+    joined[:, : J.shape[1]] = J
+    joined[:, p] = r if J.shape[1] == p else joined[:, p] + r
+    product = weighted_gram(joined, shares)
     return LocalModel(
         0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
     )
@@ -163,11 +161,25 @@ def _least_squares(J: FloatArray, r: FloatArray, p: int) -> LocalModel:
 
 def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
     """Largest distance between the curve and the smooth curve through `nodes` (n, 2), in lengths, either way."""
-    from scipy.interpolate import CubicSpline
-
-    dense = np.linspace(0, 1, target.position.shape[0])
-    other = CubicSpline(np.linspace(0, 1, nodes.shape[0]), nodes)(dense)
+    other = _through(nodes, target.position.shape[0])
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
+
+
+def _through(nodes: FloatArray, count: int) -> FloatArray:
+    """Points (count, 2) at equal steps along the cubic spline through `nodes` (n, 2).
+
+    It has no knots next to its ends.
+    """
+    n = nodes.shape[0]
+    right = np.empty_like(nodes)
+    right[1:-1] = 3 * (nodes[2:] - nodes[:-2])
+    steps = nodes[[1, 2, -2, -1]] - nodes[[0, 1, -3, -2]]
+    right[0], right[-1] = (5 * steps[0] + steps[1]) / 2, (5 * steps[3] + steps[2]) / 2
+    diagonal, above = np.full(n, 4.0), np.ones(n - 1)
+    diagonal[[0, -1]] = 1.0
+    above[0] = 2.0
+    *_, slopes, _ = lapack().dgtsv(above[::-1], diagonal, above, right)
+    return hermite(nodes, slopes, np.linspace(0, 1, count))[0]
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
@@ -176,6 +188,10 @@ def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
     Where the chain runs beside them, distances from chords near by are upper bounds, and the largest is exact if
     no chord at all is nearer.
     """
+    if kernels is not None:
+        return kernels.largest_distance(
+            np.ascontiguousarray(points), np.ascontiguousarray(chain), np.empty(len(points))
+        )
     last = chain.shape[0] - 2
     chords = np.diff(chain, axis=0)
     squares = np.maximum((chords**2).sum(axis=1), 1e-300)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -226,13 +227,18 @@ class NearestTask:
     def distance(self, measure: Measure) -> Distance:
         """The measure of the distance from the target."""
         if measure == "mean":
-            targets, _ = self.target.at(np.linspace(0, 1, self.nodes))
-            return MeanDistance(targets, self._shares)
+            return self.mean_distance
         if measure == "closest":
             return ClosestDistance(self.target, self._shares)
         if measure == "max":
             return LargestDistance(self.target, self.weights / self.weights.max())
         raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
+
+    @cached_property
+    def mean_distance(self) -> MeanDistance:
+        """Arc length against arc length."""
+        targets, _ = self.target.at(np.linspace(0, 1, self.nodes))
+        return MeanDistance(targets, self._shares)
 
     @property
     def _shares(self) -> FloatArray:

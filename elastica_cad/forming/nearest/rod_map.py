@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, TypeAlias, cast
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
@@ -192,7 +193,7 @@ class StripGrid:
 
         return cast(CarriedWeight, rod.remembered("carried weight", summed))
 
-    @property
+    @cached_property
     def heavy(self) -> bool:
         """Is there weight?"""
         return bool(np.any(self.e))
@@ -217,10 +218,28 @@ class StripGrid:
         The linearised recursion couples each angle and moment to the two before it: one banded triangular solve
         for all columns. With `closing`, a last column p tells what brings the rod into balance to first order.
         """
+        columns = self.unknowns.count + closing
+        if kernels is None:
+            return self._sensitivities_in_python(rod, columns, closing)
+        sums, slopes = self.carried(rod) if self.heavy else (None, None)
+        angles, moments = np.empty((self.edges + 2, columns)), np.empty((self.edges + 1, columns))
+        position = np.empty((self.edges + 1, 2, columns))
+        kernels.sensitivities(
+            rod.stiffness, rod.moments, rod.all_angles, rod.tangents, rod.pull, rod.shear, self.shares,
+            self._rest, self.basis, self.e, sums, slopes, rod.length, rod.z[self.unknowns.moment],
+            rod.z[self.unknowns.angle], self.heavy, closing, angles, moments, position,
+        )  # fmt: skip
+        return Sensitivities(self, rod, angles, moments, position)
+
+    @cached_property
+    def _rest(self) -> FloatArray:
+        """kappa_0 of every node (n+1,)."""
+        return np.ascontiguousarray(np.broadcast_to(self.natural_curvature, self.shares.shape), dtype=float)
+
+    def _sensitivities_in_python(self, rod: MappedRod, columns: int, closing: bool) -> Sensitivities:
         n, u = self.edges, self.unknowns
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
-        columns = u.count + closing
 
         # unknowns alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; right-hand sides are what drives them
         right = np.zeros((2 * n + 1, columns), order="F")
@@ -284,6 +303,8 @@ class StripGrid:
         u = self.unknowns
         length = float(z[u.length])
         K = self.basis @ z[u.stiffness]
+        if not self.heavy:
+            return K, np.tile(z[u.force], (self.edges + 2, 1)), length
         weight = K if self.weight is None else self.weight(K)[0]
         load = (-length * self.shares * weight)[:, None] * self.e
         force = np.empty((self.edges + 2, 2))

@@ -243,7 +243,7 @@ def _ties(
 
 def _mean_distance(task: NearestTask, outcome: RodOutcome) -> float:
     """Root mean square distance, arc length against arc length, in lengths."""
-    return float(np.sqrt(2 * task.distance("mean").value(outcome.point)))
+    return float(np.sqrt(2 * task.mean_distance.value(outcome.point)))
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
@@ -346,4 +346,4 @@ def _start(
     z = np.clip(z, problem.lower, problem.upper)
     moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
     start = grid.assemble(z, angles, moments)
-    return lift(replace(problem, distance=task.distance("mean")), start, lifts)
+    return lift(replace(problem, distance=task.mean_distance), start, lifts)

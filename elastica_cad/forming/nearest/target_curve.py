@@ -46,15 +46,7 @@ class TargetCurve:
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Positions and unit-speed derivatives, each (n, 2), at arc lengths s (n,) in 0..1."""
-        spans = self.position.shape[0] - 1
-        h = 1 / spans
-        i = np.clip((s * spans).astype(int), 0, spans - 1)
-        u = (s * spans - i)[:, None]
-        p0, p1 = self.position[i], self.position[i + 1]
-        d0, d1 = (h * self._directions[k] for k in (i, i + 1))
-        chord = p1 - p0
-        a, b = 3 * chord - 2 * d0 - d1, d0 + d1 - 2 * chord
-        return p0 + u * (d0 + u * (a + u * b)), (d0 + u * (2 * a + 3 * u * b)) / h
+        return hermite(self.position, self._directions / (self.position.shape[0] - 1), s)
 
     def angles(self, s: FloatArray) -> FloatArray:
         """Angles (n,) at arc lengths s (n,) in 0..1."""
@@ -90,6 +82,20 @@ class TargetCurve:
     def diagonal(self) -> float:
         """Diagonal of the bounding box, in lengths."""
         return float(np.hypot(*np.ptp(self.position, axis=0)))
+
+
+def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Places, and their derivatives by s, each (k, 2), on the cubics through nodes (n, 2) at equal steps of 0..1.
+
+    `slopes` (n, 2) are the derivatives at the nodes, per step.
+    """
+    spans = position.shape[0] - 1
+    i = np.minimum(np.maximum((s * spans).astype(int), 0), spans - 1)
+    u = (s * spans - i)[:, None]
+    start, d0, d1 = position[i], slopes[i], slopes[i + 1]
+    chord = position[i + 1] - start
+    a, b = 3 * chord - 2 * d0 - d1, d0 + d1 - 2 * chord
+    return start + u * (d0 + u * (a + u * b)), (d0 + u * (2 * a + 3 * u * b)) * spans
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:

@@ -2,10 +2,13 @@
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 
 _UNTHREADED = 200_000  # multiplications of a product of matrices
 _UNTHREADED_ENTRIES = 9_000  # of a matrix times a vector
+_WELL_APART = 1e-3  # least over largest pivot of rows that a Cholesky factor tells apart to ten digits
 
 
 def matvec(A: FloatArray, x: FloatArray) -> FloatArray:
@@ -24,3 +27,21 @@ def gram(A: FloatArray) -> FloatArray:
         part = A[first : first + block]
         total += part.T @ part
     return total
+
+
+def weighted_gram(A: FloatArray, weights: FloatArray) -> FloatArray:
+    """A^T W A of a contiguous matrix (k, p) and weights (k,), 0 or more."""
+    if kernels is None:
+        return gram(A * np.sqrt(weights)[:, None])
+    product = np.empty((A.shape[1],) * 2)
+    kernels.weighted_gram(A, weights, product)
+    return product
+
+
+def least_step(J: FloatArray, gap: FloatArray) -> FloatArray:
+    """The least x (p,) with J x = gap (k,), in the sense of least squares where rows of J (k, p) are dependent."""
+    factor, step, info = lapack().dposv(gram(J.T), gap, lower=1)
+    pivots = factor.diagonal()
+    if info == 0 and pivots.min() > _WELL_APART * pivots.max():
+        return np.asarray(step @ J)
+    return np.asarray(np.linalg.lstsq(J, gap, rcond=1e-10)[0])

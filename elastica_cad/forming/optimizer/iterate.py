@@ -7,7 +7,7 @@ from typing import Generic
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.forming.optimizer.dense_solves import matvec
+from elastica_cad.forming.optimizer.dense_solves import least_step, matvec
 from elastica_cad.forming.optimizer.nonlinear_program import (
     ConstraintRows,
     Linearization,
@@ -143,7 +143,7 @@ def _with_active(
         free = find_free(program, local.z)
         s = program.scale[free]
         gap = active.aim[there] - rows.value[here]
-        change[:-1][free] = np.linalg.lstsq(rows.jacobian[np.ix_(here, free)] * s, gap, rcond=1e-10)[0] * s
+        change[:-1][free] = least_step(rows.jacobian[here][:, free] * s, gap) * s
     return Iterate(program, local, change, matvec(local.state_jacobian, change))
 
 

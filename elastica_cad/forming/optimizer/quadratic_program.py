@@ -1,10 +1,12 @@
 """Small dense convex quadratic programs whose rows may be broken at a price."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
+from elastica_cad._native import Kernels, kernels
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.forming.optimizer.dense_solves import gram
 
@@ -16,12 +18,19 @@ TOLERANCE = 1e-10  # relative: far below the error of the linear model
 _BACKOFF = 0.995  # of the way to the nearest bound, which interior points do not touch
 _MOST_GUESSES = 5  # of what binds, before interior points take over
 _MOST_GUESSES_NEAR = 12  # the same from the solution of a program like this one
+_MOST_GUESSES_COMPILED = 100  # where one takes a hundredth of what interior points take
+_PATIENCE = 3  # of those that come no nearer, after which one entry is changed at a time (Júdice and Pires)
+_MOST_COMPILED = 96  # unknowns and rows that are met: beyond, LAPACK's blocks are faster
 _GUESS_AT = 1e-2  # of the gradient: from here interior points tell what binds
 _CYCLING = 20  # factorisations after which the corrector may go round in circles, as in one of a thousand
 _CENTERED = 0.3  # of mu: what steps aim at from there on, without a corrector
 _BINDS = 1e-7  # of the gradient: bounds and rows with a larger multiplier bind
 _AT_PRICE = 1 - 1e-6  # of a row's price: a row with a larger multiplier is broken
 _ROUNDING = 1e-15  # rows that say nearly the same may not make the system singular
+
+_Plain: TypeAlias = tuple[
+    FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,19 +99,56 @@ def solve_quadratic(
     """
     if not program.gradient.size:
         return _without_unknowns(program)
-    lower, upper = program.lower, program.upper
-    fixed = upper - lower < 1e-14 * (1 + np.abs(lower))
-    if np.any(fixed):
-        return _without(program, fixed, accuracy, near)
+    fixed = program.upper - program.lower < 1e-14 * (1 + np.abs(program.lower))
+    if fixed.all():
+        return _without_unknowns(program, at=program.lower)
     start = None
     if near is not None and (near.x.size, near.row_multipliers.size) == (
         program.gradient.size,
         program.right.size,
     ):
-        start = _Binding.of(near, program)
-    easy = _by_active_sets(program, start)
+        start = _Binding.of(near, program, fixed)
+    easy = _by_active_sets(program, fixed, start)
     if easy is not None:
         return easy
+    return _without(program, fixed, accuracy) if np.any(fixed) else _by_interior_points(program, accuracy)
+
+
+def _by_interior_points(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
+    """The minimum where every unknown has room, from its middle; guesses of what binds are tried on the way."""
+    if kernels is None or program.right.size > _MOST_COMPILED:
+        return _step_in_python(program, accuracy)
+    out = _empty_solution(program)
+    settings = (
+        accuracy, TOLERANCE, _GUESS_AT, _BACKOFF, _CENTERED, _ROUNDING,
+        _CYCLING, MOST_FACTORISATIONS, _MOST_GUESSES_COMPILED, _PATIENCE,
+    )  # fmt: skip
+    none = np.zeros(program.gradient.size, dtype=bool)
+    status, steps = kernels.interior_points(*_plain(program, none), settings, *out)
+    return QuadraticSolution(*out, status > 0, steps)
+
+
+def _plain(program: QuadraticProgram, fixed: BoolArray) -> _Plain:
+    """The program as compiled code takes it."""
+    p = program
+    H, A, r, one_sided = _numbers(p.hessian), _numbers(p.rows), _numbers(p.right), _numbers(p.one_sided)
+    lower, upper, given = _numbers(p.lower), _numbers(p.upper), _numbers(fixed)
+    return H, _numbers(p.gradient), lower, upper, A, r, _numbers(p.price), one_sided, given
+
+
+def _numbers(values: FloatArray | BoolArray) -> FloatArray:
+    return np.ascontiguousarray(values, dtype=float)
+
+
+def _empty_solution(program: QuadraticProgram) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Room for x and the multipliers of rows and bounds."""
+    x, low, high = np.empty((3, program.gradient.size))
+    return x, np.empty(program.right.size), low, high
+
+
+def _step_in_python(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
+    lower, upper = program.lower, program.upper
+    none = np.zeros(lower.size, dtype=bool)
     H, A, r = program.hessian, program.rows, program.right
     scale = 1 / max(1e-30, float(np.abs(program.gradient).max()), float(np.abs(np.diag(H)).max()))
     H, g, y_high = H * scale, program.gradient * scale, program.price * scale
@@ -137,7 +183,7 @@ def solve_quadratic(
             nearer, wide = u < v, u[down] < v[down]
             met = ~(nearer[up] | wide)
             broken = np.where(wide, 1.0, np.where(nearer[up] & ~program.one_sided, -1.0, 0.0))
-            exact = _by_active_sets(program, _Binding(nearer[low], nearer[high], met, broken))
+            exact = _by_active_sets(program, none, _Binding(nearer[low], nearer[high], met, broken))
             if exact is not None:
                 return exact
             guess_at = 0.0
@@ -179,12 +225,13 @@ class _Binding:
     broken: FloatArray
 
     @classmethod
-    def of(cls, solution: QuadraticSolution, program: QuadraticProgram) -> "_Binding":
+    def of(cls, solution: QuadraticSolution, program: QuadraticProgram, fixed: BoolArray) -> "_Binding":
         """What binds in a solution of a program like this one."""
         y, least = solution.row_multipliers, _BINDS * float(np.abs(program.gradient).max())
         broken = _broken(program, y, _AT_PRICE)
         met = (~program.one_sided | (y > least)) & (broken == 0)
-        return cls(solution.lower_multipliers > least, solution.upper_multipliers > least, met, broken)
+        low, high = solution.lower_multipliers > least, solution.upper_multipliers > least
+        return cls(low & ~fixed, high & ~fixed, met, broken)
 
     def differs(self, other: "_Binding") -> int:
         """In how many places."""
@@ -198,20 +245,44 @@ def _broken(program: QuadraticProgram, y: FloatArray, share: float) -> FloatArra
     return np.where(y > most, 1.0, np.where(~program.one_sided & (y < -most), -1.0, 0.0))
 
 
-def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> QuadraticSolution | None:
+def _by_active_sets(
+    program: QuadraticProgram, fixed: BoolArray, start: _Binding | None
+) -> QuadraticSolution | None:
     """The exact minimum where guessing what binds settles at once, as it does where few bounds bind.
 
     What is passed binds in the next guess, and what pulls inwards does no more (primal-dual active sets); None
     as soon as the guesses do not come nearer to each other, or where those that began from `start` do not settle.
     """
+    none = np.zeros(fixed.size, dtype=bool)
+    bound = start or _Binding(none, none, ~program.one_sided, np.zeros(program.right.size))
+    if kernels is not None and fixed.size + int(np.count_nonzero(bound.met)) <= _MOST_COMPILED:
+        return _guess_compiled(kernels, program, fixed, bound)
+    most = _MOST_GUESSES if start is None else _MOST_GUESSES_NEAR
+    return _guess_in_python(program, fixed, bound, most, start is not None)
+
+
+def _guess_compiled(
+    kernels: Kernels, program: QuadraticProgram, fixed: BoolArray, bound: _Binding
+) -> QuadraticSolution | None:
+    """The guesses of `_guess_in_python` by their compiled twin."""
+    out = _empty_solution(program)
+    low, high, met = (one.astype(float) for one in (bound.low, bound.high, bound.met))
+    guesses = kernels.active_sets(
+        *_plain(program, fixed), low, high, met, bound.broken.copy(), _MOST_GUESSES_COMPILED, _PATIENCE, *out
+    )
+    return QuadraticSolution(*out, True, guesses) if guesses else None
+
+
+def _guess_in_python(
+    program: QuadraticProgram, fixed: BoolArray, bound: _Binding, most: int, from_start: bool
+) -> QuadraticSolution | None:
     H, g, A, r = program.hessian, program.gradient, program.rows, program.right
     lower, upper, price, one_sided = program.lower, program.upper, program.price, program.one_sided
-    none = np.zeros(g.size, dtype=bool)
-    bound = start or _Binding(none, none, ~one_sided, np.zeros(r.size))
-    changed = g.size
-    for guess in range(_MOST_GUESSES if start is None else _MOST_GUESSES_NEAR):
-        free = ~(bound.low | bound.high)
-        x, y = np.where(bound.low, lower, np.where(bound.high, upper, 0.0)), bound.broken * price
+    changed = int(np.count_nonzero(~fixed))
+    for guess in range(most):
+        at_lower = bound.low | fixed
+        free = ~(at_lower | bound.high)
+        x, y = np.where(at_lower, lower, np.where(bound.high, upper, 0.0)), bound.broken * price
         inner, count = A[bound.met][:, free], int(free.sum())
         system = np.zeros((count + inner.shape[0],) * 2)
         system[:count, :count] = H[free][:, free]
@@ -235,9 +306,10 @@ def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> Quadra
         )
         before, changed = changed, bound.differs(following)
         if changed == 0:
-            low, high = np.where(bound.low, pull, 0.0), np.where(bound.high, -pull, 0.0)
+            low = np.where(bound.low, pull, np.where(fixed, np.maximum(pull, 0), 0.0))
+            high = np.where(bound.high, -pull, np.where(fixed, np.maximum(-pull, 0), 0.0))
             return QuadraticSolution(x, y, low, high, True, guess + 1)
-        if start is None and 2 * changed > before:
+        if not from_start and 2 * changed > before:
             return None
         bound = following
     return None
@@ -287,30 +359,27 @@ def _largest(values: FloatArray) -> float:
     return float(np.abs(values).max()) if values.size else 0.0
 
 
-def _without_unknowns(program: QuadraticProgram) -> QuadraticSolution:
-    """Nothing to choose: rows that are broken cost their price."""
-    none = np.zeros(0)
-    broken = np.where(program.one_sided, program.right > 0, np.sign(program.right))
-    return QuadraticSolution(none, program.price * broken, none, none, True, 0)
+def _without_unknowns(program: QuadraticProgram, at: FloatArray | None = None) -> QuadraticSolution:
+    """Nothing to choose: rows that are broken cost their price; every unknown is given, or there is none."""
+    x = np.zeros(0) if at is None else at
+    gap = program.right - program.rows @ x
+    broken = np.where(program.one_sided, gap > 0, np.sign(gap))
+    y = program.price * broken
+    pull = program.hessian @ x + program.gradient - y @ program.rows
+    return QuadraticSolution(x, y, np.maximum(pull, 0), np.maximum(-pull, 0), True, 0)
 
 
-def _without(
-    program: QuadraticProgram, fixed: BoolArray, accuracy: float, near: QuadraticSolution | None
-) -> QuadraticSolution:
-    """The program with its fixed unknowns put in."""
+def _without(program: QuadraticProgram, fixed: BoolArray, accuracy: float) -> QuadraticSolution:
+    """The program with its fixed unknowns put in, by interior points."""
     free = ~fixed
-    if near is not None and near.x.size == free.size:
-        low, high = near.lower_multipliers[free], near.upper_multipliers[free]
-        near = replace(near, x=near.x[free], lower_multipliers=low, upper_multipliers=high)
     known = np.where(fixed, program.lower, 0.0)
-    inner = solve_quadratic(
+    inner = _by_interior_points(
         QuadraticProgram(
             program.hessian[np.ix_(free, free)], (program.gradient + program.hessian @ known)[free],
             program.lower[free], program.upper[free], np.ascontiguousarray(program.rows[:, free]),
             program.right - program.rows @ known, program.price, program.one_sided,
         ),
-        accuracy=accuracy,
-        near=near,
+        accuracy,
     )  # fmt: skip
     x = known.copy()
     x[free] = inner.x

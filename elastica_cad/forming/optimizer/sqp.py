@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.optimizer.dense_solves import matvec
+from elastica_cad.forming.optimizer.dense_solves import least_step, matvec
 from elastica_cad.forming.optimizer.iterate import (
     ActiveSet,
     Iterate,
@@ -295,7 +295,7 @@ def _least_step(
     """The least step that changes equalities by `aim`, and the limits that are touched."""
     touched, free = ~rows.one_sided | (rows.value < _TOUCHED), find_free(program, z)
     s, step = program.scale[free], np.zeros(z.size)
-    step[free] = np.linalg.lstsq(rows.jacobian[np.ix_(touched, free)] * s, aim[touched], rcond=1e-10)[0] * s
+    step[free] = least_step(rows.jacobian[touched][:, free] * s, aim[touched]) * s
     return step
 
 

@@ -2,10 +2,12 @@
 
 import math
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
@@ -14,6 +16,7 @@ MOST_STEPS = 240  # of Lanczos iteration, which takes a few dozen
 _SMOOTH = 10  # polynomials among which a lowest mode is sought first
 _ROUGH = 40  # edges, below which ten polynomials are no smooth modes
 _REFINEMENTS = 8  # Rayleigh quotients: each triples the digits
+_SETTLED = 1e-5  # of a mode's size: a quotient that changes by less has all its digits, as its error is cubed
 _UNTHREADED = 5000  # entries, up to which BLAS starts no threads
 _EPS = float(np.finfo(float).eps)
 _SINGULAR = 16 * _EPS  # of a matrix: an eigenvalue that is rounding
@@ -195,6 +198,43 @@ def lowest_constrained(
     raise NotConvergedError("the lowest mode of the rod was not found")
 
 
+class ConstrainedMode(NamedTuple):
+    """The lowest eigenvalue of A v = mu W v on C v = 0, its v (n,), and nu (k,) of A v - mu W v = C^t nu."""
+
+    value: float
+    mode: FloatArray
+    multipliers: FloatArray
+
+
+def lowest_weighted(
+    diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray
+) -> ConstrainedMode:
+    """The lowest mode of a tridiagonal matrix A against the weights `lengths` (n,) where `rows` (k, n) vanish.
+
+    v^t W v = 1, its largest entry positive.
+    """
+    if kernels is not None and diagonal.size >= _ROUGH:
+        mode, nu = np.empty(diagonal.size), np.empty(2)
+        settings = _SMOOTH, _REFINEMENTS, RANK_TOLERANCE, _SINGULAR, _EPS, _SETTLED
+        value = kernels.lowest_mode(
+            diagonal, off, lengths, rows, _polynomials(diagonal.size), settings, mode, nu
+        )
+        if value is not None:
+            return ConstrainedMode(value, mode, nu[: len(rows)])
+    root = np.sqrt(lengths)
+    values, vectors = lowest_constrained(diagonal / lengths, off / (root[:-1] * root[1:]), rows / root)
+    v = vectors[0] / root
+    v = v if v[np.argmax(np.abs(v))] > 0 else -v
+    if not len(rows):
+        return ConstrainedMode(float(values[0]), v, np.zeros(0))
+    left = diagonal * v - values[0] * lengths * v
+    left[1:] += off * v[:-1]
+    left[:-1] += off * v[1:]
+    per_length = rows / lengths
+    nu = small_solution(np.einsum("in,jn->ij", per_length, rows), np.einsum("in,n->i", per_length, left))
+    return ConstrainedMode(float(values[0]), v, nu)
+
+
 def _smooth_mode(
     diagonal: FloatArray, off: FloatArray, basis: FloatArray, reach: float
 ) -> tuple[FloatArray, FloatArray] | None:
@@ -227,7 +267,7 @@ def _smooth_mode(
         x /= size
         change = float(_along(x[None], right[:, 0])[0]) / size
         value += change
-        if abs(change) < 1e-5 * scale:
+        if abs(change) < _SETTLED * scale:
             below = value - max(1e-9 / n**2, 64 * np.finfo(float).eps) * reach
             sure = _inertia(diagonal, off, basis, below) == 0
             return (np.array([value]), x[None]) if sure else None

@@ -15,8 +15,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import (
     RANK_TOLERANCE,
     constrained_inertia,
-    lowest_constrained,
-    small_solution,
+    lowest_weighted,
 )
 
 
@@ -240,22 +239,11 @@ class DiscreteRod:
     @cached_property
     def margin(self) -> Margin:
         """Stability margin, O(n); positive means stable."""
-        lengths, rows = self.edge_lengths, self.constraint_rows
-        diagonal, off = self.hessian
-        root = np.sqrt(lengths)
-        values, vectors = lowest_constrained(diagonal / lengths, off / (root[:-1] * root[1:]), rows / root)
-        v = vectors[0] / root
-        v = v if v[np.argmax(np.abs(v))] > 0 else -v
+        lengths = self.edge_lengths
+        lowest = lowest_weighted(*self.hessian, lengths, self.constraint_rows)
         nu = np.zeros(2)
-        if self.held:
-            left = diagonal * v - values[0] * lengths * v
-            left[1:] += off * v[:-1]
-            left[:-1] += off * v[1:]
-            per_length = rows / lengths
-            nu[list(self.held)] = small_solution(
-                np.einsum("in,jn->ij", per_length, rows), np.einsum("in,n->i", per_length, left)
-            )
-        return Margin(float(values[0] * lengths.sum() ** 2), v, nu)
+        nu[list(self.held)] = lowest.multipliers
+        return Margin(lowest.value * float(lengths.sum()) ** 2, lowest.mode, nu)
 
     @cached_property
     def margin_derivatives(self) -> MarginDerivatives:

@@ -4,6 +4,7 @@ from math import cos, nan, sin
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 
 _WOUND_UP_RAD = 1e6  # no strip winds up so far, and cos and sin lose ten digits there
@@ -56,11 +57,20 @@ def shoot(
     >>> round(float(angles[-1]), 6)
     1.570796
     """
-    n = stiffness.size - 1
-    bend = (w / stiffness).tolist()
-    rest = np.broadcast_to(w * natural_curvature, w.shape).tolist()
-    pull_x, pull_y = (edge_length * force[:, 1]).tolist(), (-edge_length * force[:, 0]).tolist()
-    alpha, M = float(angle), float(moment)
+    bends, rests = w / stiffness, np.ascontiguousarray(np.broadcast_to(w * natural_curvature, w.shape))
+    across, along = edge_length * force[:, 1], -edge_length * force[:, 0]
+    if kernels is None:
+        return _shoot_in_python(bends, rests, across, along, float(moment), float(angle))
+    out = np.empty(w.size + 1), np.empty(w.size)
+    kernels.shoot(bends, rests, across, along, float(moment), float(angle), _WOUND_UP_RAD, *out)
+    return out
+
+
+def _shoot_in_python(
+    bends: FloatArray, rests: FloatArray, across: FloatArray, along: FloatArray, M: float, alpha: float
+) -> tuple[FloatArray, FloatArray]:
+    n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
+    pull_x, pull_y = across.tolist(), along.tolist()
     angles, moments = [alpha], [M]
     for i in range(n):  # plain floats: an array expression a step would cost twenty times as much
         alpha += bend[i] * M + rest[i]

@@ -1,0 +1,71 @@
+"""Compiled twins of the inner loops of form-finding; without them Python does the same more slowly.
+
+`kernels` is None where the package was built without a C compiler, and where the environment has ELASTICA_PURE. The
+functions in Python stay what is meant: tests compare each kernel with its twin to 1e-12.
+"""
+
+import os
+from importlib import import_module
+from typing import Protocol, cast
+
+from elastica_cad._types import FloatArray
+
+
+class Kernels(Protocol):
+    """The compiled functions. Arrays are contiguous float64, the last arguments are filled; truth is 0 or 1."""
+
+    def shoot(
+        self, bend: FloatArray, rest: FloatArray, pull_x: FloatArray, pull_y: FloatArray, moment: float,
+        angle: float, wound_up: float, angles: FloatArray, moments: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """The recursion of `mechanics.rod.shooting.shoot`."""
+
+    def sensitivities(
+        self, stiffness: FloatArray, moments: FloatArray, all_angles: FloatArray, tangents: FloatArray,
+        pull: FloatArray, shear: FloatArray, shares: FloatArray, rest: FloatArray, basis: FloatArray,
+        e: FloatArray, carried_sums: FloatArray | None, carried_slopes: FloatArray | None, length: float,
+        start_moment: float, start_angle: float, heavy: bool, closing: bool, by_angles: FloatArray,
+        by_moments: FloatArray, by_position: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """The derivatives of `forming.nearest.rod_map.StripGrid.sensitivities`."""
+
+    def weighted_gram(self, A: FloatArray, weights: FloatArray, product: FloatArray, /) -> None:
+        """A^T W A of `forming.optimizer.dense_solves.weighted_gram`."""
+
+    def largest_distance(self, points: FloatArray, chain: FloatArray, bounds: FloatArray, /) -> float:
+        """That of `forming.nearest.curve_distance`; `bounds` (n,) is room."""
+
+    def active_sets(
+        self, hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray,
+        rows: FloatArray, right: FloatArray, price: FloatArray, one_sided: FloatArray, fixed: FloatArray,
+        low: FloatArray, high: FloatArray, met: FloatArray, broken: FloatArray, most_guesses: int,
+        patience: int, x: FloatArray, y: FloatArray, at_lower: FloatArray, at_upper: FloatArray, /,
+    ) -> int:  # fmt: skip
+        """The guesses of `forming.optimizer.quadratic_program`: which one settled, 0 where none did."""
+
+    def interior_points(
+        self, hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray,
+        rows: FloatArray, right: FloatArray, price: FloatArray, one_sided: FloatArray, fixed: FloatArray,
+        settings: tuple[float, float, float, float, float, float, int, int, int, int],
+        x: FloatArray, y: FloatArray, at_lower: FloatArray, at_upper: FloatArray, /,
+    ) -> tuple[int, int]:  # fmt: skip
+        """The steps of the same module: 0, 1 where they converge or 2 where a guess settled, and their count."""
+
+    def lowest_mode(
+        self, diagonal: FloatArray, off: FloatArray, lengths: FloatArray, constraint_rows: FloatArray,
+        polynomials: FloatArray, settings: tuple[int, int, float, float, float, float],
+        mode: FloatArray, multipliers: FloatArray, /,
+    ) -> float | None:  # fmt: skip
+        """The margin of `mechanics.rod.discrete_rod.DiscreteRod` with its mode, where that is smooth."""
+
+
+def _found() -> Kernels | None:
+    if os.environ.get("ELASTICA_PURE"):
+        return None
+    try:
+        return cast(Kernels, import_module("elastica_cad._native.kernels"))
+    except ImportError:
+        return None
+
+
+kernels = _found()

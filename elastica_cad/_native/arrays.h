@@ -1,0 +1,22 @@
+/* Arrays as Python hands them over: contiguous numbers of eight bytes, borrowed while a kernel runs. */
+#ifndef ELASTICA_ARRAYS_H
+#define ELASTICA_ARRAYS_H
+
+#include <Python.h>
+
+#define MOST_ARRAYS 24
+
+typedef struct {
+    Py_buffer views[MOST_ARRAYS];
+    int count;
+} Borrowed;
+
+/* The numbers of `object`, which must hold `size` of them; NULL with a Python error where it does not. */
+double *borrow(Borrowed *borrowed, PyObject *object, Py_ssize_t size, int writable, const char *name);
+
+/* How many numbers an array holds; -1 with a Python error where it is none. */
+Py_ssize_t array_size(PyObject *object);
+
+void give_back(Borrowed *borrowed);
+
+#endif

@@ -1,0 +1,269 @@
+/* What Python sees: each function checks and borrows its arrays, runs a kernel without Python, and gives them back. */
+#include "kernels.h"
+
+#define BORROW(target, object, size, name) \
+    if ((target = borrow(&arrays, object, size, 0, name)) == NULL) goto done
+#define BORROW_OUT(target, object, size, name) \
+    if ((target = borrow(&arrays, object, size, 1, name)) == NULL) goto done
+
+static PyObject *py_shoot(PyObject *module, PyObject *arguments)
+{
+    PyObject *bends, *rests, *across, *along, *out_angles, *out_moments, *answer = NULL;
+    double moment, angle, wound_up;
+    if (!PyArg_ParseTuple(arguments, "OOOOdddOO", &bends, &rests, &across, &along, &moment, &angle, &wound_up,
+                          &out_angles, &out_moments))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *bend, *rest, *pull_x, *pull_y;
+    double *angles, *moments;
+    const Py_ssize_t nodes = array_size(bends);
+    if (nodes < 1)
+        return NULL;
+    BORROW(bend, bends, nodes, "bend");
+    BORROW(rest, rests, nodes, "rest");
+    BORROW(pull_x, across, nodes - 1, "pull_x");
+    BORROW(pull_y, along, nodes - 1, "pull_y");
+    BORROW_OUT(angles, out_angles, nodes + 1, "angles");
+    BORROW_OUT(moments, out_moments, nodes, "moments");
+    Py_BEGIN_ALLOW_THREADS
+    shoot(nodes - 1, bend, rest, pull_x, pull_y, moment, angle, wound_up, angles, moments);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+static PyObject *py_sensitivities(PyObject *module, PyObject *arguments)
+{
+    PyObject *of_rod[6], *of_grid[4], *of_weight[2], *out[3], *answer = NULL;
+    RodAt rod;
+    if (!PyArg_ParseTuple(arguments, "OOOOOOOOOOOOdddppOOO", &of_rod[0], &of_rod[1], &of_rod[2], &of_rod[3],
+                          &of_rod[4], &of_rod[5], &of_grid[0], &of_grid[1], &of_grid[2], &of_grid[3], &of_weight[0],
+                          &of_weight[1], &rod.length, &rod.start_moment, &rod.start_angle, &rod.heavy, &rod.closing,
+                          &out[0], &out[1], &out[2]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    double *angles, *moments, *position;
+    const Py_ssize_t nodes = array_size(of_rod[0]), entries = array_size(of_grid[2]);
+    if (nodes < 2 || entries < 0) {
+        if (!PyErr_Occurred())
+            PyErr_SetString(PyExc_ValueError, "a rod has two nodes or more");
+        return NULL;
+    }
+    rod.edges = nodes - 1;
+    rod.coefficients = entries / nodes;
+    rod.columns = rod.coefficients + 7 + rod.closing;
+    BORROW(rod.stiffness, of_rod[0], nodes, "stiffness");
+    BORROW(rod.moments, of_rod[1], nodes, "moments");
+    BORROW(rod.all_angles, of_rod[2], nodes + 1, "all_angles");
+    BORROW(rod.tangents, of_rod[3], 2 * rod.edges, "tangents");
+    BORROW(rod.pull, of_rod[4], rod.edges, "pull");
+    BORROW(rod.shear, of_rod[5], rod.edges, "shear");
+    BORROW(rod.shares, of_grid[0], nodes, "shares");
+    BORROW(rod.rest, of_grid[1], nodes, "rest");
+    BORROW(rod.basis, of_grid[2], nodes * rod.coefficients, "basis");
+    BORROW(rod.e, of_grid[3], 2, "e");
+    if (rod.heavy) {
+        BORROW(rod.carried_sums, of_weight[0], nodes, "carried_sums");
+        BORROW(rod.carried_slopes, of_weight[1], nodes * rod.coefficients, "carried_slopes");
+    }
+    BORROW_OUT(angles, out[0], (nodes + 1) * rod.columns, "angles");
+    BORROW_OUT(moments, out[1], nodes * rod.columns, "moments");
+    BORROW_OUT(position, out[2], 2 * nodes * rod.columns, "position");
+    Py_BEGIN_ALLOW_THREADS
+    sensitivities(&rod, angles, moments, position);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+static PyObject *py_weighted_gram(PyObject *module, PyObject *arguments)
+{
+    PyObject *matrix, *shares, *out, *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOO", &matrix, &shares, &out))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *A, *weights;
+    double *product;
+    const Py_ssize_t rows = array_size(shares), entries = array_size(matrix);
+    if (rows < 1 || entries < 0) {
+        if (!PyErr_Occurred())
+            PyErr_SetString(PyExc_ValueError, "there is no row to weigh");
+        return NULL;
+    }
+    const Py_ssize_t columns = entries / rows;
+    BORROW(A, matrix, rows * columns, "A");
+    BORROW(weights, shares, rows, "weights");
+    BORROW_OUT(product, out, columns * columns, "product");
+    Py_BEGIN_ALLOW_THREADS
+    weighted_gram(rows, columns, A, weights, product);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+/* The nine arrays of a quadratic program; 0 with a Python error where one does not fit. */
+static int borrow_program(Borrowed *arrays, PyObject **given, Quadratic *q)
+{
+    const Py_ssize_t n = array_size(given[1]), m = array_size(given[5]);
+    q->unknowns = n;
+    q->rows = m;
+    return n >= 0 && m >= 0 && (q->hessian = borrow(arrays, given[0], n * n, 0, "hessian")) &&
+           (q->gradient = borrow(arrays, given[1], n, 0, "gradient")) &&
+           (q->lower = borrow(arrays, given[2], n, 0, "lower")) &&
+           (q->upper = borrow(arrays, given[3], n, 0, "upper")) &&
+           (q->A = borrow(arrays, given[4], m * n, 0, "rows")) &&
+           (q->right = borrow(arrays, given[5], m, 0, "right")) &&
+           (q->price = borrow(arrays, given[6], m, 0, "price")) &&
+           (q->one_sided = borrow(arrays, given[7], m, 0, "one_sided")) &&
+           (q->fixed = borrow(arrays, given[8], n, 0, "fixed"));
+}
+
+static PyObject *py_largest_distance(PyObject *module, PyObject *arguments)
+{
+    PyObject *given, *line, *room, *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOO", &given, &line, &room))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *points, *chain;
+    double *bounds, distance;
+    const Py_ssize_t count = array_size(room), entries = array_size(line);
+    if (count < 1 || entries < 4) {
+        if (!PyErr_Occurred())
+            PyErr_SetString(PyExc_ValueError, "a distance asks for one point and two nodes or more");
+        return NULL;
+    }
+    BORROW(points, given, 2 * count, "points");
+    BORROW(chain, line, entries, "chain");
+    BORROW_OUT(bounds, room, count, "bounds");
+    Py_BEGIN_ALLOW_THREADS
+    distance = largest_distance(count, points, entries / 2, chain, bounds);
+    Py_END_ALLOW_THREADS
+    answer = PyFloat_FromDouble(distance);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+static PyObject *py_active_sets(PyObject *module, PyObject *arguments)
+{
+    PyObject *given[9], *guessed[4], *out[4], *answer = NULL;
+    int most_guesses, patience, settled;
+    Quadratic q;
+    if (!PyArg_ParseTuple(arguments, "OOOOOOOOOOOOOiiOOOO", &given[0], &given[1], &given[2], &given[3], &given[4],
+                          &given[5], &given[6], &given[7], &given[8], &guessed[0], &guessed[1], &guessed[2],
+                          &guessed[3], &most_guesses, &patience, &out[0], &out[1], &out[2], &out[3]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    double *low, *high, *met, *broken, *x, *y, *at_lower, *at_upper;
+    if (!borrow_program(&arrays, given, &q))
+        goto done;
+    const Py_ssize_t n = q.unknowns, m = q.rows;
+    BORROW_OUT(low, guessed[0], n, "low");
+    BORROW_OUT(high, guessed[1], n, "high");
+    BORROW_OUT(met, guessed[2], m, "met");
+    BORROW_OUT(broken, guessed[3], m, "broken");
+    BORROW_OUT(x, out[0], n, "x");
+    BORROW_OUT(y, out[1], m, "row_multipliers");
+    BORROW_OUT(at_lower, out[2], n, "lower_multipliers");
+    BORROW_OUT(at_upper, out[3], n, "upper_multipliers");
+    Py_BEGIN_ALLOW_THREADS
+    settled = active_sets(&q, low, high, met, broken, most_guesses, patience, x, y, at_lower, at_upper);
+    Py_END_ALLOW_THREADS
+    answer = settled < 0 ? PyErr_NoMemory() : PyLong_FromLong(settled);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+static PyObject *py_interior_points(PyObject *module, PyObject *arguments)
+{
+    PyObject *given[9], *out[4], *answer = NULL;
+    int status, iterations = 0;
+    Quadratic q;
+    InteriorSettings set;
+    if (!PyArg_ParseTuple(arguments, "OOOOOOOOO(ddddddiiii)OOOO", &given[0], &given[1], &given[2], &given[3],
+                          &given[4], &given[5], &given[6], &given[7], &given[8], &set.accuracy, &set.feasible,
+                          &set.guess_at, &set.backoff, &set.centered, &set.rounding, &set.cycling,
+                          &set.most_factorisations, &set.most_guesses, &set.patience, &out[0], &out[1], &out[2],
+                          &out[3]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    double *x, *y, *at_lower, *at_upper;
+    if (!borrow_program(&arrays, given, &q))
+        goto done;
+    BORROW_OUT(x, out[0], q.unknowns, "x");
+    BORROW_OUT(y, out[1], q.rows, "row_multipliers");
+    BORROW_OUT(at_lower, out[2], q.unknowns, "lower_multipliers");
+    BORROW_OUT(at_upper, out[3], q.unknowns, "upper_multipliers");
+    Py_BEGIN_ALLOW_THREADS
+    status = interior_points(&q, &set, x, y, at_lower, at_upper, &iterations);
+    Py_END_ALLOW_THREADS
+    answer = status < 0 ? PyErr_NoMemory() : Py_BuildValue("ii", status, iterations);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+static PyObject *py_lowest_mode(PyObject *module, PyObject *arguments)
+{
+    PyObject *given[5], *out[2], *answer = NULL;
+    SecondVariation v;
+    int found = 0;
+    if (!PyArg_ParseTuple(arguments, "OOOOO(iidddd)OO", &given[0], &given[1], &given[2], &given[3], &given[4],
+                          &v.smooth, &v.refinements, &v.rank_tolerance, &v.singular, &v.rounding, &v.settled, &out[0],
+                          &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    double *mode, *multipliers, value = 0.0;
+    const Py_ssize_t n = array_size(given[0]), entries = array_size(given[3]);
+    if (n < 2 || entries < 0 || entries > 2 * n || v.smooth < 1 || v.smooth > 16) {
+        if (!PyErr_Occurred())
+            PyErr_SetString(PyExc_ValueError, "a mode has two edges or more, at most two rows and 16 polynomials");
+        return NULL;
+    }
+    v.edges = n;
+    v.rows = (int)(entries / n);
+    BORROW(v.diagonal, given[0], n, "diagonal");
+    BORROW(v.off, given[1], n - 1, "off");
+    BORROW(v.lengths, given[2], n, "lengths");
+    BORROW(v.constraints, given[3], v.rows * n, "constraint_rows");
+    BORROW(v.polynomials, given[4], n * v.smooth, "polynomials");
+    BORROW_OUT(mode, out[0], n, "mode");
+    BORROW_OUT(multipliers, out[1], 2, "multipliers");
+    Py_BEGIN_ALLOW_THREADS
+    found = lowest_mode(&v, mode, multipliers, &value);
+    Py_END_ALLOW_THREADS
+    if (found < 0)
+        PyErr_NoMemory();
+    else
+        answer = found ? PyFloat_FromDouble(value) : Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+static PyMethodDef functions[] = {
+    {"shoot", py_shoot, METH_VARARGS, NULL},
+    {"sensitivities", py_sensitivities, METH_VARARGS, NULL},
+    {"weighted_gram", py_weighted_gram, METH_VARARGS, NULL},
+    {"largest_distance", py_largest_distance, METH_VARARGS, NULL},
+    {"active_sets", py_active_sets, METH_VARARGS, NULL},
+    {"lowest_mode", py_lowest_mode, METH_VARARGS, NULL},
+    {"interior_points", py_interior_points, METH_VARARGS, NULL},
+    {NULL, NULL, 0, NULL},
+};
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "elastica_cad._native.kernels", NULL, 0, functions, NULL, NULL, NULL, NULL,
+};
+
+PyMODINIT_FUNC PyInit_kernels(void)
+{
+    return PyModuleDef_Init(&definition);
+}

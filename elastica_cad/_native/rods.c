@@ -1,0 +1,161 @@
+/* The discrete rod (paper, section 7.1) from its start: shooting, and the derivatives of all it reaches.
+
+   The same recursions as mechanics/rod/shooting.py and forming/nearest/rod_map.py, where they are explained. */
+#include "kernels.h"
+
+#include <math.h>
+
+#define MOST_WALKS 8 /* from chord to chord towards the foot of a point, which takes two or three */
+
+void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *pull_x, const double *pull_y,
+           double moment, double angle, double wound_up, double *angles, double *moments)
+{
+    double alpha = angle, M = moment;
+    angles[0] = alpha;
+    moments[0] = M;
+    for (Py_ssize_t i = 0; i < n; i++) {
+        alpha += bend[i] * M + rest[i];
+        if (!(-wound_up < alpha && alpha < wound_up))
+            alpha = M = NAN;
+        M += pull_x[i] * cos(alpha) + pull_y[i] * sin(alpha);
+        angles[i + 1] = alpha;
+        moments[i + 1] = M;
+    }
+    angles[n + 1] = alpha + bend[n] * M + rest[n];
+}
+
+void sensitivities(const RodAt *rod, double *angles, double *moments, double *position)
+{
+    const Py_ssize_t n = rod->edges, m = rod->coefficients, c = rod->columns;
+    const Py_ssize_t at_moment = m, at_force = m + 1, at_position = m + 3, at_angle = m + 5, at_length = m + 6;
+    const double edge = rod->length / (double)n;
+
+    for (Py_ssize_t j = 0; j < c; j++)
+        angles[j] = moments[j] = position[j] = position[c + j] = 0.0;
+    angles[at_angle] = 1.0;
+    moments[at_moment] = 1.0;
+    position[at_position] = 1.0;
+    position[c + at_position + 1] = 1.0;
+    if (rod->closing) {
+        angles[c - 1] = rod->start_angle - rod->all_angles[0];
+        moments[c - 1] = rod->start_moment - rod->moments[0];
+    }
+    for (Py_ssize_t i = 0; i <= n; i++) {
+        const double *restrict basis = rod->basis + i * m;
+        const double *restrict alpha = angles + i * c, *restrict M = moments + i * c;
+        double *restrict next_alpha = angles + (i + 1) * c;
+        const double K = rod->stiffness[i], w = rod->length * rod->shares[i];
+        const double bend = rod->moments[i] / K + rod->rest[i];
+        const double by_moment = w / K, by_stiffness = -w * rod->moments[i] / (K * K);
+        for (Py_ssize_t j = 0; j < c; j++)
+            next_alpha[j] = alpha[j] + by_moment * M[j];
+        for (Py_ssize_t j = 0; j < m; j++)
+            next_alpha[j] += by_stiffness * basis[j];
+        next_alpha[at_length] += rod->shares[i] * bend;
+        if (rod->closing)
+            next_alpha[c - 1] += rod->all_angles[i] + w * bend - rod->all_angles[i + 1];
+        if (i == n)
+            break;
+
+        const double Tx = rod->tangents[2 * i], Ty = rod->tangents[2 * i + 1];
+        const double turn = -edge * rod->pull[i];
+        double *restrict next_M = moments + (i + 1) * c;
+        for (Py_ssize_t j = 0; j < c; j++)
+            next_M[j] = M[j] + turn * next_alpha[j];
+        next_M[at_force] -= edge * Ty;
+        next_M[at_force + 1] += edge * Tx;
+        next_M[at_length] += rod->shear[i] / (double)n;
+        if (rod->heavy) {
+            const double *restrict slopes = rod->carried_slopes + i * m;
+            const double lift = rod->e[1] * Tx - rod->e[0] * Ty, by_weight = -edge * rod->length * lift;
+            for (Py_ssize_t j = 0; j < m; j++)
+                next_M[j] += by_weight * slopes[j];
+            next_M[at_length] -= edge * lift * rod->carried_sums[i];
+        }
+        if (rod->closing)
+            next_M[c - 1] += rod->moments[i] + edge * rod->shear[i] - rod->moments[i + 1];
+
+        const double *restrict x = position + 2 * i * c, *restrict y = x + c;
+        double *restrict next_x = position + 2 * (i + 1) * c, *restrict next_y = next_x + c;
+        const double by_x = -edge * Ty, by_y = edge * Tx;
+        for (Py_ssize_t j = 0; j < c; j++) {
+            next_x[j] = x[j] + by_x * next_alpha[j];
+            next_y[j] = y[j] + by_y * next_alpha[j];
+        }
+        next_x[at_length] += Tx / (double)n;
+        next_y[at_length] += Ty / (double)n;
+    }
+}
+
+void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *A, const double *weights, double *product)
+{
+    for (Py_ssize_t j = 0; j < columns * columns; j++)
+        product[j] = 0.0;
+    Py_ssize_t i = 0;
+    for (; i + 4 <= rows; i += 4) { /* four rows at a time: each sum is fetched and stored a quarter as often */
+        const double *restrict a = A + i * columns, *restrict b = a + columns;
+        const double *restrict c = b + columns, *restrict d = c + columns;
+        for (Py_ssize_t j = 0; j < columns; j++) {
+            const double p = weights[i] * a[j], q = weights[i + 1] * b[j];
+            const double r = weights[i + 2] * c[j], s = weights[i + 3] * d[j];
+            double *restrict sums = product + j * columns;
+            for (Py_ssize_t k = 0; k <= j; k++)
+                sums[k] += (p * a[k] + q * b[k]) + (r * c[k] + s * d[k]);
+        }
+    }
+    for (; i < rows; i++)
+        for (Py_ssize_t j = 0; j < columns; j++)
+            for (Py_ssize_t k = 0; k <= j; k++)
+                product[j * columns + k] += weights[i] * A[i * columns + j] * A[i * columns + k];
+    for (Py_ssize_t j = 0; j < columns; j++)
+        for (Py_ssize_t k = 0; k < j; k++)
+            product[k * columns + j] = product[j * columns + k];
+}
+
+/* The squared distance of a point from the chord k of a chain; `ahead` tells how many chords further its foot is. */
+static inline double from_chord(const double *chain, Py_ssize_t k, double x, double y, double *ahead)
+{
+    const double *a = chain + 2 * k;
+    const double along_x = a[2] - a[0], along_y = a[3] - a[1], off_x = x - a[0], off_y = y - a[1];
+    const double length = along_x * along_x + along_y * along_y;
+    const double share = (off_x * along_x + off_y * along_y) / (length > 1e-300 ? length : 1e-300);
+    const double u = share < 0.0 ? 0.0 : (share > 1.0 ? 1.0 : share);
+    const double gap_x = off_x - u * along_x, gap_y = off_y - u * along_y;
+    *ahead = share;
+    return gap_x * gap_x + gap_y * gap_y;
+}
+
+static inline double lesser(double a, double b)
+{
+    return b < a ? b : a;
+}
+
+double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes, const double *chain, double *bounds)
+{
+    const Py_ssize_t last = nodes - 2;
+    double ahead;
+    for (Py_ssize_t i = 0; i < count; i++) {
+        const double x = points[2 * i], y = points[2 * i + 1];
+        Py_ssize_t k = i < last ? i : last;
+        bounds[i] = from_chord(chain, k, x, y, &ahead);
+        for (int step = 0; step < MOST_WALKS && (ahead < 0.0 || ahead > 1.0); step++) {
+            const Py_ssize_t before = k;
+            const double next = (double)k + ahead;
+            k = next < 0.0 ? 0 : (next > (double)last ? last : (Py_ssize_t)next);
+            bounds[i] = lesser(bounds[i], from_chord(chain, k, x, y, &ahead));
+            if (k == before)
+                break;
+        }
+    }
+    for (;;) { /* a bound that no chord lowers is the largest distance */
+        Py_ssize_t farthest = 0;
+        for (Py_ssize_t i = 1; i < count; i++)
+            farthest = bounds[i] > bounds[farthest] ? i : farthest;
+        double exact = bounds[farthest];
+        for (Py_ssize_t k = 0; k <= last; k++)
+            exact = lesser(exact, from_chord(chain, k, points[2 * farthest], points[2 * farthest + 1], &ahead));
+        if (!(exact < bounds[farthest]))
+            return sqrt(exact);
+        bounds[farthest] = exact;
+    }
+}

@@ -1,0 +1,201 @@
+"""Each compiled kernel beside its twin in Python: the same numbers to 1e-12."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from elastica_cad import _native
+from elastica_cad.forming.nearest import curve_distance, rod_map
+from elastica_cad.forming.nearest.stiffness_basis import spline_basis
+from elastica_cad.forming.optimizer import dense_solves, quadratic_program
+from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
+from elastica_cad.mechanics.loads.supports import End, Supports
+from elastica_cad.mechanics.rod import banded_matrices, shooting
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, node_weights
+
+CLOSE = 1e-12
+SEEDS = range(12)
+
+
+@pytest.fixture
+def both(monkeypatch):
+    """Asks compiled and in Python."""
+    assert _native.kernels is not None, "the kernels were not built: is a C compiler installed?"
+
+    def ask(module, question):
+        compiled = question()
+        with monkeypatch.context() as patch:
+            patch.setattr(module, "kernels", None)
+            return compiled, question()
+
+    return ask
+
+
+def distance(one, other):
+    """Over the size of the numbers."""
+    one, other = np.asarray(one), np.asarray(other)
+    return np.abs(one - other).max(initial=0.0) / (1 + np.abs(other).max(initial=0.0))
+
+
+def bent(seed, edges=200):
+    """A smooth rod with forces, n edges."""
+    rng = np.random.default_rng(seed)
+    s = np.linspace(0, 1, edges + 1)
+    K = 1 + rng.uniform(0, 3) * (1 + np.sin(rng.uniform(1, 9) * s + rng.uniform(0, 6)))
+    angles = rng.normal() * 3 * s[1:] + rng.normal() * np.sin(rng.uniform(1, 9) * s[1:])
+    return rng, K, angles
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_shooting(both, seed):
+    rng, K, _ = bent(seed)
+    force, w = rng.normal(size=(200, 2)) * 9, node_weights(1 / 200, 200)
+    rest = rng.normal(size=201) if seed % 2 else 0.4
+
+    def shot():
+        return shooting.shoot(K, w, force, 1 / 200, moment=2.0, angle=0.3, natural_curvature=rest)
+
+    compiled, plain = both(shooting, shot)
+    assert max(map(distance, compiled, plain)) < CLOSE
+
+
+def test_shooting_that_winds_up(both):
+    def shot():
+        return shooting.shoot(
+            np.ones(201), node_weights(1 / 200, 200), np.zeros((200, 2)), 1 / 200, moment=1e12, angle=0.0
+        )
+
+    compiled, plain = both(shooting, shot)
+    for one, other in zip(compiled, plain, strict=True):
+        np.testing.assert_array_equal(np.isnan(one), np.isnan(other))
+    assert np.isnan(compiled[0]).any()
+
+
+@pytest.mark.parametrize("closing", [False, True])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_sensitivities(both, seed, closing):
+    rng, *_ = bent(seed)
+    e = np.zeros(2) if seed % 3 == 0 else rng.normal(size=2) * 4
+    law = (lambda K: (np.sqrt(K), 0.5 / np.sqrt(K))) if seed % 3 == 2 else None
+    grid = rod_map.StripGrid(
+        spline_basis(np.linspace(0, 1, 201), 20), e, 0.3 * rng.normal(size=201), weight=law
+    )
+    z = np.concatenate([rng.uniform(1, 3, 20), [2.0, *rng.normal(size=2) * 5, 0.1, 0.2, 0.3, 1.1]])
+    rod = grid.shoot(z)
+    if closing:
+        rod = grid.assemble(z, rod.all_angles + 0.01 * rng.normal(size=202), rod.moments + 0.01)
+
+    compiled, plain = both(rod_map, lambda: grid.sensitivities(rod, closing=closing))
+    for name in ("angles", "moments", "position"):
+        assert distance(getattr(compiled, name), getattr(plain, name)) < CLOSE
+
+
+@pytest.mark.parametrize("rows", [1, 3, 4, 402])
+def test_weighted_gram(both, rows):
+    rng = np.random.default_rng(rows)
+    A, weights = rng.normal(size=(rows, 27)), rng.uniform(0, 1, rows)
+    compiled, plain = both(dense_solves, lambda: dense_solves.weighted_gram(A, weights))
+    assert distance(compiled, plain) < CLOSE
+    assert distance(compiled, A.T @ np.diag(weights) @ A) < CLOSE
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_largest_distance(both, seed):
+    rng = np.random.default_rng(seed)
+    t = np.linspace(0, 1, 1001)
+    chain = np.column_stack([t, 0.1 * np.sin(rng.uniform(2, 12) * t)])
+    points = chain[::2] + np.column_stack(
+        [0.05 * np.sin(7 * t[::2]), rng.normal() * 0.04 * np.cos(5 * t[::2])]
+    )
+    compiled, plain = both(curve_distance, lambda: curve_distance._largest_distance(points, chain))
+    assert distance(compiled, plain) < CLOSE
+
+
+def program(seed):
+    """A strictly convex program with equalities and limits, some broken at their price, some unknowns given."""
+    rng = np.random.default_rng(seed)
+    p, m = int(rng.integers(4, 30)), int(rng.integers(0, 12))
+    J = rng.normal(size=(2 * p, p))
+    lower, upper = -rng.uniform(0.05, 1.5, p), rng.uniform(0.05, 1.5, p)
+    given = rng.uniform(size=p) < 0.15
+    upper[given] = lower[given]
+    one_sided = rng.uniform(size=m) < 0.7
+    return QuadraticProgram(
+        J.T @ J / p + 1e-3 * np.eye(p), rng.normal(size=p) * 4, lower, upper, rng.normal(size=(m, p)),
+        rng.normal(size=m), rng.uniform(0.5, 9, m), one_sided,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_quadratic_programs(both, seed):
+    asked = program(seed)
+    compiled, plain = both(quadratic_program, lambda: solve_quadratic(asked, accuracy=1e-13))
+    assert compiled.converged
+    assert plain.converged
+    assert distance(compiled.x, plain.x) < 1e-9
+    assert distance(compiled.row_multipliers, plain.row_multipliers) < 1e-8
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_interior_points(both, seed, monkeypatch):
+    """Without a guess that ends them they come to the same iterate, step by step."""
+    monkeypatch.setattr(quadratic_program, "_GUESS_AT", 0.0)
+    asked = program(seed)
+    if np.any(asked.upper == asked.lower):
+        asked = QuadraticProgram(
+            asked.hessian, asked.gradient, asked.lower, asked.lower + 1, asked.rows, asked.right, asked.price,
+            asked.one_sided,
+        )  # fmt: skip
+    compiled, plain = both(
+        quadratic_program, lambda: quadratic_program._by_interior_points(asked, accuracy=1e-10)
+    )
+    assert compiled.iterations == plain.iterations
+    assert distance(compiled.x, plain.x) < CLOSE
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(
+    "supports",
+    [Supports(), Supports(End(True, True, False), End(True, True, False)), Supports(end=End(False, True, True)),
+     Supports(end=End(False, False, False))],
+)  # fmt: skip
+def test_margins(both, seed, supports):
+    rng, K, angles = bent(seed)
+    force, edge = rng.normal(size=2) * 8, (1 / 200 if seed % 2 else rng.uniform(0.5, 1.5, 200) / 200)
+    compiled, plain = both(banded_matrices, lambda: DiscreteRod(K, angles, force, edge, supports).margin)
+    assert distance(compiled.value, plain.value) < 1e-11
+    assert distance(compiled.mode, plain.mode) < 1e-8
+    assert distance(compiled.multipliers, plain.multipliers) < 1e-8
+
+
+def test_python_alone_on_request(project_root):
+    """ELASTICA_PURE leaves the kernels out; the nearest rod is the same."""
+    code = (
+        "import elastica_cad as ec; from elastica_cad._native import kernels; "
+        "arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3); "
+        "near = ec.nearest_rod(arch, ec.Limits(ratio=1.5, margin=5)); "
+        "print(kernels is None, *near.rod.stiffness[::20], near.deviation)"
+    )
+    told = []
+    for pure in ("", "1"):
+        answer = subprocess.run(
+            [sys.executable, "-c", code], check=True, capture_output=True, text=True, cwd=project_root,
+            env=dict(os.environ) | {"ELASTICA_PURE": pure},
+        )  # fmt: skip
+        told.append(answer.stdout.split())
+    assert [one[0] for one in told] == ["False", "True"]
+    np.testing.assert_allclose(*(np.array(one[1:], dtype=float) for one in told), rtol=1e-7)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [np.ones(201, dtype=int), np.ones(200), np.ones(402)[::2], [1.0] * 201],
+    ids=["integers", "too few", "with steps", "a list"],
+)
+def test_kernels_refuse_what_is_no_array_of_theirs(wrong):
+    out = np.empty(202), np.empty(201)
+    with pytest.raises((TypeError, ValueError, BufferError)):
+        _native.kernels.shoot(np.ones(201), wrong, np.ones(200), np.ones(200), 1.0, 0.0, 1e6, *out)
