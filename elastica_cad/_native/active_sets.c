@@ -10,7 +10,7 @@
 #define GIVE 1e-13 /* of what a row moves by a multiplier of 1 where all unknowns are free: rounding */
 
 /* Solve the square system in place by elimination with row exchanges; 0 where it is singular. */
-static int solve_dense(Py_ssize_t n, double *restrict system, double *restrict right)
+WIDE static int solve_dense(Py_ssize_t n, double *restrict system, double *restrict right)
 {
     for (Py_ssize_t k = 0; k < n; k++) {
         Py_ssize_t pivot = k;
@@ -59,16 +59,8 @@ static int solve_dense(Py_ssize_t n, double *restrict system, double *restrict r
     return 1;
 }
 
-static double dot(Py_ssize_t n, const double *restrict a, const double *restrict b)
-{
-    double sum = 0.0;
-    for (Py_ssize_t i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* H x + g - y A for every unknown. */
-static void pull_inwards(const Quadratic *q, const double *x, const double *y, double *pull)
+WIDE static void pull_inwards(const Quadratic *q, const double *x, const double *y, double *pull)
 {
     const Py_ssize_t n = q->unknowns;
     for (Py_ssize_t i = 0; i < n; i++)
@@ -123,7 +115,7 @@ static int differ(Taken one, Taken other)
     return (one.first != other.first) + (one.second != other.second);
 }
 
-int active_sets(const Quadratic *q, double *at_low, double *at_high, double *met, double *broken,
+WIDE int active_sets(const Quadratic *q, double *at_low, double *at_high, double *met, double *broken,
                 int most_guesses, int patience, double *x, double *y, double *low, double *high)
 {
     const Py_ssize_t n = q->unknowns, m = q->rows, most = n + m;

@@ -8,20 +8,15 @@
 #include <string.h>
 
 /* L of L L^T in the lower triangle of `matrix`; 0 where it is not positive definite. */
-static int cholesky(Py_ssize_t n, double *matrix)
+WIDE static int cholesky(Py_ssize_t n, double *matrix)
 {
     for (Py_ssize_t j = 0; j < n; j++) {
         double *restrict row = matrix + j * n;
         for (Py_ssize_t i = 0; i < j; i++) {
             const double *restrict above = matrix + i * n;
-            double sum = row[i];
-            for (Py_ssize_t k = 0; k < i; k++)
-                sum -= row[k] * above[k];
-            row[i] = sum / above[i];
+            row[i] = (row[i] - dot(i, row, above)) / above[i];
         }
-        double sum = row[j];
-        for (Py_ssize_t k = 0; k < j; k++)
-            sum -= row[k] * row[k];
+        const double sum = row[j] - dot(j, row, row);
         if (!(sum > 0.0) || !isfinite(sum))
             return 0;
         row[j] = sqrt(sum);
@@ -29,19 +24,16 @@ static int cholesky(Py_ssize_t n, double *matrix)
     return 1;
 }
 
-static void solve_lower(Py_ssize_t n, const double *L, double *right)
+WIDE static void solve_lower(Py_ssize_t n, const double *L, double *right)
 {
     for (Py_ssize_t i = 0; i < n; i++) {
         const double *restrict row = L + i * n;
-        double sum = right[i];
-        for (Py_ssize_t k = 0; k < i; k++)
-            sum -= row[k] * right[k];
-        right[i] = sum / row[i];
+        right[i] = (right[i] - dot(i, row, right)) / row[i];
     }
 }
 
 /* With L transposed. */
-static void solve_upper(Py_ssize_t n, const double *L, double *right)
+WIDE static void solve_upper(Py_ssize_t n, const double *L, double *right)
 {
     for (Py_ssize_t i = n - 1; i >= 0; i--) {
         const double *restrict row = L + i * n;
@@ -58,7 +50,7 @@ typedef struct {
     double *L, *W, *C;
 } Factors;
 
-static int factorise(const Factors *f, const double *H, double scale, const double *diagonal, const double *A,
+WIDE static int factorise(const Factors *f, const double *H, double scale, const double *diagonal, const double *A,
                      const double *D, double rounding)
 {
     const Py_ssize_t n = f->n, m = f->m;
@@ -76,10 +68,7 @@ static int factorise(const Factors *f, const double *H, double scale, const doub
         double largest = 0.0;
         for (Py_ssize_t k = 0; k < m; k++)
             for (Py_ssize_t j = 0; j <= k; j++) {
-                const double *restrict a = f->W + k * n, *restrict b = f->W + j * n;
-                double sum = k == j ? D[k] : 0.0;
-                for (Py_ssize_t i = 0; i < n; i++)
-                    sum += a[i] * b[i];
+                const double sum = dot(n, f->W + k * n, f->W + j * n) + (k == j ? D[k] : 0.0);
                 f->C[k * m + j] = sum;
                 largest = k == j && sum > largest ? sum : largest;
             }
@@ -92,13 +81,12 @@ static int factorise(const Factors *f, const double *H, double scale, const doub
 }
 
 /* (dx, dy) with G dx - A^T dy = a and A dx + D dy = b, in the place of a and b. */
-static void solve_factors(const Factors *f, double *a, double *b)
+WIDE static void solve_factors(const Factors *f, double *a, double *b)
 {
     const Py_ssize_t n = f->n, m = f->m;
     solve_lower(n, f->L, a);
     for (Py_ssize_t k = 0; k < m; k++)
-        for (Py_ssize_t i = 0; i < n; i++)
-            b[k] -= f->W[k * n + i] * a[i];
+        b[k] -= dot(n, f->W + k * n, a);
     solve_lower(m, f->C, b);
     solve_upper(m, f->C, b);
     for (Py_ssize_t k = 0; k < m; k++)
@@ -133,7 +121,7 @@ static int guess(const Quadratic *q, const InteriorSettings *set, const double *
     return active_sets(q, at_low, at_high, met, broken, set->most_guesses, set->patience, x, y, low, high);
 }
 
-int interior_points(const Quadratic *q, const InteriorSettings *set, double *x, double *y, double *low, double *high,
+WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double *x, double *y, double *low, double *high,
                     int *iterations)
 {
     const Py_ssize_t n = q->unknowns, m = q->rows, half = n + m, count = 2 * half;
@@ -171,9 +159,7 @@ int interior_points(const Quadratic *q, const InteriorSettings *set, double *x, 
     for (Py_ssize_t i = 0; i < count; i++)
         v[i] = mu / u[i];
     for (Py_ssize_t k = 0; k < m; k++) {
-        double gap = -q->right[k];
-        for (Py_ssize_t i = 0; i < n; i++)
-            gap += A[k * n + i] * x[i];
+        const double gap = dot(n, A + k * n, x) - q->right[k];
         const double first = v[2 * n + k];
         v[2 * n + k] = first + gap / 2.0 + hypot(first, gap / 2.0);
         v[2 * n + m + k] = fmax(v[2 * n + k] - gap, mu);
@@ -182,18 +168,12 @@ int interior_points(const Quadratic *q, const InteriorSettings *set, double *x, 
     int status = 0, iteration = 0;
     while (iteration < set->most_factorisations) {
         for (Py_ssize_t i = 0; i < n; i++) {
-            double sum = q->gradient[i];
-            for (Py_ssize_t j = 0; j < n; j++)
-                sum += H[i * n + j] * x[j];
-            dual[i] = scale * sum - v[i] + v[n + i];
+            dual[i] = scale * (q->gradient[i] + dot(n, H + i * n, x)) - v[i] + v[n + i];
         }
         for (Py_ssize_t k = 0; k < m; k++) {
-            double sum = -q->right[k];
-            for (Py_ssize_t i = 0; i < n; i++) {
-                sum += A[k * n + i] * x[i];
+            for (Py_ssize_t i = 0; i < n; i++)
                 dual[i] -= y[k] * A[k * n + i];
-            }
-            primal[k] = sum - v[2 * n + k] + v[2 * n + m + k];
+            primal[k] = dot(n, A + k * n, x) - q->right[k] - v[2 * n + k] + v[2 * n + m + k];
         }
         mu = 0.0;
         for (Py_ssize_t i = 0; i < count; i++) {

@@ -33,6 +33,19 @@ typedef struct {
     const double *diagonal, *off, *lengths, *constraints, *polynomials;
 } SecondVariation;
 
+/* Four sums at a time, which a processor adds beside each other. */
+static inline double dot(Py_ssize_t n, const double *restrict a, const double *restrict b)
+{
+    double sum[4] = {0.0, 0.0, 0.0, 0.0};
+    Py_ssize_t i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int j = 0; j < 4; j++)
+            sum[j] += a[i + j] * b[i + j];
+    for (; i < n; i++)
+        sum[0] += a[i] * b[i];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
 void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *pull_x, const double *pull_y,
            double moment, double angle, double wound_up, double *angles, double *moments);
 

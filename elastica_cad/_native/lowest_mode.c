@@ -11,14 +11,6 @@
 #define MOST_SMOOTH 16
 #define SWEEPS 30
 
-static double dot(Py_ssize_t n, const double *restrict a, const double *restrict b)
-{
-    double sum = 0.0;
-    for (Py_ssize_t i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 static void subtract(Py_ssize_t n, double factor, const double *restrict a, double *restrict from)
 {
     for (Py_ssize_t i = 0; i < n; i++)

@@ -24,7 +24,7 @@ void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *p
     angles[n + 1] = alpha + bend[n] * M + rest[n];
 }
 
-void sensitivities(const RodAt *rod, double *angles, double *moments, double *position)
+WIDE void sensitivities(const RodAt *rod, double *angles, double *moments, double *position)
 {
     const Py_ssize_t n = rod->edges, m = rod->coefficients, c = rod->columns;
     const Py_ssize_t at_moment = m, at_force = m + 1, at_position = m + 3, at_angle = m + 5, at_length = m + 6;
@@ -87,7 +87,7 @@ void sensitivities(const RodAt *rod, double *angles, double *moments, double *po
     }
 }
 
-void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *A, const double *weights, double *product)
+WIDE void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *A, const double *weights, double *product)
 {
     for (Py_ssize_t j = 0; j < columns * columns; j++)
         product[j] = 0.0;

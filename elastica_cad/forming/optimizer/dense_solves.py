@@ -40,6 +40,8 @@ def weighted_gram(A: FloatArray, weights: FloatArray) -> FloatArray:
 
 def least_step(J: FloatArray, gap: FloatArray) -> FloatArray:
     """The least x (p,) with J x = gap (k,), in the sense of least squares where rows of J (k, p) are dependent."""
+    if not gap.size:
+        return np.zeros(J.shape[1])
     factor, step, info = lapack().dposv(gram(J.T), gap, lower=1)
     pivots = factor.diagonal()
     if info == 0 and pivots.min() > _WELL_APART * pivots.max():

@@ -70,7 +70,7 @@ def solve_bordered(
     solved = solve_tridiagonal(diagonal, off, both).T
     products = np.array([_along(solved, row) for row in rows])
     schur, gap = products[:, 1:], products[:, 0] - below
-    y = small_solution(schur, gap)
+    y = _small_solution(schur, gap)
     return solved[0] - _combined(y, solved[1:]), y
 
 
@@ -231,7 +231,7 @@ def lowest_weighted(
     left[1:] += off * v[:-1]
     left[:-1] += off * v[1:]
     per_length = rows / lengths
-    nu = small_solution(np.einsum("in,jn->ij", per_length, rows), np.einsum("in,n->i", per_length, left))
+    nu = _small_solution(np.einsum("in,jn->ij", per_length, rows), np.einsum("in,n->i", per_length, left))
     return ConstrainedMode(float(values[0]), v, nu)
 
 
@@ -259,7 +259,7 @@ def _smooth_mode(
         x = solved[0]
         if k:
             schur = np.array([_along(solved, row) for row in basis])
-            x = x - _combined(small_solution(schur[:, 1:], schur[:, 0]), solved[1:])
+            x = x - _combined(_small_solution(schur[:, 1:], schur[:, 0]), solved[1:])
             x -= _combined(_along(basis, x), basis)
         size = _norm(x)
         if not (np.isfinite(size) and size > 0):
@@ -308,7 +308,7 @@ def _reach(diagonal: FloatArray, off: FloatArray) -> float:
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
 
 
-def small_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
+def _small_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
     """Solution of a small system, in the least-squares sense where it is singular."""
     if right.size == 2:  # the usual case, ten times faster than a general solver
         (a, b), (c, d) = matrix.tolist()
