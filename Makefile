@@ -13,6 +13,9 @@ define install
 	else cat $(1)/pip.log; exit 1; fi
 endef
 
+# What the compiled kernels are made of: an environment is brought up to date where one of these is newer.
+KERNELS := $(wildcard elastica_cad/_native/*.[ch])
+
 .PHONY: demo docs test lint test-core test-kernels test-freecad test-programs freecad benchmark campaign campaign-trust clean
 
 demo: $(VENV)/demo-installed
@@ -23,11 +26,12 @@ demo: $(VENV)/demo-installed
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
 
-# Programs are installed first, by one apt at a time; then two processes of one thread each keep two cores busy.
+# Programs and environments are installed first, by one apt and one pip at a time, which build the kernels anew; then two processes of one thread each keep two cores busy.
 test: export OPENBLAS_NUM_THREADS = 1
 test: lint
 	tests/freecad/setup.sh
 	tests/programs/setup.sh
+	$(MAKE) .venv-core/installed .venv-build123d/installed .venv-cadquery/installed
 	$(MAKE) --keep-going --jobs=2 test-freecad test-core test-kernels test-programs
 	$(BIN)/python -m pytest -n 2 --ignore=tests/freecad --ignore=tests/benchmarks --ignore=tests/programs
 
@@ -101,13 +105,13 @@ $(VENV)/created:
 		{ echo "Python cannot make virtual environments here: install its venv module (Debian: apt install python3-venv)"; exit 1; }
 	@touch $@
 
-$(VENV)/demo-installed: $(VENV)/created pyproject.toml
+$(VENV)/demo-installed: $(VENV)/created pyproject.toml $(KERNELS)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)mesh]")
 
-$(VENV)/docs-installed: $(VENV)/created pyproject.toml
+$(VENV)/docs-installed: $(VENV)/created pyproject.toml $(KERNELS)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)docs]")
 
-$(VENV)/test-installed: $(VENV)/created pyproject.toml
+$(VENV)/test-installed: $(VENV)/created pyproject.toml $(KERNELS)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)dev]" "build123d==0.12.0" "cadquery==2.8.0")
 	@touch $(VENV)/demo-installed
 

@@ -1,5 +1,6 @@
 """The floors of the house as a contract, and what the wheel holds."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -16,8 +17,11 @@ DATA = (
 )
 
 
-def run(*arguments, cwd):
-    return subprocess.run([sys.executable, *arguments], cwd=cwd, capture_output=True, text=True, check=False)
+def run(*arguments, cwd, **environment):
+    return subprocess.run(
+        [sys.executable, *arguments], cwd=cwd, capture_output=True, text=True, check=False,
+        env=dict(os.environ) | environment,
+    )  # fmt: skip
 
 
 def test_floors_are_kept(project_root):
@@ -52,18 +56,55 @@ def test_the_source_archive_holds_what_the_readme_names(project_root, tmp_path):
     assert (linked | named) - {name for name in named if "NAME" in name} <= held
 
 
-def test_wheel_holds_the_package_only(project_root, tmp_path):
-    source = tmp_path / "source"
-    source.mkdir()
+def built(project_root, folder, **environment):
+    """The wheel that pip makes of what a checkout holds, without the network."""
+    source = folder / "source"
+    source.mkdir(parents=True)
+    leave_out = shutil.ignore_patterns("__pycache__", "*.so")
     for name in ("elastica_cad", "freecad_workbench", "tests", "examples"):
-        shutil.copytree(project_root / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(project_root / name, source / name, ignore=leave_out)
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(project_root / name, source)
     result = run("-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--disable-pip-version-check",
-                 "--wheel-dir", str(tmp_path), ".", cwd=source)  # fmt: skip
+                 "--wheel-dir", str(folder), ".", cwd=source, **environment)  # fmt: skip
     assert result.returncode == 0, result.stderr
-    (wheel,) = tmp_path.glob("*.whl")
+    (wheel,) = folder.glob("*.whl")
+    return wheel
+
+
+def kernels_of(wheel, folder):
+    """What the package says of its kernels where it is unpacked from a wheel, with no compiler on the path."""
     with zipfile.ZipFile(wheel) as archive:
-        tops = {name.split("/")[0] for name in archive.namelist()}
-        assert set(archive.namelist()) >= {f"elastica_cad/{name}" for name in DATA}
-    assert {top for top in tops if not top.endswith(".dist-info")} == {"elastica_cad"}
+        archive.extractall(folder)
+    code = (
+        "import elastica_cad as ec; from elastica_cad._native import kernels; "
+        "arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3); "
+        "print(kernels is not None, ec.nearest_rod(arch, ec.Limits(ratio=1.5)).met, ec.__file__)"
+    )
+    result = run("-c", code, cwd=folder, PYTHONPATH=str(folder), PATH="")
+    assert result.returncode == 0, result.stderr
+    found, met, place = result.stdout.split(maxsplit=2)
+    assert place.startswith(str(folder))
+    return found, met
+
+
+def test_wheel_holds_the_package_only(project_root, tmp_path):
+    wheel = built(project_root, tmp_path)
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+    assert names >= {f"elastica_cad/{name}" for name in DATA}
+    assert {name.split("/")[0] for name in names if ".dist-info/" not in name} == {"elastica_cad"}
+    assert not [name for name in names if name.endswith((".c", ".h"))]
+
+
+def test_wheel_needs_no_compiler_where_it_is_installed(project_root, tmp_path):
+    """One wheel for Python 3.11 and later holds the kernels, compiled."""
+    wheel = built(project_root, tmp_path)
+    assert "-cp311-abi3-" in wheel.name
+    assert kernels_of(wheel, tmp_path / "installed") == ("True", "True")
+
+
+def test_wheel_is_built_without_a_compiler(project_root, tmp_path):
+    """What Python does more slowly is left to it."""
+    wheel = built(project_root, tmp_path, CC="/no/compiler/here")
+    assert kernels_of(wheel, tmp_path / "installed") == ("False", "True")
