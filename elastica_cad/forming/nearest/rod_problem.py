@@ -110,19 +110,23 @@ def _stack_rows(
 ) -> ConstraintRows:
     """Rows of all constraints that matter near a rod; values once it is closed where there is a closing column."""
     p = sensitivities.rod.z.size
-    parts: list[tuple[FloatArray | IntArray, ...]] = []
+    if not constraints:
+        none, empty = np.zeros(0), np.zeros(0, dtype=int)
+        return ConstraintRows(empty, empty, none, np.zeros((0, p)), none, none > 0)
+    indices: list[IntArray] = []
+    heights: list[FloatArray] = []
+    slopes: list[FloatArray] = []
     for k, constraint in enumerate(constraints):
         value = constraint.values(sensitivities.rod) if values is None else values[k]
         index, jacobian = constraint.rows(sensitivities)
-        at = value[index]
-        if jacobian.shape[1] > p:
-            at, jacobian = at + jacobian[:, p], jacobian[:, :p]
-        same = np.ones(index.size)
-        parts.append((k * same, index, at, jacobian, constraint.price * same, constraint.one_sided * same))
-    if not parts:
-        none, empty = np.zeros(0), np.zeros(0, dtype=int)
-        return ConstraintRows(empty, empty, none, np.zeros((0, p)), none, none > 0)
-    number, index, at, jacobian, price, one_sided = (
-        np.concatenate(part) for part in zip(*parts, strict=True)
-    )
-    return ConstraintRows(number.astype(int), index.astype(int), at, jacobian, price, one_sided > 0)
+        indices.append(index)
+        heights.append(value[index])
+        slopes.append(jacobian)
+    at, jacobian = np.concatenate(heights), np.concatenate(slopes)
+    if jacobian.shape[1] > p:
+        at, jacobian = at + jacobian[:, p], jacobian[:, :p]
+    counts = [index.size for index in indices]
+    number = np.repeat(np.arange(len(constraints)), counts)
+    price = np.array([one.price for one in constraints], dtype=float)[number]
+    one_sided = np.array([one.one_sided for one in constraints], dtype=bool)[number]
+    return ConstraintRows(number, np.concatenate(indices), at, jacobian, price, one_sided)

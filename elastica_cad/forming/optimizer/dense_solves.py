@@ -8,7 +8,7 @@ from elastica_cad._types import FloatArray
 
 _UNTHREADED = 200_000  # multiplications of a product of matrices
 _UNTHREADED_ENTRIES = 9_000  # of a matrix times a vector
-_WELL_APART = 1e-3  # least over largest pivot of rows that a Cholesky factor tells apart to ten digits
+_WELL_APART = 1e-3  # least pivot of unit rows that a Cholesky factor tells apart to ten digits
 
 
 def matvec(A: FloatArray, x: FloatArray) -> FloatArray:
@@ -42,8 +42,9 @@ def least_step(J: FloatArray, gap: FloatArray) -> FloatArray:
     """The least x (p,) with J x = gap (k,), in the sense of least squares where rows of J (k, p) are dependent."""
     if not gap.size:
         return np.zeros(J.shape[1])
-    factor, step, info = lapack().dposv(gram(J.T), gap, lower=1)
-    pivots = factor.diagonal()
-    if info == 0 and pivots.min() > _WELL_APART * pivots.max():
-        return np.asarray(step @ J)
+    size = np.maximum(np.sqrt(np.einsum("kp,kp->k", J, J)), 1e-300)
+    rows = J / size[:, None]
+    factor, step, info = lapack().dposv(rows @ rows.T, gap / size, lower=1)
+    if info == 0 and factor.diagonal().min() > _WELL_APART:
+        return np.asarray(step @ rows)
     return np.asarray(np.linalg.lstsq(J, gap, rcond=1e-10)[0])
