@@ -4,6 +4,10 @@
 
 #include <Python.h>
 
+#ifdef _MSC_VER
+#define restrict __restrict
+#endif
+
 #define MOST_ARRAYS 24
 
 /* Loops that a processor with wide registers runs with them: the same sums in the same order, so the same digits. */

@@ -209,22 +209,22 @@ static double best_polynomial(const SecondVariation *v, const double *diagonal, 
     return value;
 }
 
-/* The solution of a system of k <= 2 equations; 0 where it is nearly singular. */
-static int solve_small(int k, const double *matrix, double *right)
+/* The solution of a system of k <= 2 equations, by least squares with the least answer where it is singular. */
+static void solve_small(int k, const double *matrix, double *right)
 {
-    if (k == 1) {
-        right[0] /= matrix[0];
-        return isfinite(right[0]);
-    }
-    if (k == 2) {
-        const double a = matrix[0], b = matrix[1], c = matrix[2], d = matrix[3], x = right[0], y = right[1];
-        const double determinant = a * d - b * c;
-        if (!(fabs(determinant) > 1e-12 * (fabs(a * d) + fabs(b * c))))
-            return 0;
+    if (k == 1)
+        right[0] = matrix[0] != 0.0 ? right[0] / matrix[0] : 0.0;
+    if (k != 2)
+        return;
+    const double a = matrix[0], b = matrix[1], c = matrix[2], d = matrix[3], x = right[0], y = right[1];
+    const double determinant = a * d - b * c, size = a * a + b * b + c * c + d * d;
+    if (fabs(determinant) > 1e-14 * size) {
         right[0] = (d * x - b * y) / determinant;
         right[1] = (a * y - c * x) / determinant;
+    } else if (size > 0.0) { /* of rank 1: M^T r over the square of its size */
+        right[0] = (a * x + c * y) / size;
+        right[1] = (b * x + d * y) / size;
     }
-    return 1;
 }
 
 /* Is nothing below `shift` on the rows' null space? Sylvester's law on the bordered matrix. */
@@ -302,8 +302,7 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
                 for (int b = 0; b < k; b++)
                     S[a * k + b] += basis[a * n + i] * right[i * columns + 1 + b];
             }
-        if (!solve_small(k, S, y))
-            goto done;
+        solve_small(k, S, y);
         double *x = bands.below; /* free again */
         for (Py_ssize_t i = 0; i < n; i++) {
             x[i] = right[i * columns];
@@ -352,7 +351,8 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
         }
     }
     *value = mu;
-    found = solve_small(k, G, multipliers);
+    solve_small(k, G, multipliers);
+    found = 1;
 done:
     free(work);
     return found;
