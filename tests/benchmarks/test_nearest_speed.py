@@ -6,12 +6,18 @@ import time
 import numpy as np
 import pytest
 
+from elastica_cad import _native
 from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest import curve_distance, rod_map
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.forming.optimizer import dense_solves, quadratic_program
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.rod import banded_matrices, shooting
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
+
+WITH_KERNELS = (curve_distance, rod_map, dense_solves, quadratic_program, banded_matrices, shooting)
 
 
 def unclamped(control_points):
@@ -70,6 +76,41 @@ def test_second_solves_after_a_small_move(benchmark, flower_pot):
     ratio = min(seconds(before) for _ in range(5)) / min(seconds(afresh) for _ in range(5))
     benchmark.extra_info["ratio"] = ratio
     assert ratio <= 0.9
+
+
+def test_compiled_beside_python(benchmark, flower_pot, monkeypatch):
+    """The kernels against their twins, on the heavy curves."""
+    assert _native.kernels is not None
+    points, gravity = flower_pot
+    limits = Limits(ratio=3.3, margin=5.0)
+
+    def solved():
+        return [nearest_rod(unclamped(p), limits, gravity=gravity) for p in points]
+
+    def seconds():
+        began = time.process_time()
+        solved()
+        return time.process_time() - began
+
+    benchmark.pedantic(solved, rounds=5, warmup_rounds=1)
+    compiled, plain = [], []
+    for _ in range(5):
+        compiled.append(seconds())
+        with monkeypatch.context() as patch:
+            for room in WITH_KERNELS:
+                patch.setattr(room, "kernels", None)
+            plain.append(seconds())
+    ratio = min(compiled) / min(plain)
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 0.75
+
+
+def test_wishes_that_no_rod_meets(benchmark, flower_pot):
+    """To the verdict: advice comes after it."""
+    points, _ = flower_pot
+    curves = iter([unclamped(p) for p in points] * 2)
+    near = benchmark.pedantic(lambda: nearest_rod(next(curves), Limits(ratio=1.3, margin=500.0)), rounds=8)
+    assert not near.met
 
 
 def test_unstable_s(benchmark, reference_data):
