@@ -159,20 +159,25 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
         return _told(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     first = _start(task, problem)
     best = minimize(problem, first)
-    steps, off = best.iterations, _mean_distance(task, best) / task.target.diagonal
+    steps, spent, off = best.iterations, _spent(best), _mean_distance(task, best) / task.target.diagonal
     found = [best]
     for attempt in _attempts(task, measure, problem, first):
         done = best.settled and best.violation <= MET
         # what breaks its limits from every start so far is refused sooner than what is met, but far
-        if steps > (attempt.most_steps if done else _MOST_STEPS) or (done and off < attempt.enough):
+        if spent > (attempt.most_steps if done else _MOST_STEPS) or (done and off < attempt.enough):
             continue
         known = best if done and measure != "max" and attempt.most_steps == _MOST_STEPS else None
         outcome = minimize(problem, attempt.route().end(), radius=attempt.radius, known=known)
-        steps += outcome.iterations
+        steps, spent = steps + outcome.iterations, spent + _spent(outcome)
         found.append(outcome)
         best = min(best, outcome, key=_rank)
         off = _mean_distance(task, best) / task.target.diagonal
     return _told(measure, Search(task, problem, best, (), steps, off), found)
+
+
+def _spent(outcome: RodOutcome) -> int:
+    """The steps that an attempt counts for: one that was given up would have used up all."""
+    return STEPS if outcome.hopeless else outcome.iterations
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:

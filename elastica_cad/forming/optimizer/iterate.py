@@ -67,6 +67,11 @@ class Iterate(Generic[Point]):
         """The objective of the closed point, to second order in the defect."""
         return self._expected(self.change[:-1])
 
+    @cached_property
+    def violation(self) -> float:
+        """By how much the worst constraint of the closed point is broken, to first order."""
+        return float(self._broken(self.change[:-1]).max(initial=0.0))
+
     def merit(self, prices: FloatArray) -> float:
         """Objective and price of what is broken, once closed."""
         return self.objective + self._cost(self.change[:-1], prices)
@@ -82,8 +87,9 @@ class Iterate(Generic[Point]):
 
     def restores_feasibility(self, step: FloatArray) -> bool:
         """Does a step put right most of what is badly broken, even where it lowers the merit little?"""
-        now, then = (self._broken(change).max(initial=0.0) for change in (self.change[:-1], step))
-        return bool(now > _BADLY_BROKEN and then < 0.5 * now)
+        return self.violation > _BADLY_BROKEN and bool(
+            self._broken(step).max(initial=0.0) < 0.5 * self.violation
+        )
 
     def _expected(self, step: FloatArray) -> float:
         """The objective that the model expects after a step (p,)."""

@@ -44,6 +44,9 @@ _WORTHWHILE = 0.7  # a lifted step that leaves more of the objective is the last
 _AJAR = 1.0  # of the state: a start that is off by more is closed from its unknowns instead
 _ALIKE = 0.1  # of the distance to the optimum known: nearer points lie in the same valley
 _FIRM = 1e4  # times what is missed: no step that puts it right is longer, no multiplier larger
+_WATCHED = 12  # steps by which what is broken must come down
+_HOPELESS = 0.25  # share of it that the steps left would put right at that pace: the search ends
+_FAR_FROM_MET = 0.02  # of a constraint's value: less is put right at the end, at whatever pace before
 _RESOLUTION = 1e-11  # of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm
 
 
@@ -72,6 +75,7 @@ class Outcome(Generic[Point]):
     at_upper: FloatArray
     iterations: int
     settled: bool
+    hopeless: bool = False
 
 
 def lift(program: NonlinearProgram[Point], start: Point, steps: int = LIFTS) -> Point:
@@ -129,7 +133,8 @@ def minimize(
     active = all_equalities(here)
     found: tuple[ConstraintRows, QuadraticSolution] | None = None
     settled, iteration, ease = False, 0, 1.0
-    while iteration < steps and not settled and radius > SMALLEST_RADIUS:
+    broken, hopeless = [here.violation], False
+    while iteration < steps and not (settled or hopeless) and radius > SMALLEST_RADIUS:
         if known is not None and program.apart(here.local.point, known.point) < _ALIKE**2 * known.objective:
             return replace(known, iterations=iteration)
         iteration += 1
@@ -167,12 +172,15 @@ def minimize(
                 radius, ease = max(radius, min(5.0, 2 * size)), max(0.1 * ease, _EASIEST)
             elif gain < 0.25:
                 radius, ease = (0.5 if accepted else 0.3) * size, 1.0
+        broken.append(here.violation)
+        hopeless = not settled and _is_hopeless(broken, steps - iteration)
     point = close_iterate(here, active) or program.close(here.local.point) or program.fallback()
     point = _make_exact(program, point)
     values = program.values(point)
     multipliers, low, high = _multipliers(program, values, found)
     return Outcome(
-        point, program.objective(point), _violation(program, values), multipliers, low, high, iteration, settled
+        point, program.objective(point), _violation(program, values), multipliers, low, high, iteration, settled,
+        hopeless,
     )  # fmt: skip
 
 
@@ -189,6 +197,14 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
         if found is not None:
             return found
     raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
+
+
+def _is_hopeless(broken: Sequence[float], left: int) -> bool:
+    """Will what is `broken` step by step stay so in the steps that are left, at the pace of the last ones?"""
+    if len(broken) <= _WATCHED or broken[-1] < _FAR_FROM_MET:
+        return False
+    pace = (max(broken[-1 - _WATCHED : -_WATCHED // 2]) - broken[-1]) / _WATCHED
+    return pace * left < _HOPELESS * broken[-1]
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
