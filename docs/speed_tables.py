@@ -91,6 +91,9 @@ OURS = {
         "sixteen heavy, stable nearest rods, inner loops compiled",
         "the same in Python (`ELASTICA_PURE`)",
     ),
+    "test_batch_speed.py::test_two_processes": ("200 wishes in two processes", "the same in one"),
+    "test_batch_speed.py::test_time_is_linear": ("600 wishes in two processes", "200 wishes"),
+    "test_batch_speed.py::test_memory_is_constant": ("memory of 600 wishes at most", "of 200 wishes"),
     "test_pattern_speed.py::test_rounded_holes": (
         "all holes of a perforated strip rounded together",
         "one after the other",

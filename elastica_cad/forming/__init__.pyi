@@ -9,7 +9,10 @@ from elastica_cad.forming.limits import (
     Keep as Keep,
     Limits as Limits,
 )
-from elastica_cad.forming.many_rods import nearest_rods as nearest_rods
+from elastica_cad.forming.many_rods import (
+    nearest_rods as nearest_rods,
+    stream_nearest_rods as stream_nearest_rods,
+)
 from elastica_cad.forming.nearest.nearest_record import (
     NearestRod as NearestRod,
     Status as Status,

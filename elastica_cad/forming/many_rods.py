@@ -1,7 +1,7 @@
 """Nearest rods of whole models, on one processor or on many."""
 
-from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import Executor, Future, as_completed
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from typing import Any, NamedTuple
 
 from elastica_cad.errors import ElasticaError, InputError
@@ -9,8 +9,12 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
+
+AHEAD = 64
+"""Curves with an executor at a time: enough for a dozen workers, and little to keep in memory."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -59,14 +63,12 @@ def nearest_rods(
     """
     if isinstance(curves, PlaneCurve | str) or not isinstance(curves, Iterable):
         raise InputError(f"nearest_rods takes a list of curves, not a {type(curves).__name__}")
-    if not (executor is None or hasattr(executor, "submit")):
-        raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")
+    _require_executor(executor)
     if not (progress is None or callable(progress)):
         raise InputError(
             f"progress is {progress!r}: give a function of (curves done, curves in all), or None"
         )
-    if unknown := set(options) - _OPTIONS:
-        raise InputError(f"nearest_rods knows no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}")
+    _require_options("nearest_rods", options)
     curves = list(curves)
     if not curves:
         raise InputError("nearest_rods got no curves: give one at least")
@@ -80,25 +82,94 @@ def nearest_rods(
         for curve, given in zip(curves, zip(*columns, strict=True), strict=True)
     ]
     results: dict[int, NearestRod] = {}
+    for i, near in _in_order_of_completion(tasks, executor, AHEAD):
+        results[i] = near
+        if progress is not None:
+            progress(len(results), count)
+    return tuple(results[i] for i in range(count))
+
+
+def stream_nearest_rods(
+    curves: Iterable[PlaneCurve],
+    limits: Limits | None = None,
+    keep: Keep | None = None,
+    gravity: Gravity | None = None,
+    *,
+    supports: Supports | None = None,
+    executor: Executor | None = None,
+    ahead: int = AHEAD,
+    **options: Any,
+) -> Iterator[tuple[int, NearestRod]]:
+    """`nearest_rod` for any number of curves, each answer as it comes: memory does not grow with their number.
+
+    Parameters
+    ----------
+    curves : iterable of PlaneCurve
+        Read as they are needed: a generator will do.
+    limits, keep, gravity, supports, **options
+        As in `nearest_rods`, the same for all curves.
+    executor : concurrent.futures.Executor, optional
+        As in `nearest_rods`.
+    ahead : int
+        How many curves are with the executor at a time; several for each of its workers keep these busy.
+
+    Yields
+    ------
+    tuple of int and NearestRod
+        The place of the curve among `curves`, and its answer; failures as in `nearest_rods`.
+
+    Raises
+    ------
+    InputError
+        No curves to be read, no executor, less than one curve ahead.
+
+    Examples
+    --------
+    >>> arches = (PlaneCurve.spline([(0, 0), (30, h), (70, h), (100, 0)], degree=3) for h in (40, 50, 60))
+    >>> [(i, near.met) for i, near in stream_nearest_rods(arches, Limits(ratio=1.6))]
+    [(0, True), (1, True), (2, True)]
+    """
+    if isinstance(curves, PlaneCurve | str) or not isinstance(curves, Iterable):
+        raise InputError(f"stream_nearest_rods takes curves to be read, not a {type(curves).__name__}")
+    _require_executor(executor)
+    _require_options("stream_nearest_rods", options)
+    whole_number(ahead, "ahead", 1)
+    tasks = (_Task(curve, limits, keep, gravity, supports, options) for curve in curves)
+    return _in_order_of_completion(tasks, executor, ahead)
+
+
+def _in_order_of_completion(
+    tasks: Iterable["_Task"], executor: Executor | None, ahead: int
+) -> Iterator[tuple[int, NearestRod]]:
+    """Answers with the numbers of their tasks, of which at most `ahead` are with the executor."""
+    waiting = enumerate(tasks)
     if executor is None:
-        for i, task in enumerate(tasks):
-            results[i] = _attempted(task)
-            _tell(progress, len(results), len(tasks))
-        return tuple(results[i] for i in range(len(tasks)))
-    running: dict[Future[NearestRod], int] = {}
-    for i, task in enumerate(tasks):
-        try:
-            running[executor.submit(_attempted, task)] = i
-        except Exception as error:  # an executor that is shut down or broken may raise anything
-            results[i] = _lost(task, error)
-    for future in as_completed(running):
-        i = running[future]
-        try:
-            results[i] = future.result()
-        except Exception as error:  # so does a worker that died
-            results[i] = _lost(tasks[i], error)
-        _tell(progress, len(results), len(tasks))
-    return tuple(results[i] for i in range(len(tasks)))
+        yield from ((i, _attempted(task)) for i, task in waiting)
+        return
+    running: dict[Future[NearestRod], tuple[int, _Task]] = {}
+    try:
+        more = True
+        while more or running:
+            while more and len(running) < ahead:
+                following = next(waiting, None)
+                if following is None:
+                    more = False
+                    break
+                try:
+                    running[executor.submit(_attempted, following[1])] = following
+                except Exception as error:  # an executor that is shut down or broken may raise anything
+                    yield following[0], _lost(following[1], error)
+            done = wait(running, return_when=FIRST_COMPLETED).done if running else ()
+            for future in done:
+                i, task = running.pop(future)
+                try:
+                    near = future.result()
+                except Exception as error:  # so does a worker that died
+                    near = _lost(task, error)
+                yield i, near
+    finally:
+        for future in running:
+            future.cancel()
 
 
 class _Task(NamedTuple):
@@ -135,6 +206,11 @@ def _spread(name: str, value: Any, count: int) -> list[Any]:
     return list(value)
 
 
-def _tell(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
-    if progress is not None:
-        progress(done, total)
+def _require_executor(executor: object) -> None:
+    if not (executor is None or hasattr(executor, "submit")):
+        raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")
+
+
+def _require_options(asked_of: str, options: dict[str, Any]) -> None:
+    if unknown := set(options) - _OPTIONS:
+        raise InputError(f"{asked_of} knows no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}")

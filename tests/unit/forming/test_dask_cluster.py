@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.many_rods import nearest_rods
+from elastica_cad.forming.many_rods import nearest_rods, stream_nearest_rods
 from elastica_cad.forming.nearest.nearest_record import Status
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
@@ -50,3 +50,10 @@ def test_an_executor_that_is_shut_down_is_told(client):
     found = nearest_rods(ARCHES, Limits(ratio=1.3), executor=executor)
     assert all(near.status is Status.FAILED for near in found)
     assert all("run this curve again" in near.message for near in found)
+
+
+def test_a_stream_on_the_cluster(client):
+    curves = (ARCHES[i % 3] for i in range(7))
+    found = dict(stream_nearest_rods(curves, Limits(ratio=1.3), executor=client.get_executor(), ahead=2))
+    assert sorted(found) == list(range(7))
+    assert all(near.status is Status.MET for near in found.values())

@@ -1,5 +1,7 @@
 """Many curves at once: order, failures, executors that live and die, progress."""
 
+import gc
+import weakref
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 
@@ -8,7 +10,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.many_rods import nearest_rods
+from elastica_cad.forming.many_rods import nearest_rods, stream_nearest_rods
 from elastica_cad.forming.nearest.nearest_record import Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -109,3 +111,59 @@ def test_bad_lists_are_said():
         nearest_rods(ARCHES, measur="max")
     with pytest.raises(InputError, match="progress"):
         nearest_rods(ARCHES, progress=3)
+
+
+def test_a_stream_reads_its_curves_as_they_are_needed():
+    """Of a thousand curves only those that are ahead have been read when the first answer comes."""
+    read = []
+
+    def curves():
+        for i in range(1000):
+            read.append(i)
+            yield ARCHES[i % 3]
+
+    with ThreadPoolExecutor(2) as executor:
+        answers = stream_nearest_rods(curves(), Limits(ratio=1.3), executor=executor, ahead=5)
+        found = dict(next(answers) for _ in range(3))
+        answers.close()
+    assert len(read) <= 5 + 3
+    assert set(found) <= set(read)
+    assert all(near.status is Status.MET for near in found.values())
+
+
+def test_a_stream_answers_as_a_list_does():
+    alone = nearest_rods(ARCHES, Limits(ratio=1.3))
+    for i, near in stream_nearest_rods(iter(ARCHES), Limits(ratio=1.3)):
+        np.testing.assert_array_equal(near.rod.position, alone[i].rod.position)
+
+
+def test_a_stream_keeps_nothing_of_what_it_gave():
+    """Neither curve nor answer is held once the next ones are asked for."""
+    gone = []
+
+    def curves():
+        for h in (40, 50, 60, 70, 80, 90):
+            curve = PlaneCurve.spline([(0, 0), (20, h), (80, h), (100, 0)], degree=3)
+            weakref.finalize(curve, gone.append, h)
+            yield curve
+
+    with ThreadPoolExecutor(1) as executor:
+        for i, near in stream_nearest_rods(curves(), Limits(ratio=1.3), executor=executor, ahead=1):
+            assert near.met
+            del near
+            gc.collect()
+            assert len(gone) >= i - 1
+
+
+def test_a_stream_whose_worker_dies_goes_on():
+    found = dict(stream_nearest_rods(ARCHES, Limits(ratio=1.3), executor=Dying()))
+    assert [found[i].status for i in range(3)] == [Status.MET, Status.FAILED, Status.FAILED]
+
+
+def test_bad_streams_are_said():
+    with pytest.raises(InputError, match="curves to be read, not a PlaneCurve"):
+        stream_nearest_rods(ARCHES[0])
+    with pytest.raises(InputError, match="ahead"):
+        stream_nearest_rods(ARCHES, ahead=0)
+    with pytest.raises(InputError, match="stream_nearest_rods knows no option 'measur'"):
+        stream_nearest_rods(ARCHES, measur="max")

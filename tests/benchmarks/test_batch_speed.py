@@ -1,0 +1,72 @@
+"""Batches of wishes: how well two processes are used, that time grows with the number, and that memory does not."""
+
+import multiprocessing
+import tracemalloc
+from concurrent.futures import ProcessPoolExecutor
+from time import perf_counter
+
+import pytest
+
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.many_rods import stream_nearest_rods
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+WORKERS = 2
+FEW, MANY = 200, 600
+
+
+def arches(count):
+    """Each of another height."""
+    for i in range(count):
+        yield PlaneCurve.spline([(0, 0), (20, 40 + 40 * i / count), (80, 60), (100, 0)], degree=3)
+
+
+def answered(count, executor=None):
+    """Whether all are met; nothing is kept."""
+    return all(
+        near.met for _, near in stream_nearest_rods(arches(count), Limits(ratio=1.6), executor=executor)
+    )
+
+
+@pytest.fixture(scope="module")
+def workers():
+    with ProcessPoolExecutor(WORKERS, mp_context=multiprocessing.get_context("spawn")) as executor:
+        assert answered(4 * WORKERS, executor)  # so that each has its modules
+        yield executor
+
+
+def seconds(count, executor=None):
+    start = perf_counter()
+    assert answered(count, executor)
+    return perf_counter() - start
+
+
+def test_two_processes(benchmark, workers):
+    """Beside one process; half is all that two can do."""
+    benchmark.pedantic(lambda: answered(FEW, workers), rounds=3, warmup_rounds=1)
+    ratio = min(seconds(FEW, workers) for _ in range(3)) / min(seconds(FEW) for _ in range(3))
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 0.75
+
+
+def test_time_is_linear(benchmark, workers):
+    benchmark.pedantic(lambda: answered(MANY, workers), rounds=1)
+    ratio = min(seconds(MANY, workers) for _ in range(3)) / min(seconds(FEW, workers) for _ in range(3))
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 1.25 * MANY / FEW
+
+
+def test_memory_is_constant(benchmark, workers):
+    """The largest amount that Python holds at a time, of many beside few."""
+
+    def peak(count):
+        tracemalloc.start()
+        answered(count, workers)
+        _, most = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        return most
+
+    benchmark.pedantic(lambda: peak(FEW), rounds=1)
+    ratio = peak(MANY) / peak(FEW)
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 1.5  # three would be growth; what is collected when makes a fifth
