@@ -132,6 +132,11 @@ class BasePlate:
         """The plate as a piece to be cut."""
         return Piece(self.name, self.drawing, self.sheet)
 
+    @cached_property
+    def _slot_sizes(self) -> tuple[FloatArray, FloatArray]:
+        """Corners (n, 4, 2) and longer sides (n,) of all slots."""
+        return np.array([slot.corners for slot in self.slots]), np.array([max(s.size) for s in self.slots])
+
     def _label(self, slot: TabSlot) -> Text:
         """The name along the slot, reading upright above it, or below where another slot is in the way."""
         a, b, c, _ = slot.corners
@@ -141,18 +146,17 @@ class BasePlate:
         height = min(LABEL_MM, 0.2 * slot.size[0])
         long, far = text_width(slot.name, height) / 2, slot.size[1] / 2 + 0.5 * height
         reach = 2 * max(slot.size) + 2 * long + 4 * height
-        others = [
-            other.corners
-            for other in self.slots
-            if other is not slot and np.abs(other.corners[0] - a).max() < reach + max(other.size)
+        corners, sizes = self._slot_sizes
+        others = corners[
+            (np.abs(corners[:, 0] - a).max(axis=1) < reach + sizes)
+            & np.array([other is not slot for other in self.slots])
         ]
         bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
         boxes = [np.array([p - long * along, p + long * along]) for p in bases]
         room = [
-            min(
-                (_gap(np.concatenate([box, box[::-1] + height * off]), other) for other in others),
-                default=1.0,
-            )
+            float(_gaps(np.concatenate([box, box[::-1] + height * off]), others).min())
+            if others.size
+            else 1.0
             for box in boxes
         ]
         start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
@@ -351,25 +355,39 @@ def tab_slot(
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     boxes = np.array([box_about(s.corners) for s in slots])
+    corners = np.array([slot.corners for slot in slots])
     for i, a in enumerate(slots):
-        for j in np.flatnonzero(boxes_meet(boxes[:i], boxes[i])).tolist():
-            if _gap(a.corners, slots[j].corners) <= 0:
-                x, y = (a.corners.mean(axis=0) + slots[j].corners.mean(axis=0)) / 2
-                raise InputError(
-                    f"{name}: the slots of {slots[j].name} and {a.name} run into each other near "
-                    f"({x:.1f}, {y:.1f}): give the strips narrower tabs or move them apart"
-                )
+        near = np.flatnonzero(boxes_meet(boxes[:i], boxes[i]))
+        for j in near[_gaps(a.corners, corners[near]) <= 0].tolist():
+            x, y = (a.corners.mean(axis=0) + slots[j].corners.mean(axis=0)) / 2
+            raise InputError(
+                f"{name}: the slots of {slots[j].name} and {a.name} run into each other near "
+                f"({x:.1f}, {y:.1f}): give the strips narrower tabs or move them apart"
+            )
 
 
-def _gap(a: FloatArray, b: FloatArray) -> float:
-    """A lower bound of the distance (mm) of two rectangles (4, 2), exact where a side faces the other."""
-    gaps = []
-    for one, other in ((a, b), (b, a)):
-        for side in np.roll(one, -1, axis=0)[:2] - one[:2]:
-            n = np.array([-side[1], side[0]]) / np.hypot(*side)
-            p, q = one @ n, other @ n
-            gaps.append(max(q.min() - p.max(), p.min() - q.max()))
-    return float(max(gaps))
+def _gaps(one: FloatArray, others: FloatArray) -> FloatArray:
+    """Lower bounds (n,) of the distance, mm, of a rectangle (4, 2) from others (n, 4, 2).
+
+    Exact where a side faces the other.
+    """
+    own, theirs = _across(one), _across(others)
+    return np.asarray(
+        np.maximum(_apart(one @ own, others @ own), _apart(one @ theirs, others @ theirs)), dtype=float
+    )
+
+
+def _across(rectangles: FloatArray) -> FloatArray:
+    """Unit normals of the first two sides of rectangles (..., 4, 2), as columns (..., 2, 2)."""
+    sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
+    normals = np.stack([-sides[..., 1], sides[..., 0]], axis=-2)
+    return np.asarray(normals / np.hypot(normals[..., 0, :], normals[..., 1, :])[..., None, :], dtype=float)
+
+
+def _apart(p: FloatArray, q: FloatArray) -> FloatArray:
+    """The larger (...,) of the gaps between places (..., 4, 2) along two ways."""
+    gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
+    return np.asarray(gaps.max(axis=-1), dtype=float)
 
 
 def _outline(points: FloatArray, border: float, shape: Shape) -> Path:

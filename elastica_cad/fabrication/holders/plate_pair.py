@@ -1,11 +1,12 @@
 """Two plates that hold inclined tabs at their angle."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, refuse_options_unlike
 from elastica_cad.fabrication.holders.base_plate import (
     BasePlate,
@@ -21,6 +22,7 @@ from elastica_cad.fabrication.holding.rest_in_seats import Lean, lean_against, w
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -192,13 +194,10 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
     The load is that of the strip as it is made: slots and widths that make up for them change it.
     """
-    leans = dict[Key, Lean]()
+    leans, ends = dict[Key, Lean](), _held_ends(placed)
     for _ in range(LEAN_ROUNDS):
-        leans = _leans(placed, tab_seats(plates), leans)
-        first, second = (
-            replace(plate, slots=tuple(_moved(slot, plate, leans) for slot in plate.slots))
-            for plate in plates
-        )
+        leans = _leans(ends, tab_seats(plates), leans)
+        first, second = (replace(plate, slots=_moved(plate, leans)) for plate in plates)
         moved = [
             np.abs(new.corners - old.corners).max(initial=0.0)
             for plate, leaned in zip(plates, (first, second), strict=True)
@@ -210,34 +209,49 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     return plates
 
 
+def _held_ends(placed: Sequence[Placed]) -> list[tuple[Key, Strip, int]]:
+    """Where each tab is, at which end, and its strip: of those that are cut alike the first."""
+    first = dict[int, Strip]()
+    return [
+        # strips that are cut alike share their layers
+        (tab_key(tab), first.setdefault(id(one.strip.layers), one.strip), index)
+        for one in placed
+        for index, tab in enumerate(PlacedTab.of(one.strip, end, one.frame) for end in ENDS)
+    ]
+
+
 def _leans(
-    placed: Sequence[Placed], seats: Mapping[Key, TabSeat], before: Mapping[Key, Lean]
+    ends: Iterable[tuple[Key, Strip, int]], seats: Mapping[Key, TabSeat], before: Mapping[Key, Lean]
 ) -> dict[Key, Lean]:
     """How the holder of each tab is to be moved, ends that are loaded and held alike reckoned once."""
     found, known = dict[Key, Lean](), dict[tuple[int | float, ...], Lean]()
-    for one in placed:
-        for index, end in enumerate(ENDS):
-            key = tab_key(PlacedTab.of(one.strip, end, one.frame))
-            if key in seats:
-                loaded = one.strip.as_made.loaded
-                ratio = one.strip.as_made.tab_ratios(loaded)[index]
-                alike = what_leans(loaded, index, seats[key], ratio)
-                if alike not in known:
-                    known[alike] = lean_against(loaded, index, seats[key], ratio, before.get(key))
-                found[key] = known[alike]
+    for key, strip, index in ends:
+        if key in seats:
+            loaded = strip.as_made.loaded
+            ratio = strip.as_made.tab_ratios(loaded)[index]
+            alike = what_leans(loaded, index, seats[key], ratio)
+            if alike not in known:
+                known[alike] = lean_against(loaded, index, seats[key], ratio, before.get(key))
+            found[key] = known[alike]
     return found
 
 
-def _moved(slot: TabSlot, plate: Plate, leans: Mapping[Key, Lean]) -> TabSlot:
-    """A slot moved within its plate by what its tab's holder is to be shifted and turned."""
-    tab = slot.tab
-    if tab is None or tab_key(tab) not in leans:
-        return slot
-    lean = leans[tab_key(tab)]
+def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
+    """The slots of a plate, each moved within it by what its tab's holder is to be shifted and turned."""
+    slots = list(plate.slots)
+    for k, walls in slot_walls(plate).items():
+        tab = slots[k].tab
+        if tab is not None and (lean := leans.get(tab_key(tab))) is not None:
+            slots[k] = _moved_slot(slots[k], tab, walls, plate, lean)
+    return tuple(slots)
+
+
+def _moved_slot(slot: TabSlot, tab: PlacedTab, walls: FloatArray, plate: Plate, lean: Lean) -> TabSlot:
+    """A slot whose walls (2, n, 2) are moved."""
     # left of the curve is -z of the tab; its projection is the way within the plate
     into, left = (plate.frame.axes @ np.column_stack([tab.frame.x_axis, -tab.frame.z_axis]))[:2].T
     moves = []
-    for wall in slot_walls(slot, plate):
+    for wall in walls:
         place, slope = lean.touched(wall)
         # the tab is bent there: a wall that moves within the plate goes across it and along it
         across = left - slope * into

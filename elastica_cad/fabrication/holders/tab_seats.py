@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
+from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring
@@ -20,43 +20,36 @@ Slotted: TypeAlias = BasePlate | Ring
 Key: TypeAlias = tuple[float, ...]
 
 
-def _seat_in_slot(slot: TabSlot, plate: Slotted) -> TabSeat | None:
-    """The walls of a slot beside its tab, in the plane of the strip's curve; None for a tongue's slot."""
-    tab = slot.tab
-    if tab is None:
-        return None
+def _seat_between(walls: FloatArray, tab: PlacedTab, plate: Slotted) -> TabSeat:
+    """The walls (2, n, 2) of a slot beside its tab, in the plane of the strip's curve."""
     # of a wall that begins beyond the tab's tip its edge counts
-    walls = [
-        places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in slot_walls(slot, plate)
-    ]
-    left, right = sorted(walls, key=lambda places: -float(places[:, 1].mean()))
+    reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
+    left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, f"slot of {plate.name}")
 
 
-def slot_walls(slot: TabSlot, plate: Slotted) -> tuple[FloatArray, FloatArray]:
-    """Both walls of a tab's slot, that of its first corners first: places (n, 2) into the tab and to its left."""
-    tab = slot.tab
-    if tab is None:
-        raise ValueError(f"no tab goes through the slot {slot.name!r}")
+def slot_walls(plate: Slotted) -> dict[int, FloatArray]:
+    """Both walls of each slot that a tab goes through, by its place among the slots, the first corners' wall first.
+
+    Places (2, n, 2) into the tab and to its left, where lines down the walls meet the plane of the strip's curve.
+    """
+    through = {k: slot.tab for k, slot in enumerate(plate.slots) if slot.tab is not None}
+    if not through:
+        return {}
     depths = np.linspace(0.0, -plate.sheet.thickness, WALL_PLACES)
-    walls = []
-    for corners in (slot.corners[:2], slot.corners[:1:-1]):
-        begin, finish = (
-            plate.frame.point(np.column_stack([np.tile(corner, (depths.size, 1)), depths]))
-            for corner in corners
-        )
-        walls.append(_met(tab, begin, finish))
-    return walls[0], walls[1]
-
-
-def _met(tab: PlacedTab, begin: FloatArray, finish: FloatArray) -> FloatArray:
-    """Where lines (n, 3) to (n, 3) meet the plane of the strip's curve: into the tab and to its left, (n, 2)."""
-    frame = tab.frame
-    a, b = (frame.local(points) for points in (begin, finish))
-    u = a[:, 1] / (a[:, 1] - b[:, 1])
-    met = a + u[:, None] * (b - a)
+    corners = np.empty((len(through), 4, depths.size, 3))
+    corners[..., :2] = np.array([plate.slots[k].corners for k in through])[:, :, None]
+    corners[..., 2] = depths
+    origins, axes = (
+        np.array([getattr(tab.frame, name) for tab in through.values()]) for name in ("origin", "axes")
+    )
+    # along the tab, across it and off the strip's upper side
+    local = (plate.frame.point(corners) - origins[:, None, None]) @ np.swapaxes(axes, 1, 2)[:, None]
+    begin, finish = local[:, [0, 3]], local[:, [1, 2]]
+    u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
+    met = begin + u[..., None] * (finish - begin)
     # the tab's z axis is off the strip's upper side, which lies to the right of the curve
-    return np.column_stack([met[:, 0], -met[:, 2]])
+    return dict(zip(through, met[..., [0, 2]] * (1.0, -1.0), strict=True))
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
@@ -78,10 +71,10 @@ def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
     for plate in plates_of(holders):
-        for slot in plate.slots:
-            seat = _seat_in_slot(slot, plate)
-            if slot.tab is not None and seat is not None:
-                yield slot.tab, seat
+        for k, walls in slot_walls(plate).items():
+            tab = plate.slots[k].tab
+            if tab is not None:
+                yield tab, _seat_between(walls, tab, plate)
 
 
 def plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
