@@ -8,9 +8,10 @@ import numpy as np
 
 from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.interlocking.alike_strips import place_between
 from elastica_cad.fabrication.interlocking.flush_strips import Slab, flush_overlap
 from elastica_cad.fabrication.interlocking.interlock import TOUCHING_RAD, Joint, slot_width, strip_thickness
-from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
 from elastica_cad.fabrication.interlocking.slotted_collisions import Collision, SlottedSlab, deepest_collision
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
@@ -84,17 +85,25 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
     """Of every two strips that overlap where no slot lets them, a place."""
     names = strip_names(placed)
     ruled = [RuledStrip(one.strip.rod.curve, one.frame, _within_edges(one.strip.width)) for one in placed]
-    reach = [strip_thickness(one.strip) / 2 for one in placed]
+    meeting = strips_may_meet(ruled, np.array([strip_thickness(one.strip) / 2 for one in placed]))
     slotted = _rooms(placed, joints)
     found = []
     bodies = _bodies(placed, slotted)
+    clear = set[tuple[float, ...]]()
     for i, j in combinations(range(len(placed)), 2):
         pair = names[i], names[j]
         if (i, j) in slotted:
+            # strips that are cut alike share their layers
+            cut = (id(placed[k].strip.layers) for k in (i, j))
+            alike = *cut, slotted[i, j], *place_between(placed[i].frame, placed[j].frame)
+            if alike in clear:
+                continue
             hit = deepest_collision(bodies[i], bodies[j], slotted[i, j])
-            if hit is not None:
+            if hit is None:
+                clear.add(alike)
+            else:
                 found.append(_Meeting(pair, hit.places, beside_slots=hit))
-        elif ruled[i].may_meet(ruled[j], room=reach[i] + reach[j]):
+        elif meeting[i, j]:
             strips, surfaces = (placed[i].strip, placed[j].strip), (ruled[i], ruled[j])
             if (places := _crossing(strips, surfaces)) is not None:
                 found.append(_Meeting(pair, places))

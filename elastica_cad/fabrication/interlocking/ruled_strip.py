@@ -1,11 +1,12 @@
 """A bent strip as a ruled surface: its curve in space, and rulings as long as the strip is wide."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -16,6 +17,8 @@ STATIONS = 400
 
 CURVE_ERROR = 1e-13
 """Of the curve over arc length, relative to its length: near rounding, so that crossings are exact."""
+
+_TABLES = 128  # curves of late: equal strips share theirs, and crossings and collisions ask for the same
 
 InPlane = tuple[FloatArray, FloatArray]
 """Points and unit tangents (n, 2) of a strip's curve in its own plane."""
@@ -65,21 +68,8 @@ class RuledStrip:
         """Unit normals of the surface (n, 3), to the left of the curve, for its tangents (n, 2) in its plane."""
         return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
 
-    def may_meet(self, other: "RuledStrip", room: float = 0.0) -> bool:
-        """False where the strips are clearly apart by more than `room` mm, as seen in the frame of either."""
-        return self._sees(other, room) and other._sees(self, room)
-
-    def _sees(self, other: "RuledStrip", room: float) -> bool:
-        """Does a box around the other strip, with room, meet this one's, in this one's frame?"""
-        turn = self.frame.axes @ other.frame.axes.T
-        box = other._box
-        center = self.frame.local(other.frame.point(box.mean(axis=0)))
-        half = np.abs(turn) @ (box[1] - box[0]) / 2 + room
-        own = self._box
-        return bool(np.all(own[0] <= center + half) and np.all(own[1] >= center - half))
-
     @cached_property
-    def _box(self) -> FloatArray:
+    def box(self) -> FloatArray:
         """[[low], [high]] (2, 3) of a box around the surface in its own frame, mm."""
         reach = self.width.extremes[1] / 2
         low, high = self.curve.bounds
@@ -99,18 +89,47 @@ class RuledStrip:
 
     @cached_property
     def _table(self) -> tuple[FloatArray, FloatArray]:
-        """The curve over arc length: nodes (n + 1,) and quintic pieces (6, n, 2) in s - node."""
-        count = STATIONS
-        while count < 64 * STATIONS:
-            nodes, pieces = _quintics(self.curve, count)
-            if _error(self.curve, nodes, pieces) <= CURVE_ERROR * self.curve.length:
-                scale = self.length / self.curve.length
-                powers = scale ** (1.0 - np.arange(6))[:, None, None]
-                return self.curve.arc_length(nodes) * scale, pieces * powers
-            count *= 2
-        raise NotConvergedError(
-            f"the curve of a strip {self.length:.6g} mm long is too wild to be followed: smooth it"
+        return _over_arc_length(self.curve, self.length)
+
+
+def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = None) -> BoolArray:
+    """Which strips (n, n) are not clearly apart, each with `rooms` (n,) mm about it, seen in the frame of either.
+
+    A box around one strip then meets that around the other.
+    """
+    rooms = np.zeros(len(strips)) if rooms is None else rooms
+    axes, origins, boxes = (
+        np.array(rows).reshape(-1, *shape)
+        for rows, shape in (
+            ([strip.frame.axes for strip in strips], (3, 3)),
+            ([strip.frame.origin for strip in strips], (3,)),
+            ([strip.box for strip in strips], (2, 3)),
         )
+    )
+    centers = origins + (boxes.mean(axis=1)[:, None] @ axes)[:, 0]
+    sizes = (boxes[:, 1] - boxes[:, 0]) / 2
+    seen = np.empty((len(strips), len(strips)), dtype=bool)
+    for own, box, room, sees, origin in zip(axes, boxes, rooms, seen, origins, strict=True):
+        center = (centers - origin) @ own.T
+        half = (np.abs(own @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (rooms + room)[:, None]
+        sees[:] = np.all((box[0] <= center + half) & (box[1] >= center - half), axis=1)
+    return np.asarray(seen & seen.T)
+
+
+@lru_cache(maxsize=_TABLES)
+def _over_arc_length(curve: PlaneCurve, length: float) -> tuple[FloatArray, FloatArray]:
+    """A curve over arc lengths that end at `length`: nodes (n + 1,) and quintic pieces (6, n, 2) in s - node."""
+    count = STATIONS
+    while count < 64 * STATIONS:
+        nodes, pieces = _quintics(curve, count)
+        if _error(curve, nodes, pieces) <= CURVE_ERROR * curve.length:
+            scale = length / curve.length
+            powers = scale ** (1.0 - np.arange(6))[:, None, None]
+            return curve.arc_length(nodes) * scale, pieces * powers
+        count *= 2
+    raise NotConvergedError(
+        f"the curve of a strip {length:.6g} mm long is too wild to be followed: smooth it"
+    )
 
 
 def _quintics(curve: PlaneCurve, count: int) -> tuple[FloatArray, FloatArray]:

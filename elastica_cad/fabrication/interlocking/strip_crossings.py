@@ -147,10 +147,9 @@ class Crossing:
 def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
     """All stretches along which two bent strips cross.
 
-    Solved by Newton's method to rounding error; both ends of a stretch are where it leaves one of the strips.
+    Solved by Newton's method to rounding error; both ends of a stretch are where it leaves one of the strips. Of
+    strips that are clearly apart (`strips_may_meet`) there is none.
     """
-    if not a.may_meet(b):
-        return ()
     found = []
     for locus in intersect_surfaces(a, b):
         found += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
