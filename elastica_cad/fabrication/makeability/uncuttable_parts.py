@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -29,6 +30,8 @@ STEEPEST = 1.0
 
 FAR_WIDER = 2.0
 """Lengths of the stock across, beyond which a strip is told as too large and its thin places are not looked for."""
+
+_KNOWN = 256  # outlines of late: strips that are cut alike share theirs
 
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
@@ -191,9 +194,14 @@ def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator
         return
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
-    places = find_thin_places([layer.outline], holes, least)
+    places = _thin_places(layer.outline, holes, least)
     cure = "make it wider (max_width), or ask for the nearest curve with a smaller ratio"
     yield from _told(name, places, least, layer.sheet, cure)
+
+
+@lru_cache(maxsize=_KNOWN)
+def _thin_places(outline: Path, holes: tuple[Path, ...], least: float) -> tuple[ThinPlace, ...]:
+    return find_thin_places([outline], holes, least)
 
 
 def _told(

@@ -1,13 +1,14 @@
 """Room for engraved texts: boxes about them, and the cuts that these keep off."""
 
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.lettering import Text, text_span, text_width
 from elastica_cad.geometry.boxes import box_about, boxes_meet
+from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
@@ -17,6 +18,10 @@ CLEARANCE_MM = 0.5
 
 FLAT_MM = 0.02
 """Flatness of the cuts as letters see them: little beside their clearance."""
+
+_POLYLINES = (
+    256  # lines of late: labels, marks and numbers keep off the same outlines, and so do equal strips
+)
 
 
 def text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
@@ -35,6 +40,15 @@ def on_free_part(box: FloatArray, width: Profile) -> bool:
     if x[0] < 0 or x[-1] > width.length:
         return False
     return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
+
+
+@lru_cache(maxsize=_POLYLINES)
+def _polyline(line: Path) -> FloatArray:
+    """Points (n, 2) of a line as letters see it, run around to the first where it is closed."""
+    (points,) = polylines([line], FLAT_MM)
+    points = _around(points) if line.closed else points
+    points.setflags(write=False)
+    return points
 
 
 class _Cut:
@@ -58,8 +72,7 @@ class _Cut:
     def points(self) -> FloatArray:
         if not isinstance(self.line, Path):
             return self.line
-        points = self.line.points(FLAT_MM)
-        return _around(points) if self.line.closed else points
+        return _polyline(self.line)
 
     def reaches(self, box: FloatArray, rim: FloatArray) -> bool:
         low, high = box_about(box)

@@ -170,6 +170,8 @@ def draw_layers(
 
 def _off_slots(guides: Sequence[Path], layout: Layout, slots: Sequence[Slot]) -> tuple[Path, ...]:
     """The parts of lines that lie beside slots, where there is material to mark."""
+    if not guides:
+        return ()
     open_cuts = [slot_cut(slot, layout.width, beyond=slot.width) for slot in slots]
     loops = [
         Path((*cut.segments, Line(cut.segments[-1].end, cut.segments[0].start)), closed=True)
