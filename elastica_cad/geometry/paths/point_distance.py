@@ -13,6 +13,7 @@ _BLOCK = 4096
 """Points whose distances from all chords of a spline are held at a time: some ten MB."""
 
 _NEWTON_STEPS = 6
+_ROUNDING_SHARE = 1e-14  # of the largest number: what turning a curve to another place of a model leaves
 _SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
 _UNSETTLED = 1e-7  # of the domain, after Newton's last step: it goes round in circles
 _SEARCHES = 20  # each leaves a quarter of the span, or less
@@ -31,11 +32,22 @@ def distances(segment: Segment, points: ArrayLike) -> FloatArray:
 
 
 def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
-    """Largest distance of 401 points of `found` from `target`, mm; 0 where their numbers are the same."""
-    numbers = ((curve.knots, curve.control_points, curve.weights) for curve in (target, found))
-    if all(np.array_equal(a, b) for a, b in zip(*numbers, strict=True)):
+    """Largest distance of 401 points of `found` from `target`, mm; 0 where their numbers differ by rounding."""
+    if _same_numbers(target, found):
         return 0.0
     return float(distances(Spline(target), found.sample(401).position).max())
+
+
+def _same_numbers(one: PlaneCurve, other: PlaneCurve) -> bool:
+    """Equal but for rounding?"""
+    if one.degree != other.degree or (one.weights is None) != (other.weights is None):
+        return False
+    rows = [(one.knots, other.knots), (one.control_points, other.control_points)]
+    if one.weights is not None and other.weights is not None:
+        rows.append((one.weights, other.weights))
+    return all(
+        a.shape == b.shape and np.abs(a - b).max() <= _ROUNDING_SHARE * np.abs(a).max() for a, b in rows
+    )
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
