@@ -19,7 +19,7 @@ from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_around
-from elastica_cad.geometry.paths.many_segments import total_length
+from elastica_cad.geometry.paths.many_segments import areas, total_length
 from elastica_cad.mechanics.material.sheet import Sheet
 
 
@@ -91,8 +91,11 @@ class Piece:
     @cached_property
     def area(self) -> float:
         """Of one piece, mm2."""
-        outer = sum(abs(path.area) for path in self.drawing.on(CUT_OUTER) if path.closed)
-        return outer - sum(abs(path.area) for path in self.drawing.on(CUT_INNER) if path.closed)
+        outer, inner = (
+            areas([path for path in self.drawing.on(layer) if path.closed])
+            for layer in (CUT_OUTER, CUT_INNER)
+        )
+        return float(np.abs(outer).sum() - np.abs(inner).sum())
 
     @property
     def mass(self) -> float:

@@ -63,33 +63,46 @@ class ManySegments:
 
 
 def total_length(paths: Sequence[Path]) -> float:
-    """Sum of the lengths of paths, mm.
+    """Sum of the lengths of paths, mm; each path then knows its own.
 
     Examples
     --------
     >>> total_length([Path.rectangle(4.0, 3.0), Path.rectangle(1.0, 1.0)])
     18.0
     """
-    plain = [spline for spline in _splines(paths) if not spline.curve.is_rational]
-    if len(plain) < FEW:
-        return sum(path.length for path in paths)
-    total, apart = 0.0, set(map(id, plain))
-    for path in paths:
-        total += sum(segment.length for segment in path.segments if id(segment) not in apart)
-    return total + sum(float(table.lengths.sum()) for _, table in _tables([spline.curve for spline in plain]))
+    unknown = [path for path in paths if "length" not in vars(path)]
+    plain = [spline for spline in _splines(unknown) if not spline.curve.is_rational]
+    if len(plain) >= FEW:
+        known = dict[int, float]()
+        for rows, table in _tables([spline.curve for spline in plain]):
+            known.update(zip((id(plain[i]) for i in rows), table.lengths.tolist(), strict=True))
+        for path in unknown:
+            parts = [known.get(id(segment)) for segment in path.segments]
+            vars(path)["length"] = sum(
+                segment.length if part is None else part
+                for segment, part in zip(path.segments, parts, strict=True)
+            )
+    return sum(path.length for path in paths)
 
 
 def areas(paths: Sequence[Path]) -> FloatArray:
-    """The signed areas (n,) of closed paths, mm2: see `Path.area`.
+    """The signed areas (n,) of closed paths, mm2: see `Path.area`; each path then knows its own.
 
     Examples
     --------
     >>> areas([Path.rectangle(4.0, 3.0), Path.rectangle(1.0, 1.0).reversed()]).tolist()
     [12.0, -1.0]
     """
-    splines = [spline for spline in _splines(paths) if not spline.curve.is_rational]
-    if len(splines) < FEW:
-        return np.array([path.area for path in paths], dtype=float)
+    unknown = [path for path in paths if path.closed and "area" not in vars(path)]
+    splines = [spline for spline in _splines(unknown) if not spline.curve.is_rational]
+    if len(splines) >= FEW:
+        for path, area in zip(unknown, _areas(unknown, splines).tolist(), strict=True):
+            vars(path)["area"] = area
+    return np.array([path.area for path in paths], dtype=float)
+
+
+def _areas(paths: Sequence[Path], splines: Sequence[Spline]) -> FloatArray:
+    """Areas (n,) of closed paths, their splines without weights in order at one go."""
     total, owner = np.zeros(len(paths)), []
     for k, path in enumerate(paths):
         for segment in path.segments:
