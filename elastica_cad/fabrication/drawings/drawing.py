@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.geometry.boxes import box_around
-from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path import Path, move_paths
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import is_similarity, transform_points
 from elastica_cad.mechanics.material.sheet_keys import printable
@@ -116,8 +116,11 @@ class Drawing:
     def transformed(self, matrix: ArrayLike) -> "Drawing":
         """The drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
         m = np.asarray(matrix, dtype=float)
-        paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
-        if is_similarity(m) and np.linalg.det(m[:2, :2]) > 0:
+        even = is_similarity(m)
+        drawn = [item.path for item in self.paths]
+        moved = move_paths(drawn, m) if even and drawn else [path.transformed(m) for path in drawn]
+        paths = [LayeredPath(item.layer, path) for item, path in zip(self.paths, moved, strict=True)]
+        if even and np.linalg.det(m[:2, :2]) > 0:
             turn, scale = (
                 float(np.arctan2(m[1, 0], m[0, 0])),
                 float(np.hypot(m[0, 0], m[1, 0]) / abs(m[2, 2])),

@@ -9,7 +9,7 @@ from unicodedata import combining, normalize
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path import Path, move_paths
 
 CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
 LABEL_MM = 5.0  # height of a strip's label, where there is room
@@ -113,13 +113,15 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
     scale = text.height / CAP_HEIGHT
     c, s = scale * np.cos(text.angle), scale * np.sin(text.angle)
     x, y = text.position
-    placed: list[Path] = []
+    strokes: list[Path] = []
+    shifts: list[tuple[float, float]] = []
     advance = 0.0
     for character in text.text:
-        frame = np.array([[c, -s, x + c * advance], [s, c, y + s * advance], [0.0, 0.0, 1.0]])
-        placed.extend(stroke.transformed(frame) for stroke in _glyph(character))
+        strokes += _glyph(character)
+        shifts += [(x + c * advance, y + s * advance)] * len(_glyph(character))
         advance += _glyphs()[character][0] + _GAP
-    return tuple(placed)
+    turned = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    return move_paths(strokes, turned, np.array(shifts)) if strokes else ()
 
 
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:

@@ -3,12 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 from math import dist
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.boxes import box_about, box_around
+from elastica_cad.geometry.curves.nurbs_curve import FAR_SIZES
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.segments import (
@@ -19,11 +22,15 @@ from elastica_cad.geometry.paths.segments import (
     is_similarity,
     place,
     segment_from_bulge,
+    similarity_of,
 )
 from elastica_cad.geometry.paths.spline_table import SplineTable
 
 JOIN = 1e-6
 """Largest gap between the ends of neighbouring segments, mm."""
+
+NEAR_MM = 1e6
+"""Shifted by less, rounding opens no gap."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,33 +151,46 @@ class Path:
         """[[x_min, y_min], [x_max, y_max]], mm, exact."""
         ends = np.array([point for segment in self.segments for point in (segment.start, segment.end)])
         low, high = ends.min(axis=0), ends.max(axis=0)
-        hulls = [s.curve.control_points for s in self.segments if isinstance(s, Spline)]
-        if len(hulls) == len(self.segments):  # of splines alone, as most holes: asked all together
-            points = np.concatenate(hulls)
-            if np.all(points >= low) and np.all(points <= high):
+        boxes = [segment.bounds for segment in self.segments if isinstance(segment, Arc)]
+        if boxes:
+            least, most = box_around(np.array(boxes))
+            low, high = np.minimum(low, least), np.maximum(high, most)
+        splines = [segment for segment in self.segments if isinstance(segment, Spline)]
+        if not splines:
+            return np.array([low, high])
+        hulls = np.concatenate([spline.curve.control_points for spline in splines])
+        begins = np.cumsum([0, *(len(spline.curve.control_points) for spline in splines[:-1])])
+        least, most = np.minimum.reduceat(hulls, begins), np.maximum.reduceat(hulls, begins)
+        while (
+            True
+        ):  # a spline lies within the hull of its control points: the one that reaches out farthest is asked
+            beyond = np.maximum(low - least, most - high).max(axis=1)
+            k = int(beyond.argmax())
+            if not beyond[k] > 0:
                 return np.array([low, high])
-        for segment in self.segments:
-            if isinstance(segment, Line):
-                continue
-            if isinstance(segment, Spline):  # within the hull of its control points
-                points = segment.curve.control_points
-                if np.all(points.min(axis=0) >= low) and np.all(points.max(axis=0) <= high):
-                    continue
-            box = segment.bounds
+            box = splines[k].bounds
             low, high = np.minimum(low, box[0]), np.maximum(high, box[1])
-        return np.array([low, high])
+            least[k], most[k] = low, high
 
     def reversed(self) -> "Path":
         """The path run the other way."""
         return Path([segment.reversed() for segment in reversed(self.segments)], self.closed)
 
+    @classmethod
+    def of_sound(cls, segments: tuple[Segment, ...], closed: bool) -> "Path":
+        """The path of segments that need no check: those of another one, moved."""
+        made = object.__new__(cls)
+        object.__setattr__(made, "segments", segments)
+        object.__setattr__(made, "closed", closed)
+        return made
+
     def transformed(self, matrix: ArrayLike) -> "Path":
         """The path moved by a 3x3 affine matrix; an uneven scaling turns arcs into exact rational splines."""
-        even = is_similarity(matrix)
-        plain: list[Segment] = [
-            s.as_spline() if isinstance(s, Arc) and not even else s for s in self.segments
-        ]
-        return Path([s.transformed(matrix) for s in plain], self.closed)
+        m = np.asarray(matrix, dtype=float)
+        if not is_similarity(m):
+            plain = [s.as_spline() if isinstance(s, Arc) else s for s in self.segments]
+            return Path([s.transformed(m) for s in plain], self.closed)
+        return move_paths([self], m)[0]
 
     def moved(self, x: float, y: float) -> "Path":
         """The path shifted by (x, y) mm."""
@@ -191,3 +211,111 @@ class Path:
     def has_splines(self) -> bool:
         """True where a segment is a spline."""
         return any(isinstance(segment, Spline) for segment in self.segments)
+
+
+def move_paths(
+    paths: Sequence[Path], matrix: FloatArray, shifts: FloatArray | None = None
+) -> tuple[Path, ...]:
+    """Paths moved by a 3x3 similarity, all at one go.
+
+    Parameters
+    ----------
+    paths : sequence of Path
+    matrix : (3, 3) array
+    shifts : (n, 2) array, optional
+        How far each is shifted, mm, in place of what the matrix says.
+
+    Examples
+    --------
+    >>> squares = [Path.rectangle(1, 1)] * 2
+    >>> moved = move_paths(squares, np.diag([2.0, 2.0, 1.0]), np.array([[0.0, 0.0], [5.0, 0.0]]))
+    >>> [path.bounds.tolist() for path in moved]
+    [[[0.0, 0.0], [2.0, 2.0]], [[5.0, 0.0], [7.0, 2.0]]]
+    """
+    counts = [len(path.segments) for path in paths]
+    shifts = np.broadcast_to(matrix[:2, 2], (len(paths), 2)) if shifts is None else shifts
+    segments = [segment for path in paths for segment in path.segments]
+    moved = iter(_move_segments(segments, matrix, np.repeat(shifts, counts, axis=0)))
+    scale, *_ = similarity_of(matrix)
+    # gaps do not grow, nor does rounding count
+    sound = scale <= 1 and float(np.abs(shifts).max()) < NEAR_MM
+    found = []
+    for path, count in zip(paths, counts, strict=True):
+        own = tuple(islice(moved, count))
+        found.append(Path.of_sound(own, path.closed) if sound else Path(own, path.closed))
+    if not matrix[[0, 1], [1, 0]].any() or not matrix[[0, 1], [0, 1]].any():  # a box along the axes stays one
+        for path, new, shift in zip(paths, found, shifts, strict=True):
+            if "bounds" in vars(path):
+                corners = (path.bounds @ matrix[:2, :2].T + shift) / matrix[2, 2]
+                vars(new)["bounds"] = box_about(corners)
+    return tuple(found)
+
+
+def _move_segments(segments: Sequence[Segment], matrix: FloatArray, shifts: FloatArray) -> list[Segment]:
+    """The segments moved by a 3x3 similarity and shifts (n, 2), each as its own `transformed` has it."""
+    moved: list[Segment] = list(segments)
+    lines = [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Line)]
+    if lines:
+        _move_lines(moved, lines, matrix, shifts)
+    arcs = [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Arc)]
+    if arcs:
+        _move_arcs(moved, arcs, matrix, shifts)
+    curves = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
+    if curves:
+        _move_splines(moved, curves, matrix, shifts)
+    return moved
+
+
+def _placed(points: FloatArray, matrix: FloatArray, shifts: FloatArray) -> FloatArray:
+    """Points (n, k, 2), each row shifted by its own way (n, 2)."""
+    return np.asarray((points @ matrix[:2, :2].T + shifts[:, None]) / matrix[2, 2], dtype=float)
+
+
+def _move_lines(
+    moved: list[Segment], lines: Sequence[tuple[int, Line]], matrix: FloatArray, shifts: FloatArray
+) -> None:
+    """Put moved lines in the places of the old ones."""
+    ends = np.array([(line.start, line.end) for _, line in lines])
+    places = _placed(ends, matrix, shifts[[i for i, _ in lines]])
+    places.setflags(write=False)
+    sound = (places[:, 0] != places[:, 1]).any(axis=1) & np.isfinite(places).all(axis=(1, 2))
+    for (i, _), (start, end), is_sound in zip(lines, places, sound.tolist(), strict=True):
+        moved[i] = Line.of_sound(start, end) if is_sound else Line(start, end)
+
+
+def _move_arcs(
+    moved: list[Segment], arcs: Sequence[tuple[int, Arc]], matrix: FloatArray, shifts: FloatArray
+) -> None:
+    """Put moved arcs in the places of the old ones."""
+    scale, turn, sign = similarity_of(matrix)
+    centers = _placed(np.array([[arc.center] for _, arc in arcs]), matrix, shifts[[i for i, _ in arcs]])
+    for (i, arc), (center,) in zip(arcs, centers, strict=True):
+        moved[i] = Arc(center, arc.radius * scale, turn + sign * arc.start_angle, turn + sign * arc.end_angle)
+
+
+def _move_splines(
+    moved: list[Segment], curves: Sequence[tuple[int, PlaneCurve]], matrix: FloatArray, shifts: FloatArray
+) -> None:
+    """Put moved splines in the places of the old ones."""
+    counts = np.array([len(curve.control_points) for _, curve in curves])
+    begins = np.cumsum(counts) - counts
+    rows = np.ones((int(counts.sum()), 3))
+    for begin, (_, curve) in zip(begins.tolist(), curves, strict=True):
+        own = rows[begin : begin + len(curve.control_points)]
+        own[:, :2] = curve.control_points
+        if curve.weights is not None:
+            own *= curve.weights[:, None]
+    linear = matrix.copy()
+    linear[:2, 2] = 0.0
+    image = rows @ linear.T
+    image[:, :2] += rows[:, 2:] * np.repeat(shifts[[i for i, _ in curves]], counts, axis=0)
+    points = image[:, :2] / image[:, 2:]
+    low, high = np.minimum.reduceat(points, begins), np.maximum.reduceat(points, begins)
+    # what lies much farther away than it is large loses digits, and is checked again
+    sound = np.maximum(-low, high).max(axis=1) < FAR_SIZES * (high - low).max(axis=1)
+    for (i, curve), own, is_sound in zip(curves, np.split(points, begins[1:]), sound.tolist(), strict=True):
+        if is_sound and curve.provenance is None:
+            moved[i] = Spline(PlaneCurve.of_sound(curve.knots, own, curve.degree, curve.weights))
+        else:
+            linear[:2, 2] = shifts[i]
+            moved[i] = Spline(curve.transformed(linear))

@@ -2,14 +2,13 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import dist, inf, isfinite
+from math import atan2, ceil, cos, dist, floor, hypot, inf, isfinite, pi, sin
 from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.spline_table import SplineTable
@@ -45,6 +44,14 @@ class Line:
         object.__setattr__(self, "end", _point(end, "line end"))
         if self.start.tolist() == self.end.tolist():
             raise InputError(f"a line at {place(self.start)} has no length: leave it out")
+
+    @classmethod
+    def of_sound(cls, start: FloatArray, end: FloatArray) -> "Line":
+        """The line between two different points (2,) that need no check and are not written to."""
+        made = object.__new__(cls)
+        object.__setattr__(made, "start", start)
+        object.__setattr__(made, "end", end)
+        return made
 
     @property
     def length(self) -> float:
@@ -171,9 +178,11 @@ class Arc:
     def bounds(self) -> FloatArray:
         """[[x_min, y_min], [x_max, y_max]], mm."""
         low, high = sorted((self.start_angle, self.end_angle))
-        quarter = np.pi / 2
-        poles = quarter * np.arange(np.ceil(low / quarter), np.floor(high / quarter) + 1)
-        return box_about(self._on(np.array([low, high, *poles])))
+        quarter = pi / 2
+        poles = (quarter * k for k in range(ceil(low / quarter), floor(high / quarter) + 1))
+        (x, y), r, angles = self.center.tolist(), self.radius, (low, high, *poles)
+        across, up = [x + r * cos(angle) for angle in angles], [y + r * sin(angle) for angle in angles]
+        return np.array([[min(across), min(up)], [max(across), max(up)]])
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Points (..., 2) at u in [0, 1], uniform in arc length."""
@@ -214,12 +223,10 @@ class Arc:
         m = _require_affine(matrix)
         if not is_similarity(m):
             raise InputError("an arc stays an arc only when moved, turned, mirrored or scaled evenly")
-        scale = np.hypot(m[0, 0], m[1, 0]) / m[2, 2]
-        turn = float(np.arctan2(m[1, 0], m[0, 0]))
-        sign = 1.0 if m[0, 0] * m[1, 1] > m[0, 1] * m[1, 0] else -1.0
+        scale, turn, sign = similarity_of(m)
         return Arc(
             transform_points(m, self.center),
-            self.radius * abs(float(scale)),
+            self.radius * scale,
             turn + sign * self.start_angle,
             turn + sign * self.end_angle,
         )
@@ -356,6 +363,12 @@ def is_similarity(matrix: ArrayLike) -> bool:
     slack = 1e-12 * max(abs(a), abs(b), abs(c), abs(d))
     turned = bool(abs(b + c) <= slack and abs(d - a) <= slack)
     return turned or bool(abs(b - c) <= slack and abs(d + a) <= slack)
+
+
+def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
+    """By what a 3x3 similarity scales, by which angle (rad) it turns, and 1.0, or -1.0 where it mirrors before."""
+    (a, b, _), (c, d, _), (_, _, last) = matrix.tolist()
+    return hypot(a, c) / abs(last), atan2(c, a), 1.0 if a * d > b * c else -1.0
 
 
 def _beyond_sine(x: float) -> float:
