@@ -20,16 +20,17 @@ def require_tolerance_mm(tolerance: float) -> float:
     return float(tolerance)
 
 
-def chord_parameters(segment: Segment, tolerance: float) -> FloatArray:
-    """Parameters u (n,) from 0 to 1 whose chords stay within `tolerance` mm of the segment."""
-    return _spline_chords(segment, tolerance)[0] if isinstance(segment, Spline) else _even(segment, tolerance)
+def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
+    """Parameters u (n,) from 0 to 1 whose chords stay within `tolerance` mm of a segment, and its points there."""
+    if isinstance(segment, Spline):
+        return _spline_chords(segment, tolerance)
+    u = _even(segment, tolerance)
+    return u, segment.at(u)
 
 
 def chord_points(segment: Segment, tolerance: float) -> FloatArray:
-    """The points (n, 2) of the segment at its `chord_parameters`, mm."""
-    if isinstance(segment, Spline):
-        return _spline_chords(segment, tolerance)[1]
-    return segment.at(_even(segment, tolerance))
+    """The points of `chords` alone, (n, 2), mm."""
+    return chords(segment, tolerance)[1]
 
 
 def _even(segment: Line | Arc, tolerance: float) -> FloatArray:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.paths.chords import chord_parameters
+from elastica_cad.geometry.paths.chords import chords
 from elastica_cad.geometry.paths.segments import Line, Segment
 
 IndexArray: TypeAlias = NDArray[np.intp]
@@ -31,8 +31,7 @@ class Chords:
     @classmethod
     def of(cls, segment: Segment) -> "Chords":
         """The chords of a segment."""
-        u = chord_parameters(segment, _CHORD_TOLERANCE_MM)
-        return cls(segment, u, segment.at(u))
+        return cls(segment, *chords(segment, _CHORD_TOLERANCE_MM))
 
 
 def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]:

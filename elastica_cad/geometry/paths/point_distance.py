@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.chords import chord_parameters
+from elastica_cad.geometry.paths.chords import chords
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
 _BLOCK = 4096
@@ -126,5 +126,4 @@ def _chord_tolerance(spline: Spline) -> float:
 @lru_cache(maxsize=_TABLES)
 def _table(spline: Spline) -> tuple[FloatArray, FloatArray]:
     """Parameters and points of chords close enough for Newton's method to begin from."""
-    u = chord_parameters(spline, _chord_tolerance(spline))
-    return u, spline.at(u)
+    return chords(spline, _chord_tolerance(spline))
