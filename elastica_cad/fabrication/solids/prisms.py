@@ -119,15 +119,10 @@ class PrismSolid:
 
 
 def convex_corners(points: FloatArray) -> FloatArray:
-    """Corners (n, 2), anticlockwise from the leftmost, of the least convex polygon around points (m, 2).
+    """Corners (n, 2), anticlockwise from the leftmost, of the least convex polygon around points (m, 2) of an area.
 
     Points that lie on its sides but for rounding are none. (Andrew's monotone chain, 1979; scipy's hull takes a
     seventh of a second to be loaded.)
-
-    Raises
-    ------
-    InputError
-        All points lie on a line.
 
     Examples
     --------
@@ -137,8 +132,6 @@ def convex_corners(points: FloatArray) -> FloatArray:
     places = np.unique(np.asarray(points, dtype=float), axis=0).tolist()
     least = FLAT_SHARE * float(np.ptp(points, axis=0).max()) ** 2
     lower, upper = _right_turns_cut(places, least), _right_turns_cut(places[::-1], least)
-    if len(lower) + len(upper) < 5:
-        raise InputError("the points of a polygon lie on a line: give places beside it")
     return np.array([*lower[:-1], *upper[:-1]], dtype=float)
 
 

@@ -11,7 +11,7 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtur
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.prisms import RoundGroove
+from elastica_cad.fabrication.solids.prisms import RoundGroove, convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
@@ -235,3 +235,18 @@ def test_flat_tabs_are_named():
 def test_impossible_plates_are_refused(arch, bad):
     with pytest.raises(InputError, match="base: "):
         standing(arch, 0.0).base_plate(MDF, **bad)
+
+
+def test_convex_outlines_are_those_of_scipy():
+    from scipy.spatial import ConvexHull
+
+    random = np.random.default_rng(4)
+    for _ in range(50):
+        points = random.normal(size=(int(random.integers(4, 40)), 2)) * 10 ** random.uniform(-1, 3)
+        points = np.concatenate(
+            [points, (points + points[::-1]) / 2, points[:2]]
+        )  # some on sides, some twice
+        corners = convex_corners(points)
+        theirs = points[ConvexHull(points).vertices]
+        first = int(np.abs(theirs - corners[0]).sum(axis=1).argmin())
+        assert corners.tolist() == np.roll(theirs, -first, axis=0).tolist()

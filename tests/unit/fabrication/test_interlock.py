@@ -8,9 +8,9 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
-from elastica_cad.fabrication.interlocking.interlock import slot_width
+from elastica_cad.fabrication.interlocking.interlock import interlock, slot_width
 from elastica_cad.fabrication.interlocking.missing_slots import missing_slots, tell_missing_slots
-from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -440,3 +440,58 @@ def test_strips_that_are_slotted_alike_are_cut_once_under_their_own_names():
     farther = tuple(replace(slot, path=slot.path + np.array([1e-6, 0.0])) for slot in first.slots)
     moved = replace(first, slots=farther)
     assert cut_as_known(moved, [first]) is moved
+
+
+def hexagon(count, *, made_alike):
+    """Some sides of a hexagon, each bent, that cross near their ends."""
+    rod = optimal_rod(PlaneCurve.spline([(-60, -80), (-20, -88), (0, -90), (20, -88), (60, -80)]))
+    placed = []
+    for k in range(count):
+        x = np.array([np.cos(np.pi / 3 * k), np.sin(np.pi / 3 * k), 0.02])
+        strip = Strip(rod if made_alike else replace(rod), CARD, max_width=12, label=f"H{k}")
+        placed.append(Placed(strip, (5, 3, k), x / np.hypot(1, 0.02), np.cross((0, 0, 1), x)))
+    return placed
+
+
+@pytest.mark.parametrize("above", [None, (0, 0, 1)])
+def test_pairs_that_are_placed_alike_are_crossed_once_and_as_each_by_itself(monkeypatch, above):
+    each = interlock(hexagon(5, made_alike=False), above=above)
+    asked = []
+
+    def spied(a, b):
+        asked.append((a, b))
+        return strip_crossings(a, b)
+
+    monkeypatch.setattr("elastica_cad.fabrication.interlocking.interlock.strip_crossings", spied)
+    once = interlock(hexagon(5, made_alike=True), above=above)
+    assert len({joint.members for joint in each.joints}) > len(asked)
+    assert [joint.members for joint in once.joints] == [joint.members for joint in each.joints]
+    assert once.reports == each.reports
+    for known, own in zip(once.joints, each.joints, strict=True):
+        np.testing.assert_allclose(known.position, own.position, atol=1e-9)
+        np.testing.assert_allclose(known.angle, own.angle, atol=1e-9)
+        for a, b in zip(known.slots, own.slots, strict=True):
+            assert (a.mate, a.side) == (b.mate, b.side)
+            np.testing.assert_allclose(a.path, b.path, atol=1e-9)
+            np.testing.assert_allclose(a.widths, b.widths, atol=1e-9)
+
+
+def test_pairs_that_are_placed_alike_collide_as_each_by_itself():
+    both = [interlock(hexagon(5, made_alike=alike)) for alike in (True, False)]
+    once, each = (missing_slots(found.placed, found.joints) for found in both)
+    assert once == each
+
+
+def test_strips_that_are_clearly_apart_are_told_with_their_room():
+    strips = [
+        RuledStrip(one.strip.rod.curve, one.frame, one.strip.width)
+        for one in (flat(), flat(origin=(0, 3, 0)), turned(1.0), flat(origin=(0, 0, 50)))
+    ]
+    assert strips_may_meet(strips).tolist() == [
+        [True, False, True, False],
+        [False, True, True, False],
+        [True, True, True, False],
+        [False, False, False, True],
+    ]
+    assert strips_may_meet(strips, np.array([2.0, 1.0, 0.0, 0.0]))[0, 1]
+    assert not strips_may_meet(strips, np.array([2.0, 0.9, 0.0, 0.0]))[0, 1]

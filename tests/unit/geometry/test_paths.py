@@ -1,10 +1,12 @@
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.clip import clip_across, trim_across
-from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path import Path, move_paths
 from elastica_cad.geometry.paths.path_intersections import self_crossing
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 from elastica_cad.geometry.paths.trim import clamp_ends, trim_segment
@@ -107,6 +109,60 @@ def test_similarities_move_everything(matrix):
     u = np.linspace(0, 1, 7)
     for before, after in zip(path.segments, moved.segments, strict=True):
         assert np.allclose(after.at(u), before.at(u) @ matrix[:2, :2].T + matrix[:2, 2], atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        turned(0.4),
+        turned(1.0, scale=2.5),
+        turned(np.pi / 2),
+        turned(0.0, mirror=-1.0),
+        np.diag([-1.0, -1.0, 1.0]),
+    ],
+)
+def test_many_paths_are_moved_as_each_by_itself(matrix):
+    """Lines, arcs and splines with and without weights, each path to a place of its own; boxes go along."""
+    heavy = Spline(wavy(3, weights=[1, 2, 0.5, 3, 1, 1]))
+    paths = [
+        Path.polyline([(0, 0), (10, 2), (3, 8)], [0.3, 0.0, -0.7], closed=True),
+        Path([Spline(wavy()), Line((50, 5), (60, 0)), heavy.transformed(turned(0, 60, 0))]),
+        Path([heavy]),
+    ]
+    boxes = [path.bounds for path in paths]
+    shifts = np.array([(5.0, -3.0), (700.0, 2.0), (0.0, 0.0)])
+    for path, box, shift, moved in zip(paths, boxes, shifts, move_paths(paths, matrix, shifts), strict=True):
+        own = matrix.copy()
+        own[:2, 2] = shift
+        assert moved.closed == path.closed
+        for segment, after in zip(path.segments, moved.segments, strict=True):
+            alone = segment.transformed(own)
+            assert type(after) is type(segment)
+            u = np.linspace(0, 1, 9)
+            assert np.abs(after.at(u) - alone.at(u)).max() < 1e-12
+        dense = np.concatenate([segment.at(np.linspace(0, 1, 20001)) for segment in moved.segments])
+        expected = [dense.min(axis=0), dense.max(axis=0)]
+        assert np.abs(moved.bounds - expected).max() < 1e-6
+        assert box is path.bounds
+
+
+def test_a_path_moved_far_away_is_checked_again():
+    speck = Path([Spline(PlaneCurve.line((0, 0), (1e-4, 0)))])
+    with pytest.raises(InputError):
+        speck.transformed(turned(0.0, 1e13))
+    with pytest.raises(InputError, match="no length"):
+        Path([Line((0, 0), (1e-4, 0))]).transformed(turned(0.0, 1e13))
+
+
+def test_bounds_ask_the_splines_that_reach_out():
+    """Pieces of a wavy line: some lie within the ends of the others, some reach out by a hump."""
+    humps = PlaneCurve.spline([(0, 0), (10, 30), (20, -30), (30, 30), (40, -12), (50, 5), (60, 0)], 3)
+    edges = np.linspace(0, 1, 8)
+    pieces = [trim_segment(Spline(humps), a, b) for a, b in pairwise(edges.tolist())]
+    dense = humps.evaluate(np.linspace(*humps.domain, 200_001))
+    expected = [dense.min(axis=0), dense.max(axis=0)]
+    assert np.abs(Path(pieces).bounds - expected).max() < 1e-7
+    assert np.abs(Path(pieces).reversed().bounds - expected).max() < 1e-7
 
 
 def test_uneven_scaling_makes_splines_of_arcs():

@@ -33,6 +33,15 @@ def test_points_of_a_curve_lie_on_it():
     assert largest_deviation(WAVE, WAVE.transformed(np.eye(3))) == 0.0
 
 
+@pytest.mark.parametrize("curve", [WAVE, ROUND])
+def test_curves_that_differ_by_rounding_are_as_near_as_the_same(curve):
+    points = curve.control_points
+    assert largest_deviation(curve, curve.with_control_points(points * (1 + 2e-16))) == 0.0
+    off = largest_deviation(curve, curve.with_control_points(points + 1e-9))
+    assert 1e-10 < off < 2e-9
+    assert largest_deviation(curve, PlaneCurve.line(points[0], points[-1], degree=curve.degree)) > 1.0
+
+
 @pytest.mark.parametrize("heavy", [100.0, 300.0])
 def test_distances_do_not_hang_on_how_fast_a_curve_is_run_through(heavy):
     points = np.random.default_rng(8).normal((20, 10), 15, size=(400, 2))
