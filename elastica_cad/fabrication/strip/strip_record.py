@@ -281,7 +281,7 @@ class Strip:
 
         return leaf_bends(self.rod, self.layout.stack)
 
-    @property
+    @cached_property
     def warnings(self) -> tuple[str, ...]:
         """What a maker should know before cutting: the rod's and the style's warnings, strains beyond a limit."""
         s, bend = self._bend

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Protocol, TypeAlias
 
 import numpy as np
@@ -36,6 +37,8 @@ CORRECTION_TOLERANCE = 1e-6
 
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
+
+_RODS = 64  # of late, whose bends are kept: equal strips of a model share theirs
 
 SAME_SCALE = 1e-4
 """Relative difference of bending stiffnesses that an optimal rod's own accuracy explains."""
@@ -335,6 +338,7 @@ def correct_layout(
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 
+@lru_cache(maxsize=_RODS)
 def bend_stations(rod: Rod) -> tuple[FloatArray, FloatArray]:
     """Stations (n,), mm, spread over the curve's smooth panels, and |kappa - kappa_0| there, 1/mm."""
     s, curvature = rod.s, rod.curvature
