@@ -1,6 +1,7 @@
 """Slots: narrow cuts that let strips interlock, open at the edge of the flat pattern."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -23,6 +24,8 @@ STRAIGHT_MM = 1e-7
 
 CLEARANCE_MM = 0.1
 """Usually added to the width of a slot: a laser-cut sheet then slides in and stays."""
+
+_SLOTS = 512  # of late: an outline is cut by slots that other strips are then kept clear of
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
@@ -139,20 +142,11 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
     beyond : float
         How far the sides run on, straight, beyond the end of the centre line, mm.
     """
-    points, widths = slot.center_line(width)
-    t = lengths_along(points)
-    degree = min(3, len(points) - 1)  # of a spline through them
-    tangents = SplineFunction.of(*spline_through(t, points, degree), degree)(t, 1)
-    normals = _left_of(tangents)
-    rows = [points + sign * widths[:, None] / 2 * normals for sign in (-1, 1)]
-    knots, controls = spline_through(t, np.hstack(rows), degree)
-    right, left = (
-        _through(row, knots, side, beyond) for row, side in zip(rows, np.hsplit(controls, 2), strict=True)
-    )
-    end: Segment = Line(rows[0][0], rows[1][0])
-    if slot.relief == "round":
-        end = Arc.from_bulge(rows[0][0], rows[1][0], -1.0)
-    return Path([*(segment.reversed() for segment in reversed(right)), end, *left])
+    right, left = _sides(slot, width)
+    first, last = right.points[0], left.points[0]
+    end = Arc.from_bulge(first, last, -1.0) if slot.relief == "round" else Line(first, last)
+    inward = [segment.reversed() for segment in reversed(right.drawn(beyond))]
+    return Path([*inward, end, *left.drawn(beyond)])
 
 
 def slot_rim(slot: Slot, width: Profile, *, beyond: float) -> FloatArray:
@@ -179,14 +173,41 @@ def _left_of(tangents: FloatArray) -> FloatArray:
     return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
 
 
-def _through(points: FloatArray, knots: FloatArray, controls: FloatArray, beyond: float) -> list[Segment]:
-    """Segments through points in order and straight on: lines where they lie on one, else their spline first."""
+@dataclass(frozen=True, eq=False)
+class _Side:
+    """A side of a slot from its inner end: points (n, 2), their spline where it is bent, the way on at its end."""
+
+    points: FloatArray
+    direction: FloatArray
+    bent: Spline | None = None
+
+    def drawn(self, beyond: float) -> list[Segment]:
+        """The side, and straight on by `beyond` mm."""
+        onward = self.points[-1] + self.direction * beyond / np.hypot(*self.direction)
+        if self.bent is None:
+            return [Line(self.points[0], onward)]
+        return [self.bent, Line(self.points[-1], onward)]
+
+
+@lru_cache(maxsize=_SLOTS)
+def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
+    """The right and the left side, seen outward."""
+    points, widths = slot.center_line(width)
+    t = lengths_along(points)
+    degree = min(3, len(points) - 1)  # of a spline through them
+    tangents = SplineFunction.of(*spline_through(t, points, degree), degree)(t, 1)
+    normals = _left_of(tangents)
+    right, left = (points + sign * widths[:, None] / 2 * normals for sign in (-1, 1))
+    knots, controls = spline_through(t, np.hstack([right, left]), degree)
+    return _side(right, knots, controls[:, :2]), _side(left, knots, controls[:, 2:])
+
+
+def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
+    """A side through points in order: straight where they lie on a line."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
-        return [Line(points[0], points[-1] + chord * beyond / np.hypot(*chord))]
+        return _Side(points, chord)
     if len(points) < 4:
         raise InputError("a bent slot needs four points or more along its centre line")
-    direction = controls[-1] - controls[-2]
-    onward = Line(points[-1], points[-1] + direction * beyond / np.hypot(*direction))
-    return [Spline(PlaneCurve(knots, controls, 3)), onward]
+    return _Side(points, controls[-1] - controls[-2], Spline(PlaneCurve(knots, controls, 3)))
