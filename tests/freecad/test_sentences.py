@@ -33,6 +33,7 @@ SPOKEN = [
     "fabrication/holders/base_plate.py",
     "fabrication/holders/end_fixtures.py",
     "fabrication/sheets/nesting.py",
+    "formats/reports/bent_blank.py",
     "formats/curve_files/placed_curve.py",
     "formats/curve_files/edges.py",
     "formats/curve_files/edge_plane.py",
@@ -291,6 +292,31 @@ def test_the_play_of_holders_is_told_in_german(monkeypatch):
     monkeypatch.setattr(user_units, "decimal_point", lambda: ",")
     said = user_units.worded("slot of Base leaves its tabs 0.3 mm across and -1.5 to +2 degrees")
     assert said == "Schlitz von Base lässt den Laschen 0,3 mm quer und -1,5 bis +2 Grad"
+
+
+BLANKS = [
+    "-0.004",
+    "0.004",
+    "stations = [0, 202], curvatures = [0, -0.01]",
+    "stations = [0, 202], curvatures = [0, 0.01]",
+]
+
+
+@pytest.mark.parametrize("language", ["german", "chinese"])
+@pytest.mark.parametrize("blank", BLANKS)
+def test_blanks_bent_beforehand_are_told_in_other_languages(document, sketch, request, language, blank):
+    from freecad.elastica_wb.features import strip
+
+    request.getfixturevalue(language)
+    made = strip.create(document, sketch)
+    if "=" in blank:
+        made.Blank = blank
+    else:
+        made.NaturalCurvature = float(blank)
+    document.recompute()
+    said = " ".join([made.Verdict, *made.Reasons])
+    assert "Invalid" not in made.State, said
+    assert not re.search(r"\b(bend|bent|beforehand|the|way|stands|its|strip|radius of|report)\b", said), said
 
 
 def test_what_is_typed_elsewhere_has_the_name_of_its_property():

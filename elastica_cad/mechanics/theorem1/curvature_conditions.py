@@ -71,6 +71,7 @@ def examine_curvature(
         jumps=jumps,
         flats=tuple((z.s, z.s_end) for z in flats),
         zeros=points,
+        bent_beforehand=excess.is_bent_beforehand,
     )
     if (
         flats

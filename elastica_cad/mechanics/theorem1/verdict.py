@@ -48,6 +48,8 @@ class EquilibriumCheck:
         The curve of this check: the drawn one, or the moved one.
     zeros : tuple of CurvatureZero
         All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
+    bent_beforehand : bool
+        Is the strip anything but flat before it is bent?
     """
 
     realizable: bool
@@ -66,24 +68,43 @@ class EquilibriumCheck:
     flats: tuple[tuple[float, float], ...] = ()
     moved: float = 0.0
     zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
+    bent_beforehand: bool = False
 
     def __repr__(self) -> str:
         verdict = "realizable" if self.realizable else "not realizable"
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        if not self.realizable:
-            opening = f"A flat strip cannot take this curve of {figure(self.length)} mm."
-        elif self.any_stiffness:
-            opening = f"A strip of any width takes this curve of {figure(self.length)} mm: it is not bent."
-        elif self.inflections:
-            opening = (
-                f"A flat strip can take this curve of {figure(self.length)} mm; it has "
-                f"{count(self.inflections)}, {places(self.inflections)}."
-            )
-        else:
-            opening = f"A flat strip can take this curve of {figure(self.length)} mm; it has no inflections."
+        opening = self._tell_blank() if self.bent_beforehand else self._tell_flat()
         return " ".join([opening, *self.reasons, *self.warnings])
+
+    def _tell_flat(self) -> str:
+        if not self.realizable:
+            return f"A flat strip cannot take this curve of {figure(self.length)} mm."
+        if self.any_stiffness:
+            return f"A strip of any width takes this curve of {figure(self.length)} mm: it is not bent."
+        if not self.inflections:
+            return f"A flat strip can take this curve of {figure(self.length)} mm; it has no inflections."
+        return (
+            f"A flat strip can take this curve of {figure(self.length)} mm; it has "
+            f"{count(self.inflections)}, {places(self.inflections)}."
+        )
+
+    def _tell_blank(self) -> str:
+        """Its inflections cannot be seen in the curve: there it is bent as the blank was."""
+        if not self.realizable:
+            return f"A strip bent beforehand as asked cannot take this curve of {figure(self.length)} mm."
+        if self.any_stiffness:
+            return f"A strip bent beforehand as asked has this curve of {figure(self.length)} mm already."
+        if not self.inflections:
+            return (
+                f"A strip bent beforehand as asked can take this curve of {figure(self.length)} mm; its bending "
+                "does not change sign."
+            )
+        return (
+            f"A strip bent beforehand as asked can take this curve of {figure(self.length)} mm; its bending "
+            f"changes sign {places(self.inflections)}."
+        )
 
     def _repr_html_(self) -> str:
         return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {escape(str(self))}</p>"

@@ -2255,6 +2255,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A strip bent beforehand as asked cannot take this curve of %1 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked has this curve of %1 mm already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked can take this curve of %1 mm; its bending does not change sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked can take this curve of %1 mm; its bending changes sign %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3155,6 +3171,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A strip bent beforehand takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3364,6 +3384,58 @@
     </message>
     <message>
         <source>A flat strip takes a curve %1 mm from this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand takes this curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand cannot take this curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand would break on this curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand takes a curve %1 mm from this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm all along, the way it stands bent at %2 mm: its widths count on that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm all along, the other way than it stands bent at %2 mm: its widths count on that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the way it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the other way than it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bend it beforehand to %1, %2 it stands bent %3: its widths count on that%4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a radius of %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2, its sharpest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other way than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; `blank` in the report has its curvature along the strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2267,6 +2267,22 @@
         <translation>Ein flacher Streifen kann diese Kurve von %1 mm annehmen; sie hat keine Wendepunkte.</translation>
     </message>
     <message>
+        <source>A strip bent beforehand as asked cannot take this curve of %1 mm.</source>
+        <translation>Ein wie verlangt vorgebogener Streifen kann diese Kurve von %1 mm nicht annehmen.</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked has this curve of %1 mm already.</source>
+        <translation>Ein wie verlangt vorgebogener Streifen hat diese Kurve von %1 mm bereits.</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked can take this curve of %1 mm; its bending does not change sign.</source>
+        <translation>Ein wie verlangt vorgebogener Streifen kann diese Kurve von %1 mm annehmen; seine Biegung wechselt das Vorzeichen nicht.</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked can take this curve of %1 mm; its bending changes sign %2.</source>
+        <translation>Ein wie verlangt vorgebogener Streifen kann diese Kurve von %1 mm annehmen; seine Biegung wechselt das Vorzeichen %2.</translation>
+    </message>
+    <message>
         <source>Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in.</source>
         <translation>Unter seinem Gewicht hängt ein ungebogener Streifen durch, außer er steht senkrecht: die Form zeichnen, in der er hängen darf.</translation>
     </message>
@@ -3171,6 +3187,10 @@
         <translation>Ein flacher Streifen nimmt diese Kurve an: %1 bis %2 mm breit, Steifigkeitsverhältnis %3, Dehnung %4 % dessen, was die Platte erträgt.</translation>
     </message>
     <message>
+        <source>A strip bent beforehand takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <translation>Ein vorgebogener Streifen nimmt diese Kurve an: %1 bis %2 mm breit, Steifigkeitsverhältnis %3, Dehnung %4 % dessen, was die Platte erträgt.</translation>
+    </message>
+    <message>
         <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>
         <translation>%1 ist keine Messung: Überhang = Durchhang in mm schreiben, etwa 120 = 14.5; 150 = 31</translation>
     </message>
@@ -3381,6 +3401,58 @@
     <message>
         <source>A flat strip takes a curve %1 mm from this one.</source>
         <translation>Ein flacher Streifen nimmt eine Kurve an, die %1 mm von dieser entfernt ist.</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand takes this curve.</source>
+        <translation>Ein vorgebogener Streifen nimmt diese Kurve an.</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand cannot take this curve.</source>
+        <translation>Ein vorgebogener Streifen kann diese Kurve nicht annehmen.</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand would break on this curve.</source>
+        <translation>Ein vorgebogener Streifen würde auf dieser Kurve brechen.</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand takes a curve %1 mm from this one.</source>
+        <translation>Ein vorgebogener Streifen nimmt eine Kurve an, die %1 mm von dieser entfernt ist.</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm all along, the way it stands bent at %2 mm: its widths count on that</source>
+        <translation>vor dem Einbau auf ganzer Länge auf einen Radius von %1 mm biegen, in der Richtung, in der er bei %2 mm gebogen steht: seine Breiten rechnen damit</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm all along, the other way than it stands bent at %2 mm: its widths count on that</source>
+        <translation>vor dem Einbau auf ganzer Länge auf einen Radius von %1 mm biegen, entgegen der Richtung, in der er bei %2 mm gebogen steht: seine Breiten rechnen damit</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the way it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
+        <translation>vor dem Einbau biegen, am stärksten bei %2 mm auf einen Radius von %1 mm, in der Richtung, in der er dort gebogen steht: seine Breiten rechnen damit; die Eigenschaft Blank hat die Krümmung entlang des Streifens</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the other way than it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
+        <translation>vor dem Einbau biegen, am stärksten bei %2 mm auf einen Radius von %1 mm, entgegen der Richtung, in der er dort gebogen steht: seine Breiten rechnen damit; die Eigenschaft Blank hat die Krümmung entlang des Streifens</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to %1, %2 it stands bent %3: its widths count on that%4</source>
+        <translation>vor dem Einbau auf %1 biegen, %2 er %3 gebogen steht: seine Breiten rechnen damit%4</translation>
+    </message>
+    <message>
+        <source>a radius of %1 mm</source>
+        <translation>einen Radius von %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 %2, its sharpest</source>
+        <translation>%1 (%2, am stärksten)</translation>
+    </message>
+    <message>
+        <source>the other way than</source>
+        <translation>entgegen der Richtung, in der</translation>
+    </message>
+    <message>
+        <source>; `blank` in the report has its curvature along the strip</source>
+        <translation>; die Eigenschaft Blank hat die Krümmung entlang des Streifens</translation>
     </message>
     <message>
         <source>There are remarks.</source>

@@ -2267,6 +2267,22 @@
         <translation>平条带可以弯成这条长 %1 mm 的曲线；它没有拐点。</translation>
     </message>
     <message>
+        <source>A strip bent beforehand as asked cannot take this curve of %1 mm.</source>
+        <translation>按要求预弯的条带无法弯成这条长 %1 mm 的曲线。</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked has this curve of %1 mm already.</source>
+        <translation>按要求预弯的条带已经是这条长 %1 mm 的曲线。</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked can take this curve of %1 mm; its bending does not change sign.</source>
+        <translation>按要求预弯的条带可以弯成这条长 %1 mm 的曲线；其弯曲不变号。</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand as asked can take this curve of %1 mm; its bending changes sign %2.</source>
+        <translation>按要求预弯的条带可以弯成这条长 %1 mm 的曲线；其弯曲%2变号。</translation>
+    </message>
+    <message>
         <source>Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in.</source>
         <translation>未弯曲的条带会因自重下垂，除非竖直放置：画出它可以悬垂成的形状。</translation>
     </message>
@@ -3171,6 +3187,10 @@
         <translation>平条带可以弯成这条曲线：宽 %1 至 %2 mm，刚度比 %3，应变为板材承受值的 %4 %。</translation>
     </message>
     <message>
+        <source>A strip bent beforehand takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <translation>预弯的条带可以弯成这条曲线：宽 %1 至 %2 mm，刚度比 %3，应变为板材承受值的 %4 %。</translation>
+    </message>
+    <message>
         <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>
         <translation>%1 不是读数：请以 mm 写“悬伸 = 下垂”，例如 120 = 14.5; 150 = 31</translation>
     </message>
@@ -3381,6 +3401,58 @@
     <message>
         <source>A flat strip takes a curve %1 mm from this one.</source>
         <translation>平条带可以弯成一条距此 %1 mm 的曲线。</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand takes this curve.</source>
+        <translation>预弯的条带可以弯成这条曲线。</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand cannot take this curve.</source>
+        <translation>预弯的条带无法弯成这条曲线。</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand would break on this curve.</source>
+        <translation>预弯的条带会在这条曲线上断裂。</translation>
+    </message>
+    <message>
+        <source>A strip bent beforehand takes a curve %1 mm from this one.</source>
+        <translation>预弯的条带可以弯成一条距此 %1 mm 的曲线。</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm all along, the way it stands bent at %2 mm: its widths count on that</source>
+        <translation>安装前先将其全长预弯成半径 %1 mm，弯向与它在 %2 mm 处竖立时的弯向相同：其宽度已按此计算</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm all along, the other way than it stands bent at %2 mm: its widths count on that</source>
+        <translation>安装前先将其全长预弯成半径 %1 mm，弯向与它在 %2 mm 处竖立时的弯向相反：其宽度已按此计算</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the way it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
+        <translation>安装前先将其预弯，最急处在 %2 mm，半径 %1 mm，弯向与它在该处竖立时的弯向相同：其宽度已按此计算；沿条带的曲率见属性 Blank</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the other way than it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
+        <translation>安装前先将其预弯，最急处在 %2 mm，半径 %1 mm，弯向与它在该处竖立时的弯向相反：其宽度已按此计算；沿条带的曲率见属性 Blank</translation>
+    </message>
+    <message>
+        <source>bend it beforehand to %1, %2 it stands bent %3: its widths count on that%4</source>
+        <translation>安装前先将其预弯成%1，%2它%3竖立时的弯向：其宽度已按此计算%4</translation>
+    </message>
+    <message>
+        <source>a radius of %1 mm</source>
+        <translation>半径 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 %2, its sharpest</source>
+        <translation>%1（%2，最急处）</translation>
+    </message>
+    <message>
+        <source>the other way than</source>
+        <translation>弯向相反于</translation>
+    </message>
+    <message>
+        <source>; `blank` in the report has its curvature along the strip</source>
+        <translation>；沿条带的曲率见属性 Blank</translation>
     </message>
     <message>
         <source>There are remarks.</source>

@@ -1,6 +1,7 @@
 """Theorem 1 on curves whose verdict is known."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -309,6 +310,20 @@ class TestNaturalCurvature:
         (s,) = check.inflections
         assert ellipse.at(np.array([s])).curvature == pytest.approx(0.01, rel=1e-9)
         assert check.realizable
+
+    def test_no_flat_strip_is_spoken_of(self):
+        ellipse = PlaneCurve.ellipse((0, 0), (200, 100), 0.0, 0.3, np.pi / 2)
+        told = [str(check_equilibrium(ellipse, natural_curvature=rest)) for rest in (-0.01, 0.01)]
+        told.append(str(check_equilibrium(ARC, natural_curvature=0.01)))
+        wave = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
+        told.append(str(check_equilibrium(wave, Supports("pinned", "clamped"), natural_curvature=0.001)))
+        ways = [
+            "can take .*; its bending does not change sign",
+            "can take .*; its bending changes sign at .* mm",
+        ]
+        for said, way in zip(told, [*ways, "has .* already", "cannot take .* mm"], strict=True):
+            assert re.match(rf"A strip bent beforehand as asked {way}\.", said), said
+            assert "flat" not in said
 
     def test_not_a_number(self):
         with pytest.raises(InputError, match="natural_curvature"):

@@ -3,8 +3,10 @@
 
 """Cutting files of what is in a document: DXF, SVG, STEP, nest and cut list, together or not at all."""
 
+import csv
+import io
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,9 +16,10 @@ from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, fra
 from freecad.elastica_wb.export.plain_dxf import write_cut
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.model import is_model, model_of, solids_of
-from freecad.elastica_wb.features.pieces import counted, pieces_of
+from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
+from freecad.elastica_wb.host.sentences import translated
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
 from elastica_cad.errors import InputError
@@ -26,6 +29,7 @@ from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.reports.bent_blank import tell_blank
 from elastica_cad.kernel.step_text import canonical_step
 
 HEADER = re.compile(rb"FILE_NAME\(\s*'[^']*'\s*,\s*'[^']*'")
@@ -58,9 +62,10 @@ def write_cutting_files(
     NotConvergedError
         `step` said no.
     """
-    kinds, pieces = list(kinds), pieces_of(sources)
+    kinds, cuts = list(kinds), cuts_of(sources)
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
+    pieces = [cut.piece for cut in cuts]
     # labels that differ may be the same word once it can stand in a file name
     stems = distinct(piece.file_stem for piece in pieces)
     drawings = {stem: piece.drawing for stem, piece in zip(stems, pieces, strict=True)}
@@ -86,8 +91,20 @@ def write_cutting_files(
         if "csv" in kinds:
             kind = flat[0] if flat else "dxf"
             files = {piece.name: f"{stem}.{kind}" for stem, piece in zip(stems, pieces, strict=True)}
-            (workshop / "cut-list.csv").write_text(cut_list(pieces, files).csv, encoding="utf-8")
+            (workshop / "cut-list.csv").write_text(_listed(cuts, files), encoding="utf-8")
     return [Path(folder) / name for name in names]
+
+
+def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
+    """The cut list; where parts are bent before they are mounted, with a column that tells how."""
+    text = cut_list((cut.piece for cut in cuts), files).csv
+    blanks = ["" if cut.strip is None else tell_blank(cut.strip) for cut in cuts]
+    if not any(blanks):
+        return text
+    stream = io.StringIO()
+    rows = zip(csv.reader(io.StringIO(text)), ["bent_beforehand", *map(translated, blanks)], strict=True)
+    csv.writer(stream, lineterminator="\n").writerows([*row, blank] for row, blank in rows)
+    return stream.getvalue()
 
 
 def _write_step(obj: Any, path: Path) -> None:

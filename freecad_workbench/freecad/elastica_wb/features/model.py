@@ -21,6 +21,7 @@ from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.solving.bent_blanks import told_blanks
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 from freecad.elastica_wb.solving.strip_cache import bent_shape
 
@@ -78,7 +79,7 @@ class ModelFeature(Feature):
         put(
             obj,
             Joints=len(model.joints),
-            Reports=_worded(model.reports),
+            Reports=[*told_blanks(named_strips(model)), *_worded(model.reports)],
             Overlaps=_worded(known.result()) if known is not None and known.done() else [],
         )
 
@@ -172,6 +173,11 @@ def _sought(model: Model) -> "Future[tuple[str, ...]]":
 
 def _worded(sentences: Iterable[str]) -> list[str]:
     return [worded(sentence) for sentence in sentences]
+
+
+def named_strips(model: Model) -> list[tuple[str, Strip]]:
+    """The strips of a model, as messages call them."""
+    return [(model.name_of(i), strip) for i, strip in enumerate(model.strips)]
 
 
 def solids_of(model: Model, place: App.Placement) -> list[Any]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import FreeCAD as App
 import Part
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.shapes.part_shapes import make_wire
@@ -27,12 +27,14 @@ class NestFeature(Feature):
         Property("Length", "SheetHeight", "Nest", "Height of a sheet", 400.0),
         Property("Length", "Margin", "Nest", "Least distance between parts and from the edge", 2.0),
         Property("Integer", "Sheets", "Result", "How many sheets are needed", 0, result=True),
+        Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
     )
 
     def make(self, obj: Any) -> None:
         """Lay the pieces."""
         size = (obj.SheetWidth.Value, obj.SheetHeight.Value)
-        sheets = nest_pieces(pieces_of(obj.Sources), sheet_size=size, margin=obj.Margin.Value)
+        cuts = cuts_of(obj.Sources)
+        sheets = nest_pieces([cut.piece for cut in cuts], sheet_size=size, margin=obj.Margin.Value)
         wires = []
         for i, sheet in enumerate(sheets):
             drawn = [make_wire(item.path) for item in sheet.paths]
@@ -40,7 +42,7 @@ class NestFeature(Feature):
                 wire.translate(App.Vector(i * (size[0] + SHEET_GAP_MM), 0, 0))
             wires += drawn
         obj.Shape = Part.Compound(wires)
-        put(obj, Sheets=len(sheets))
+        put(obj, Sheets=len(sheets), Reports=told_blanks_of(cuts))
 
 
 def create(document: Any, sources: list[Any]) -> Any:

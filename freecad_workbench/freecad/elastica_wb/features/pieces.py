@@ -5,7 +5,8 @@
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import zip_longest
 from typing import Any
 
 from freecad.elastica_wb.curves.copies import not_repeated
@@ -14,12 +15,32 @@ from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model, model_of
 from freecad.elastica_wb.features.proxy import why_left_out
 from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
+from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct
+from elastica_cad.fabrication.strip.strip_record import Strip
+
+
+@dataclass(frozen=True)
+class Cut:
+    """A piece, and the strip that it is of; None of a plate."""
+
+    piece: Piece
+    strip: Strip | None = None
 
 
 def pieces_of(sources: Iterable[Any]) -> list[Piece]:
+    """The pieces of `cuts_of`."""
+    return [cut.piece for cut in cuts_of(sources)]
+
+
+def told_blanks_of(cuts: Iterable[Cut]) -> list[str]:
+    """How pieces are bent before they are mounted, a sentence for those that are bent alike."""
+    return told_blanks((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
+
+
+def cuts_of(sources: Iterable[Any]) -> list[Cut]:
     """What must be cut for strips, models and base plates, as often as they, their links, arrays, clones and images
     stand.
 
@@ -30,15 +51,14 @@ def pieces_of(sources: Iterable[Any]) -> list[Piece]:
     InputError
         None of these among the sources, or one of them in error.
     """
-    pieces = [
-        replace(piece, count=count * piece.count)
-        for obj, count in counted(sources).items()
-        for piece in _pieces(obj)
-    ]
-    if not pieces:
+    cuts = [(cut, count) for obj, count in counted(sources).items() for cut in _cuts(obj)]
+    if not cuts:
         raise InputError("there is nothing to cut: select strips, models or base plates")
-    names = distinct(piece.name for piece in pieces)
-    return [replace(piece, name=name) for piece, name in zip(pieces, names, strict=True)]
+    names = distinct(cut.piece.name for cut, _ in cuts)
+    return [
+        Cut(replace(cut.piece, name=name, count=count * cut.piece.count), cut.strip)
+        for (cut, count), name in zip(cuts, names, strict=True)
+    ]
 
 
 def counted(sources: Iterable[Any]) -> dict[Any, int]:
@@ -65,17 +85,19 @@ def is_cut(obj: Any) -> bool:
     return is_strip(obj) or is_model(obj) or is_base_plate(obj)
 
 
-def _pieces(obj: Any) -> Iterable[Piece]:
+def _cuts(obj: Any) -> list[Cut]:
     lost = why_left_out(obj)
     if lost:  # its numbers are those of before
         raise InputError(lost)
     if is_model(obj):
-        return model_of(obj).pieces
+        model = model_of(obj)
+        strips = [part.strip for part in model.parts for _ in part.strip.layers]
+        return [Cut(*found) for found in zip_longest(model.pieces, strips)]
     if is_base_plate(obj):
-        return [replace(plate_of(obj).piece, name=obj.Label)]
+        return [Cut(replace(plate_of(obj).piece, name=obj.Label))]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
     names = [layer.called(name) for layer in strip.layers]
     return [
-        Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity)
+        Cut(Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity), strip)
         for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
     ]

@@ -20,6 +20,7 @@ from freecad.elastica_wb.host.sentences import capital
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
 from freecad.elastica_wb.solving.strain_use import is_beyond, strain_use, whole_percent
 from freecad.elastica_wb.solving.strip_cache import (
     bent_shape,
@@ -33,6 +34,7 @@ from freecad.elastica_wb.solving.strip_cache import (
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.reports.bent_blank import tell_blank
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 BODY = "PartDesign::Body"
@@ -199,17 +201,21 @@ def _solids(body: Any) -> bool:
 def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
     """Write what was found: mm between the nearest curve and the one searched for, that and the drawn one."""
     rod, found = strip.rod, judged(strip.rod)
-    notes = list(strip.warnings)
+    bent = is_bent_beforehand(strip)
+    notes = [*([tell_blank(strip)] if bent else []), *strip.warnings]
     if found is not None and not found.stable:
         where = (
             "" if found.conjugate_point is None else f" (conjugate point at {found.conjugate_point:.4g} mm)"
         )
         notes.append(f"it does not stay in this shape: the stability margin is {found.margin:.3g}{where}")
-    taken = "A flat strip takes this curve."
+    taken = "A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve."
     if is_beyond(strain_use(strip)):
-        taken = "A flat strip would break on this curve."
+        breaks = "A strip bent beforehand would break on this curve."
+        taken = breaks if bent else "A flat strip would break on this curve."
     elif changed is not None:
         taken = f"A flat strip takes a curve {changed:.3g} mm from this one."
+        if bent:
+            taken = f"A strip bent beforehand takes a curve {changed:.3g} mm from this one."
     put(
         obj,
         Verdict=worded(" ".join([taken, *(["There are remarks."] if notes else [])])),
@@ -227,10 +233,11 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
 
 
 def _tell_error(obj: Any, error: ElasticaError) -> None:
-    reasons = list(error.check.reasons) if isinstance(error, NotRealizable) else [str(error)]
-    verdict = (
-        "A flat strip cannot take this curve." if isinstance(error, NotRealizable) else "There is no strip."
-    )
+    reasons, verdict = [str(error)], "There is no strip."
+    if isinstance(error, NotRealizable):
+        bent = "A strip bent beforehand cannot take this curve."
+        verdict = bent if error.check.bent_beforehand else "A flat strip cannot take this curve."
+        reasons = list(error.check.reasons)
     put(
         obj,
         Verdict=worded(verdict),

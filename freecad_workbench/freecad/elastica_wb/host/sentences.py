@@ -32,6 +32,7 @@ TYPED = (  # what the core's sentences tell those who type to write, and where t
     (re.compile(r" \(--force, or force=True\)"), ""),
     (re.compile(r" \(--unit\)"), ""),
     (re.compile(r"\bshop=Shop\(least_width=\.\.\.\)"), "LeastWidth"),
+    (re.compile(r"`blank` in the report has its curvature"), "the property Blank has its curvature"),
     (re.compile(r"\bmax_width\b"), "MaxWidth"),
     (re.compile(r"\bmin_width\b"), "MinWidth"),
     (re.compile(r"\bhole_ratio\b"), "HoleRatio"),

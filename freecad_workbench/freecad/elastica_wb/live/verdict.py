@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
 from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend, strain_use, whole_percent
 
 from elastica_cad.errors import ElasticaError
@@ -70,9 +71,15 @@ def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     """One sentence for the status bar."""
     if isinstance(answer, Strip):
         low, high = answer.width.extremes
+        used = whole_percent(strain_use(answer))
+        if is_bent_beforehand(answer):
+            return (
+                f"A strip bent beforehand takes this curve: {low:.3g} to {high:.3g} mm wide, stiffness ratio "
+                f"{answer.rod.ratio:.3g}, strain {used} % of what the sheet bears."
+            )
         return (
             f"A flat strip takes this curve: {low:.3g} to {high:.3g} mm wide, stiffness ratio "
-            f"{answer.rod.ratio:.3g}, strain {whole_percent(strain_use(answer))} % of what the sheet bears."
+            f"{answer.rod.ratio:.3g}, strain {used} % of what the sheet bears."
         )
     if isinstance(answer, NotRealizable):
         return answer.check.reasons[0]

@@ -12,7 +12,7 @@ from typing import Any
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
 from freecad.elastica_wb.export.later_features import tell_later_features
 from freecad.elastica_wb.features.model import is_model, overlaps_of
-from freecad.elastica_wb.features.pieces import counted, pieces_of
+from freecad.elastica_wb.features.pieces import counted, cuts_of, told_blanks_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
@@ -36,7 +36,8 @@ class ExportPanel(Panel):
     icon_name = "Elastica_Export"
 
     def __init__(self, strips: list[Any]) -> None:
-        self.pieces = pieces_of(strips)
+        cuts = cuts_of(strips)
+        self.pieces = [cut.piece for cut in cuts]
         super().__init__(subjects=strips)
         self.strips = strips
         self.written: list[Path] = []
@@ -56,6 +57,7 @@ class ExportPanel(Panel):
         cut = counted(strips)
         words = [said for obj in cut for said in tell_later_features(obj)]
         words += [said for obj in cut if is_model(obj) for said in overlaps_of(obj)]
+        words += told_blanks_of(cuts)
         words += map(_listed, self.pieces)
         if find_spec("ezdxf") is None:
             words.append(

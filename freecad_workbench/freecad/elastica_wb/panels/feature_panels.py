@@ -19,11 +19,13 @@ from freecad.elastica_wb.features.fixtures import FixturesFeature
 from freecad.elastica_wb.features.flat import FlatFeature
 from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
+from freecad.elastica_wb.features.strip import shown_strip
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
+from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
@@ -59,6 +61,11 @@ def _strip_footnote(obj: Any) -> str:
     """How it strays as made and held, and a warning where it may leave its plane."""
     stays = obj.SidewaysMargin >= SAFE_MARGIN
     return "\n".join(words for words in (obj.Held, "" if stays else obj.Sideways) if words)
+
+
+def _flat_footnote(obj: Any) -> str:
+    """How it is bent before it is mounted, which a flat part does not show."""
+    return "\n".join(told_blanks([(obj.Strip.Label, shown_strip(obj.Strip))]))
 
 
 def _is_plain(obj: Any) -> bool:
@@ -199,6 +206,7 @@ FLAT = Layout(
         ),
     ),
     FlatFeature.properties,
+    footnote=_flat_footnote,
 )
 
 FIXTURES = Layout(

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Strips that are bent before they are mounted: no cut pattern shows it, so whoever gets one is told."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from freecad.elastica_wb.host.user_units import worded
+
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.reports.bent_blank import tell_blank
+
+
+def is_bent_beforehand(strip: Strip) -> bool:
+    """Is it anything but flat before it is mounted?"""
+    return bool(np.any(strip.rod.natural_curvature))
+
+
+def told_blanks(named: Iterable[tuple[str, Strip]]) -> list[str]:
+    """How named strips are bent beforehand: a sentence for those that are bent alike, none for flat ones."""
+    alike: dict[str, list[str]] = {}
+    for name, strip in named:
+        alike.setdefault(tell_blank(strip), []).append(name)
+    alike.pop("", None)
+    return [f"{', '.join(dict.fromkeys(names))}: {worded(words)}" for words, names in alike.items()]

@@ -1,0 +1,92 @@
+"""Strips whose blank is bent beforehand: whoever cuts or mounts one is told, as no cut pattern shows it."""
+
+import csv
+import re
+
+import FreeCAD as App
+import pytest
+from freecad.elastica_wb.export.cutting_files import write_cutting_files
+from freecad.elastica_wb.features import flat, model, nest, strip
+from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
+
+UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
+BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
+EVEN = (
+    "bend it beforehand to a radius of 250 mm all along, the way it stands bent at 94.4 mm: its widths count on "
+    "that"
+)
+
+
+@pytest.fixture
+def bent(document, sketch):
+    """A strip that is bent beforehand all along."""
+    made = strip.create(document, sketch)
+    made.NaturalCurvature = -0.004
+    document.recompute()
+    return made
+
+
+def test_a_strip_tells_its_blank_first(document, bent):
+    assert bent.Verdict == "A strip bent beforehand takes this curve. There are remarks."
+    assert bent.Reasons[0] == "B" + EVEN[1:]
+    bent.Thickness = 4
+    document.recompute()
+    assert bent.Verdict.startswith("A strip bent beforehand would break on this curve.")
+    bent.Thickness, bent.Follow, bent.RatioLimit = 0.8, "Nearest", 1.2
+    document.recompute()
+    assert re.match("A strip bent beforehand takes a curve .* mm from this one", bent.Verdict), bent.Verdict
+    bent.NaturalCurvature, bent.Follow = 0.0, "Exactly"
+    document.recompute()
+    assert [bent.Verdict, bent.Reasons] == ["A flat strip takes this curve.", []]
+
+
+def test_a_curve_that_such_a_strip_cannot_take(document, drawn):
+    made = strip.create(document, drawn(BAD))
+    made.NaturalCurvature = -0.0005
+    document.recompute()
+    assert made.Verdict == "A strip bent beforehand cannot take this curve."
+
+
+def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
+    bent.Blank = "stations = [0, 101, 202.2], curvatures = [0, -0.01, 0]"
+    document.recompute()
+    assert bent.Reasons[0].startswith(
+        "Bend it beforehand to a radius of 100.1 mm at 101.1 mm, its sharpest, the"
+    )
+    assert bent.Reasons[0].endswith("; the property Blank has its curvature along the strip")
+
+
+def test_what_is_cut_tells_it(document, bent, drawn, tmp_path):
+    flat.create(document, bent)
+    straight = strip.create(document, drawn([(x, y + 200) for x, y in [(0, 0), (60, 60), (120, 0)]], 2))
+    laid = nest.create(document, [bent, straight])
+    document.recompute()
+    told = f"{bent.Label}: {EVEN}"
+    assert told_blanks_of(cuts_of([bent, straight])) == laid.Reports == [told]
+    write_cutting_files([bent, straight], tmp_path, kinds=["csv", "dxf"])
+    with (tmp_path / "cut-list.csv").open(encoding="utf-8") as file:
+        rows = {row["part"]: row for row in csv.DictReader(file)}
+    assert {name: row["bent_beforehand"] for name, row in rows.items()} == {
+        bent.Label: EVEN,
+        straight.Label: "",
+    }
+    write_cutting_files([straight], tmp_path / "flat", kinds=["csv"])
+    assert "beforehand" not in (tmp_path / "flat" / "cut-list.csv").read_text(encoding="utf-8")
+
+
+def test_a_model_names_the_strips_that_are_bent_alike(document, bent):
+    bent.Curve[0].Placement = App.Placement(App.Vector(), UPRIGHT)
+    other = document.copyObject(bent)
+    other.Label, bent.Label = "Other", "One"
+    flatly = document.copyObject(bent)
+    flatly.Label, flatly.NaturalCurvature = "Flatly", 0.0
+    whole = model.create(document, [bent, other, flatly], interlock=False)
+    document.recompute()
+    assert whole.Reports == told_blanks_of(cuts_of([whole])) == [f"One, Other: {EVEN}"]
+
+
+def test_both_layers_of_a_laminate_are_told(document, bent):
+    bent.Style, bent.Backing = "Laminated", bent.Sheet
+    document.recompute()
+    (told,) = told_blanks_of(cuts_of([bent]))
+    assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: bend it beforehand", told)
