@@ -239,6 +239,7 @@ REFUSED = [
     {"Samples": 1},
     {"Creep": -1},
     {"Style": "Laminated", "OuterWidth": 0},
+    {"Style": None},
 ]
 ENGLISH = re.compile(r"\b(the|it|and|values|give|leave|such|must|make|use|one|keep|deeper|positive|is)\b")
 
@@ -250,7 +251,10 @@ def test_refused_properties_are_told_in_german(document, sketch, asked):
 
     made = strip.create(document, sketch)
     for name, value in asked.items():
-        setattr(made, name, value)
+        if value is None:
+            made.setExpression(name, "7")
+        else:
+            setattr(made, name, value)
     document.recompute()
     assert "Invalid" in made.State
     assert not ENGLISH.search(" ".join(made.Reasons)), made.Reasons

@@ -16,6 +16,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Features that follow what is cut, and are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cut slots where strips cross</source>
         <translation type="unfinished"></translation>
     </message>
@@ -608,6 +612,10 @@
     </message>
     <message>
         <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, holes), or draw it into the cutting files</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3095,6 +3103,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 is none of its choices: choose one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has the formula %2, which gives %3: it takes 0 to %4, or a name such as %5; mend the formula, or take it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 cannot be made (%2): mend it first</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3647,6 +3663,14 @@
     </message>
     <message>
         <source>Poisson's ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness against shear in the sheet's plane, which keeps a strip from tipping sideways; plywood has far less than the estimate E / (2 (1 + ν)), which an empty field takes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

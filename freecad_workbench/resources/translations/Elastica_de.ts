@@ -20,6 +20,10 @@
         <translation>Die Streifen in der Reihenfolge des Zusammenbaus</translation>
     </message>
     <message>
+        <source>Features that follow what is cut, and are left out</source>
+        <translation>Formelemente, die auf das folgen, was geschnitten wird, und ausgelassen sind</translation>
+    </message>
+    <message>
         <source>Cut slots where strips cross</source>
         <translation>Schlitze, wo Streifen sich kreuzen</translation>
     </message>
@@ -613,6 +617,10 @@
     <message>
         <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
         <translation>Auf {strip} folgt {later}, was diese Dateien auslassen: im Streifen selbst anlegen (Schlitze, Laschen, Löcher) oder in die Dateien einzeichnen</translation>
+    </message>
+    <message>
+        <source>{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, holes), or draw it into the cutting files</source>
+        <translation>Auf {strip} folgt {later}, was die Schachtelung auslässt: im Streifen selbst anlegen (Schlitze, Laschen, Löcher) oder in die Schneiddateien einzeichnen</translation>
     </message>
     <message>
         <source>choose a folder for the files</source>
@@ -3111,6 +3119,14 @@
         <translation>die Formel von %1 lässt sich nicht berechnen (%2): sie berichtigen oder entfernen</translation>
     </message>
     <message>
+        <source>%1 is none of its choices: choose one of them</source>
+        <translation>%1 ist keine der angebotenen Möglichkeiten: eine davon wählen</translation>
+    </message>
+    <message>
+        <source>%1 has the formula %2, which gives %3: it takes 0 to %4, or a name such as %5; mend the formula, or take it away</source>
+        <translation>%1 hat die Formel %2, die %3 ergibt: möglich sind 0 bis %4 oder ein Name wie %5; die Formel berichtigen oder entfernen</translation>
+    </message>
+    <message>
         <source>%1 cannot be made (%2): mend it first</source>
         <translation>%1 lässt sich nicht erzeugen (%2): zuerst das beheben</translation>
     </message>
@@ -3664,6 +3680,14 @@
     <message>
         <source>Poisson's ratio</source>
         <translation>Querdehnzahl</translation>
+    </message>
+    <message>
+        <source>Shear modulus</source>
+        <translation>Schubmodul</translation>
+    </message>
+    <message>
+        <source>Stiffness against shear in the sheet's plane, which keeps a strip from tipping sideways; plywood has far less than the estimate E / (2 (1 + ν)), which an empty field takes</source>
+        <translation>Steifigkeit gegen Schub in der Ebene der Platte; sie hält einen Streifen davon ab, zur Seite zu kippen. Sperrholz hat weit weniger als die Schätzung E / (2 (1 + ν)), die ein leeres Feld nimmt</translation>
     </message>
     <message>
         <source>Source</source>

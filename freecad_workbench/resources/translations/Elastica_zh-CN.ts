@@ -20,6 +20,10 @@
         <translation>按装配顺序排列的条</translation>
     </message>
     <message>
+        <source>Features that follow what is cut, and are left out</source>
+        <translation>排在被切割件之后、未被包含的特征</translation>
+    </message>
+    <message>
         <source>Cut slots where strips cross</source>
         <translation>在条带相交处开槽</translation>
     </message>
@@ -613,6 +617,10 @@
     <message>
         <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
         <translation>{strip} 之后还有 {later}，这些文件不包含它：请在条带本身中制作（槽、端片、孔），或在文件中补画</translation>
+    </message>
+    <message>
+        <source>{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, holes), or draw it into the cutting files</source>
+        <translation>{strip} 之后还有 {later}，排样不包含它：请在条带本身中制作（槽、端片、孔），或在切割文件中补画</translation>
     </message>
     <message>
         <source>choose a folder for the files</source>
@@ -3111,6 +3119,14 @@
         <translation>无法计算 %1 的公式（%2）：请更正或删除它</translation>
     </message>
     <message>
+        <source>%1 is none of its choices: choose one of them</source>
+        <translation>%1 不是可选项之一：请选择其中一项</translation>
+    </message>
+    <message>
+        <source>%1 has the formula %2, which gives %3: it takes 0 to %4, or a name such as %5; mend the formula, or take it away</source>
+        <translation>%1 的公式 %2 得到 %3：可取 0 至 %4，或名称如 %5；请更正或删除该公式</translation>
+    </message>
+    <message>
         <source>%1 cannot be made (%2): mend it first</source>
         <translation>%1 无法生成（%2）：请先修复它</translation>
     </message>
@@ -3664,6 +3680,14 @@
     <message>
         <source>Poisson's ratio</source>
         <translation>泊松比</translation>
+    </message>
+    <message>
+        <source>Shear modulus</source>
+        <translation>剪切模量</translation>
+    </message>
+    <message>
+        <source>Stiffness against shear in the sheet's plane, which keeps a strip from tipping sideways; plywood has far less than the estimate E / (2 (1 + ν)), which an empty field takes</source>
+        <translation>板材平面内的抗剪刚度，使条带不致侧倾；胶合板的值远小于估计值 E / (2 (1 + ν))，字段为空时取该估计值</translation>
     </message>
     <message>
         <source>Source</source>

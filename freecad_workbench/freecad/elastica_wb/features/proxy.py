@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 import FreeCAD as App
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.property_table import Property, ensure, put
+from freecad.elastica_wb.host.property_table import Property, ensure, put, require_choices
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
     RefusalError,
@@ -49,7 +49,7 @@ SHOWN_BY_ERROR = Property(
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
 
-TOLD = ("Reasons", "Reports", "Overlaps")
+TOLD = ("Reasons", "Reports", "Overlaps", "LeftOut")
 """Properties with sentences."""
 
 MOST_NAMES = 6  # in a line of the report view
@@ -127,8 +127,9 @@ class Feature:
         return raising(self._made_or_refused)
 
     def _made_or_refused(self, obj: Any) -> RefusalError | None:
-        self._keep_numbers(obj)
         try:
+            require_choices(obj, self.properties)
+            self._keep_numbers(obj)
             self.make(obj)
         except FAILURES as error:
             told = explained(error)

@@ -9,6 +9,7 @@ from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
+from freecad.elastica_wb.host.property_table import require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.errors import InputError
@@ -95,6 +96,7 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
+    require_choices(obj, PROPERTIES)
     lengths = {name: getattr(obj, name).Value for name in LENGTHS}
     for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
         if value > LONGEST_MM:

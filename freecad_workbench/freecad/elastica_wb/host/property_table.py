@@ -10,6 +10,8 @@ from typing import Any
 
 import FreeCAD as App
 
+from elastica_cad.errors import InputError
+
 OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change asks for no recompute; not saved
 
 
@@ -53,6 +55,37 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
                 with suppress(TypeError, ValueError):
                     setattr(obj, entry.name, kept)
         obj.setEditorMode(entry.name, (1 if entry.result else 0) | (2 if entry.hidden else 0))
+
+
+def require_choices(obj: Any, table: Iterable[Property]) -> None:
+    """Refuse what a formula makes of a list of choices and is none of them: FreeCAD takes the first, or none.
+
+    Raises
+    ------
+    InputError
+        With the property, its formula and what that gives.
+    """
+    formulas = {name: formula for name, formula, *_ in obj.ExpressionEngine}
+    for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
+        if name in formulas:
+            _require_choice(obj, name, formulas[name])
+        elif getattr(obj, name) is None:
+            called = f"{obj.Name}.{name}"
+            raise InputError(f"{called} is none of its choices: choose one of them")
+
+
+def _require_choice(obj: Any, name: str, formula: str) -> None:
+    given, choices = obj.evalExpression(formula), obj.getEnumerationsOfProperty(name)
+    if isinstance(given, str):
+        known = given in choices
+    else:  # of a number FreeCAD takes what is before the point
+        known = isinstance(given, (int, float)) and -1 < given < len(choices)
+    if not known:
+        called, a_name = f"{obj.Name}.{name}", f"<<{choices[0]}>>"
+        raise InputError(
+            f"{called} has the formula {formula}, which gives {given}: it takes 0 to {len(choices) - 1}, or a name "
+            f"such as {a_name}; mend the formula, or take it away"
+        )
 
 
 def put(obj: Any, **values: Any) -> None:

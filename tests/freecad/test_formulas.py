@@ -1,0 +1,72 @@
+"""Choices that are given by formulas: what is none of them is told with its property and its formula."""
+
+import pytest
+from freecad.elastica_wb.features import flat, model, strip
+from freecad.elastica_wb.features.pieces import pieces_of
+
+from elastica_cad.errors import InputError
+
+
+def told(obj):
+    obj.Document.recompute()
+    return str(obj.getStatusString()) if "Invalid" in obj.State else ""
+
+
+@pytest.fixture
+def made(document, sketch):
+    return strip.create(document, sketch)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "gives", "takes"),
+    [
+        ("Style", "5", "5", "0 to 2, or a name such as <<Plain>>"),
+        ("Style", "-1", "-1", "0 to 2, or a name such as <<Plain>>"),
+        ("Style", "<<Nope>>", "Nope", "0 to 2, or a name such as <<Plain>>"),
+        ("Form", "2", "2", "0 to 1, or a name such as <<Bent>>"),
+        ("KeepEnds", "9", "9", "0 to 3, or a name such as <<both>>"),
+        ("Sheet", "1000", "1000", "such as <<"),
+    ],
+)
+def test_a_formula_out_of_range_is_told(made, name, formula, gives, takes):
+    made.setExpression(name, formula)
+    said = told(made)
+    assert said.startswith(f"Strip.{name} has the formula {formula}, which gives {gives}: it takes 0 to ")
+    assert takes in said
+    assert said.endswith("; mend the formula, or take it away")
+    assert made.Reasons == [said]
+    with pytest.raises(InputError, match="mend the formula"):
+        pieces_of([made])
+    made.setExpression(name, "0")
+    assert told(made) == ""
+
+
+def test_a_formula_within_range_is_taken(document, made):
+    cells = document.addObject("Spreadsheet::Sheet", "Cells")
+    cells.set("A1", "1")
+    cells.setAlias("A1", "kind")
+    for formula, style in (("Cells.kind", "Perforated"), ("<<Laminated>>", "Laminated"), ("0.9", "Plain")):
+        made.setExpression("Style", formula)
+        assert [told(made), made.Style] == ["", style]
+    made.setExpression("Style", "Cells.kind")
+    cells.set("A1", "3")
+    assert told(made).startswith("Strip.Style has the formula Cells.kind, which gives 3: ")
+
+
+def test_what_a_formula_left_behind_is_told(made):
+    made.setExpression("Style", "7")
+    told(made)
+    made.setExpression("Style", None)
+    made.touch()
+    assert told(made) == "Strip.Style is none of its choices: choose one of them"
+    made.Style = "Plain"
+    assert told(made) == ""
+
+
+def test_other_features_tell_it_too(document, made):
+    twin, whole = flat.create(document, made), model.create(document, [made])
+    twin.setExpression("Layer", "2")
+    whole.setExpression("Fit", "2")
+    document.recompute()
+    assert told(twin).startswith("Flat.Layer has the formula 2, which gives 2: it takes 0 to 1, ")
+    assert told(whole).startswith("Model.Fit has the formula 2, ")
