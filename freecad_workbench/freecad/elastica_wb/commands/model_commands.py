@@ -93,3 +93,5 @@ class NestCommand(Command):
             record_recompute(document)
         if "Invalid" in made.State:  # it stays: other sheets may take the parts
             tell(made.getStatusString())
+        elif made.LeftOut or made.Reports:
+            tell("\n".join([*made.LeftOut, *made.Reports]))

@@ -7,9 +7,11 @@ from typing import Any
 
 import FreeCAD as App
 import Part
-from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
+from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features, told_blanks_of
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.refusal import FAILURES
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
@@ -28,6 +30,14 @@ class NestFeature(Feature):
         Property("Length", "Margin", "Nest", "Least distance between parts and from the edge", 2.0),
         Property("Integer", "Sheets", "Result", "How many sheets are needed", 0, result=True),
         Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
+        Property(
+            "StringList",
+            "LeftOut",
+            "Result",
+            "Features that follow what is cut, and are left out",
+            [],
+            result=True,
+        ),
     )
 
     def make(self, obj: Any) -> None:
@@ -43,6 +53,24 @@ class NestFeature(Feature):
             wires += drawn
         obj.Shape = Part.Compound(wires)
         put(obj, Sheets=len(sheets), Reports=told_blanks_of(cuts))
+        tell_left_out(obj)
+
+
+def tell_left_out(obj: Any) -> None:
+    """Write which features go on after what is cut, and are not in the nest: it is not made from them."""
+    words = translate(
+        "Elastica",
+        "{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, "
+        "holes), or draw it into the cutting files",
+    )
+    try:
+        found = {one.Label: later_features(one) for one in counted(obj.Sources)}
+    except FAILURES:  # the recompute has said it
+        return
+    told = [words.format(strip=label, later=later) for label, later in found.items() if later]
+    if told and obj.LeftOut != told:
+        App.Console.PrintWarning(f"Elastica, {obj.Label}: {' '.join(told)}\n")
+    put(obj, LeftOut=told)
 
 
 def create(document: Any, sources: list[Any]) -> Any:

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What must be cut for features: a piece with its drawing for every sheet of a strip, every plate, every part."""
+"""What must be cut for features: a piece with its drawing for every sheet of a strip, every plate, every part.
+
+What goes on after these in the document, as a pocket or a cut does, is no part of it.
+"""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 from typing import Any
 
-from freecad.elastica_wb.curves.copies import not_repeated
+from freecad.elastica_wb.curves.copies import BASE, COMPOUND, PATTERNS, not_repeated
 from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model, model_of
@@ -20,6 +23,22 @@ from freecad.elastica_wb.solving.bent_blanks import told_blanks
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct
 from elastica_cad.fabrication.strip.strip_record import Strip
+
+CHANGED = {
+    "Part::Cut": ("Base",),
+    "Part::Common": ("Base", "Tool"),
+    "Part::Fuse": ("Base", "Tool"),
+    "Part::MultiCommon": ("Shapes",),
+    "Part::MultiFuse": ("Shapes",),
+    "Part::Fillet": ("Base",),
+    "Part::Chamfer": ("Base",),
+}
+"""Where operations of the Part workbench keep what they make into another shape."""
+
+BODY = "PartDesign::Body"
+
+SHOWN_BY = (BODY, BASE, COMPOUND, *PATTERNS)
+"""What shows shapes as they are: a change may follow behind it."""
 
 
 @dataclass(frozen=True)
@@ -101,3 +120,33 @@ def _cuts(obj: Any) -> list[Cut]:
         Cut(Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity), strip)
         for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
     ]
+
+
+def later_features(obj: Any) -> str:
+    """Labels of the features that go on after a strip, a model or a plate, or after its flat part."""
+    flat = [user for user in obj.InList if is_flat(user)]
+    return ", ".join(dict.fromkeys(label for one in (obj, *flat) for label in _later(one)))
+
+
+def _later(obj: Any) -> Iterator[str]:
+    """Labels of the features that make another shape of an object's, those that come first before the others."""
+    todo, seen = [obj], {obj}
+    while todo:
+        one = todo.pop(0)
+        for user in one.InList:
+            takes = _takes(user, one)
+            if user in seen or not (takes or user.TypeId in SHOWN_BY):
+                continue
+            seen.add(user)
+            todo.append(user)
+            # the next strip of a body goes on after the one before, too
+            if takes and not (is_cut(user) or getattr(user, "Suppressed", False)):
+                yield user.Label
+
+
+def _takes(user: Any, obj: Any) -> bool:
+    """Does a feature begin with an object's shape to make another one of it?"""
+    if user.TypeId.startswith("PartDesign::") and user.TypeId not in SHOWN_BY:
+        return getattr(user, "BaseFeature", None) == obj
+    kept = (getattr(user, name) for name in CHANGED.get(user.TypeId, ()))
+    return any(obj in one if isinstance(one, list) else obj == one for one in kept)

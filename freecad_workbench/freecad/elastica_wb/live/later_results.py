@@ -8,18 +8,21 @@ from typing import Any
 
 from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
-from freecad.elastica_wb.live.sketches import is_model, is_strip
+from freecad.elastica_wb.live.sketches import is_model, is_nest, is_strip
 
 PAUSE_MS = 300  # after the last recompute
 AGAIN_MS = 50  # until work in another thread is asked for again
 
 
 class LaterResults:
-    """Tells of recomputed strips how far they stray, and of models what overlaps in them, one at a time."""
+    """Tells of recomputed strips how far they stray, of models what overlaps in them, of nests what they leave out,
+    one at a time.
+    """
 
     def __init__(self) -> None:
         self._waiting: dict[tuple[str, str], Any] = {}
         self._sought: dict[tuple[str, str], Future[tuple[str, ...]]] = {}
+        self._nests: dict[str, list[Any]] = {}
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._next)
@@ -33,6 +36,22 @@ class LaterResults:
         """What was written after a step was closed is not undone with it."""
         for obj in filter(is_model, document.Objects):
             self._wait_for(obj)
+        self.slotRecomputedDocument(document)
+
+    def slotRecomputedDocument(self, document: Any) -> None:
+        """A nest is not made from what follows its strips."""
+        self._nests[document.Name] = nests = [obj for obj in document.Objects if is_nest(obj)]
+        for obj in nests:
+            self._wait_for(obj)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        """It may have followed a strip, and nothing is recomputed."""
+        for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
+            self._wait_for(nest)
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """Its nests are gone."""
+        self._nests.pop(document.Name, None)
 
     def slotRedoDocument(self, document: Any) -> None:
         """As after undo."""
@@ -64,6 +83,11 @@ class LaterResults:
             from freecad.elastica_wb.features.strip import tell_held
 
             tell_held(obj)
+            return True
+        if is_nest(obj):
+            from freecad.elastica_wb.features.nest import tell_left_out
+
+            tell_left_out(obj)
             return True
         from freecad.elastica_wb.features.model import overlaps_sought, tell_overlaps
 

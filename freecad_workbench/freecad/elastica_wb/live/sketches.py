@@ -16,7 +16,7 @@ MEMORY = "ElasticaLive"
 """Property of a sketch that remembers whether it has the overlay."""
 
 FEATURES = "freecad.elastica_wb.features."
-STRIPS, CURVES, MODELS = f"{FEATURES}strip", f"{FEATURES}curves", f"{FEATURES}model"
+STRIPS, CURVES, MODELS, NESTS = (f"{FEATURES}{name}" for name in ("strip", "curves", "model", "nest"))
 AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
 
 listeners: list[Callable[[bool], None]] = []
@@ -84,6 +84,11 @@ def is_curve(obj: Any) -> bool:
 def is_model(obj: Any) -> bool:
     """Is this object a model? Asked in the same way."""
     return type(getattr(obj, "Proxy", None)).__module__ == MODELS
+
+
+def is_nest(obj: Any) -> bool:
+    """Is this object a nest? Asked in the same way."""
+    return type(getattr(obj, "Proxy", None)).__module__ == NESTS
 
 
 def is_feature(obj: Any) -> bool:

@@ -264,6 +264,7 @@ NEST = Layout(
     ),
     NestFeature.properties,
     told=lambda obj: ((translate("Elastica", "Sheets"), str(obj.Sheets)),),
+    footnote=lambda obj: "\n".join(obj.LeftOut),
 )
 
 NEAREST = Layout(
