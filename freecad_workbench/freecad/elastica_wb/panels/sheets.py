@@ -15,7 +15,7 @@ from freecad.elastica_wb.panels.widgets.fields import set_value
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
-NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "poisson_ratio")
+NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "poisson_ratio", "shear_modulus")
 
 
 class SheetsPanel(Panel):
@@ -44,7 +44,7 @@ class SheetsPanel(Panel):
         self.form.name.setText(name)
         self.form.source.setPlainText(sheet.source)
         for field in NUMBERS:
-            set_value(getattr(self.form, field), getattr(sheet, field))
+            set_value(getattr(self.form, field), getattr(sheet, field) or 0.0)
         self.filled = {field: self.value(field) for field in NUMBERS}
         self.tell(
             f"{translate('Elastica', 'least radius')} {sheet.least_radius:.4g} mm, "
@@ -75,6 +75,8 @@ class SheetsPanel(Panel):
         # what is found in practice about another number says nothing of this one
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
+        if typed.get("shear_modulus") == 0:  # the empty field: it is estimated
+            typed["shear_modulus"] = None
         return replace(self.seen, name=name, source=source, **typed, **ranges)
 
     def finished(self) -> None:

@@ -107,6 +107,15 @@ def signal_of(widget: Any) -> Any:
     return widget.valueChanged
 
 
+def into_sight(widget: Any) -> None:
+    """Scroll to a widget of a panel, which may be longer than the window is high."""
+    above = widget.parentWidget()
+    while above is not None:
+        if isinstance(above, QtWidgets.QScrollArea):
+            above.ensureWidgetVisible(widget)
+        above = above.parentWidget()
+
+
 def calm(form: Any) -> None:
     """Boxes and lists leave the wheel to the panel until they are clicked, and boxes take what is typed."""
     keeper = _Keeper(form)
@@ -148,6 +157,12 @@ def _is_quantity(widget: Any) -> bool:
     return str(widget.metaObject().className()) in ("Gui::QuantitySpinBox", "Gui::PrefQuantitySpinBox")
 
 
+def _is_emptied(widget: Any) -> bool:
+    """Was everything taken out of a box that says in words what it takes then? Qt would put back what was there."""
+    may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
+    return may_be_empty and not widget.cleanText().strip()
+
+
 def _takes_numbers(widget: Any) -> bool:
     return isinstance(widget, QtWidgets.QAbstractSpinBox) and not isinstance(widget, QtWidgets.QSpinBox)
 
@@ -178,6 +193,9 @@ class _Keeper(QtCore.QObject):
         if kind == QtCore.QEvent.Wheel and not widget.hasFocus():
             event.ignore()
             return True
+        left = kind == QtCore.QEvent.FocusOut or (kind == QtCore.QEvent.KeyPress and event.text() == "\r")
+        if left and _is_emptied(widget):
+            widget.setValue(widget.minimum())
         if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
