@@ -15,7 +15,7 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.live import session as live
-from freecad.elastica_wb.panels.widgets.fields import calm, set_value, signal_of, value_of
+from freecad.elastica_wb.panels.widgets.fields import calm, into_sight, set_value, signal_of, value_of
 from freecad.elastica_wb.recording import record_end_of_step, record_recompute, record_step
 
 from elastica_cad.errors import InputError
@@ -38,6 +38,7 @@ class Panel:
         Panel.opened = self
         self.subjects = list(subjects)
         _watch_documents()
+        self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
         self.form.setWindowIcon(_qicon(self.icon_name))
@@ -70,6 +71,7 @@ class Panel:
             self.finished()
         except FAILURES as error:
             self.tell(str(explained(error)))
+            into_sight(self.form.message)
             return False
         if self.document is not None:
             record_recompute(self.document)
@@ -90,7 +92,8 @@ class Panel:
         """Its document was closed: nothing is left to be changed, nor a view to be tidied."""
         if self.form is None:
             return
-        App.closeActiveTransaction(True)
+        if self.step:
+            App.closeActiveTransaction(True)
         Gui.Control.closeDialog()
         self.form = None
         gc.collect()
@@ -171,14 +174,15 @@ class Panel:
 
 
 class _Documents:
-    """Closes the panel of a document that is closed."""
+    """Closes the panel of a document that is closed, also where it only reads what is in there."""
 
     def slotDeletedDocument(self, document: Any) -> None:
         panel = Panel.opened
-        if panel is not None and panel.form is not None and panel.document is document:
+        if panel is not None and panel.form is not None and any(home is document for home in panel._homes):
             panel._timer.stop()
             panel.let_go()
             panel.document, panel.preview = None, None
+            panel._homes = []
             # the document still stands with one foot in memory: an undo now would end FreeCAD
             QtCore.QTimer.singleShot(0, panel.abandon)
 

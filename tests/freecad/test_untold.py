@@ -1,0 +1,42 @@
+"""What a person met without being told, in a real window with a real mouse."""
+
+import csv
+import importlib.util
+import io
+from pathlib import Path
+
+import pytest
+
+_spec = importlib.util.spec_from_file_location("freecad_launching", Path(__file__).with_name("launching.py"))
+launching = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(launching)
+
+
+def test_what_is_easily_overlooked_is_told(tmp_path):
+    found = launching.run_window("untold.py", tmp_path)
+    bend = "end it beforehand to a radius of 250 mm all along, the way it stands bent at "
+    verdict, reason, *_ = found["blank"].splitlines()
+    assert verdict == "A strip bent beforehand takes this curve. There are remarks."
+    assert reason.startswith(f"B{bend}")
+    assert found["blank, flat part"].startswith(f"Strip: b{bend}")
+    assert f"Strip: b{bend}" in found["blank, export"]
+    (row,) = csv.DictReader(io.StringIO(found["blank, cut list"]))
+    assert row["bent_beforehand"].startswith(f"b{bend}")
+    words = "which the nest leaves out: make it in the strip itself"
+    assert found["nest told"].startswith(f"Strip is followed by Notch, {words}")
+    assert found["nest"].startswith(f"Strip is followed by Notch, Rounded, {words}")
+    assert found["nest of the strip alone"] == [[], ""]
+    formula = (
+        "Strip.Style has the formula Cells.A1, which gives 4: it takes 0 to 2, or a name such as <<Plain>>; "
+    )
+    assert found["formula"] == f"There is no strip.\n{formula}mend the formula, or take it away"
+    assert found["formula mended"] == ["Perforated", "Up-to-date"]
+    assert found["shear of birch"] == pytest.approx(620)
+    assert found["shear kept"] == [600, True]
+    assert found["shear of card"] == found["shear emptied"] == "E / (2 (1 + ν))"
+    assert found["shear estimated"] == [None, False]
+    assert [found["closed with its document"], found["buttons left"]] == [True, False]
+    assert found["the other's step"], "what is begun in another document is not taken back"
+    said, hidden, _ = found["deleted"]
+    assert said == "what this panel works on was deleted: press Cancel"
+    assert not hidden
