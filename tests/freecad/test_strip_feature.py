@@ -350,3 +350,16 @@ def test_why_it_is_held_in_no_shape(document, sketch, monkeypatch, found, says):
     strip.tell_held(feature)
     assert says in feature.Held
     assert feature.HeldDeviation.Value == 0
+
+
+@pytest.mark.parametrize("points", [ARCH, WAVE])
+def test_parts_of_a_flat_body_keep_their_numbers(points):
+    """A file of before names Edge3 of it: its face was one for whose outline FreeCAD had looked for a plane."""
+    record = FlatSolid.of(core_strip(points, len(points) - 1))
+    found = Part.Face([make_wire(record.outline, record.frame)]).extrude(App.Vector(0, 0, record.thickness))
+    made = make_solid(record)
+    assert record.is_prism
+    for old, new in ((found.Faces, made.Faces), (found.Edges, made.Edges)):
+        assert [one.Orientation for one in new] == [one.Orientation for one in old]
+        for one, other in zip(new, old, strict=True):
+            assert one.CenterOfMass.distanceToPoint(other.CenterOfMass) < 1e-6

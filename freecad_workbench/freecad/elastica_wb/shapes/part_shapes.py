@@ -62,6 +62,8 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     """A plane face with holes."""
     frame = frame or Frame()
     outer = make_wire(outline if outline.area > 0 else outline.reversed(), frame)
+    if not holes:  # the plane is told: to find it from a spline takes longer than all the rest
+        return Part.Face(Part.Plane(_vector(frame.origin), _vector(frame.z_axis)), outer)
     inner = [make_wire(hole.reversed() if hole.area > 0 else hole, frame) for hole in holes]
     return Part.Face([outer, *inner])
 
