@@ -1,8 +1,9 @@
 """Choices that are given by formulas: what is none of them is told with its property and its formula."""
 
 import pytest
-from freecad.elastica_wb.features import flat, model, strip
+from freecad.elastica_wb.features import flat, model, proxy, strip
 from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.host.sheet_store import sheet_list
 
 from elastica_cad.errors import InputError
 
@@ -70,3 +71,31 @@ def test_other_features_tell_it_too(document, made):
     document.recompute()
     assert told(twin).startswith("Flat.Layer has the formula 2, which gives 2: it takes 0 to 1, ")
     assert told(whole).startswith("Model.Fit has the formula 2, ")
+
+
+def test_a_formula_whose_spreadsheet_is_gone(document, made):
+    cells = document.addObject("Spreadsheet::Sheet", "Cells")
+    cells.set("A1", "1")
+    document.recompute()
+    made.setExpression("Style", "Cells.A1")
+    assert told(made) == ""
+    document.removeObject(cells.Name)
+    with pytest.raises(
+        InputError, match=r"the formula of Style cannot be computed \(Cells.A1\): mend it, or"
+    ):
+        strip.strip_of(made)
+    assert strip.is_stale(made, {made.Name})
+    assert not strip.could_follow_another(made)
+
+
+def test_another_sheet_library_while_a_formula_gives_no_sheet(document, made, monkeypatch):
+    made.setExpression("Sheet", "1000")
+    said = told(made)
+    monkeypatch.setattr(proxy, "sheet_list", lambda: ["my-ply", *sheet_list()])
+    proxy.keep_sheets()
+    assert made.getStatusString() == said.replace(
+        f"to {len(sheet_list()) - 1},", f"to {len(sheet_list())},"
+    ).replace(f"<<{sheet_list()[0]}>>", "<<my-ply>>")
+    made.setExpression("Sheet", "1")
+    assert told(made) == ""
+    assert made.Sheet == sheet_list()[0]

@@ -101,10 +101,11 @@ class Feature:
         kept = {name: getattr(obj, name) for name in self.sheets.values()}
         for name in self.sheets:
             chosen = getattr(obj, name)
-            choices = list(dict.fromkeys([*sheet_list(), chosen]))
+            choices = list(dict.fromkeys([*sheet_list(), *([chosen] if chosen else [])]))
             if choices != obj.getEnumerationsOfProperty(name):
                 setattr(obj, name, choices)
-                setattr(obj, name, chosen)
+                if chosen:  # a formula may give none
+                    setattr(obj, name, chosen)
         put(obj, **{name: getattr(value, "Value", value) for name, value in (kept | measured).items()})
         for name, numbers in self.sheets.items():
             with suppress(InputError):

@@ -75,7 +75,13 @@ def require_choices(obj: Any, table: Iterable[Property]) -> None:
 
 
 def _require_choice(obj: Any, name: str, formula: str) -> None:
-    given, choices = obj.evalExpression(formula), obj.getEnumerationsOfProperty(name)
+    choices = obj.getEnumerationsOfProperty(name)
+    try:
+        given = obj.evalExpression(formula)
+    except Exception as error:  # FreeCAD has a class for every way to fail
+        raise InputError(
+            f"the formula of {name} cannot be computed ({formula}): mend it, or take it away"
+        ) from error
     if isinstance(given, str):
         known = given in choices
     else:  # of a number FreeCAD takes what is before the point
