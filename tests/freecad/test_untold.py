@@ -20,6 +20,7 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     assert reason.startswith(f"B{bend}")
     assert found["blank, flat part"].startswith(f"Strip: b{bend}")
     assert f"Strip: b{bend}" in found["blank, export"]
+    assert found["blank, written"].splitlines()[-1].startswith(f"Strip: b{bend}")
     (row,) = csv.DictReader(io.StringIO(found["blank, cut list"]))
     assert row["bent_beforehand"].startswith(f"b{bend}")
     words = "which the nest leaves out: make it in the strip itself"

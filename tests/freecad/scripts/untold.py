@@ -71,8 +71,7 @@ def bent_blank(document, strip):
     panel().form.folder.setText(str(OUT / "bent"))
     at_rest()
     click(dialog_button("Ok"))
-    until(told)
-    dismissed()
+    answers["blank, written"] = dismissed()
     answers["blank, cut list"] = (OUT / "bent" / "cut-list.csv").read_text(encoding="utf-8")
     strip.NaturalCurvature = 0.0
     document.recompute()

@@ -3,6 +3,7 @@
 
 """Sentences for the user, in windows that stop nobody."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,13 +27,15 @@ def tell(sentence: str) -> None:
     _show(sentence)
 
 
-def tell_files(files: list[Path]) -> None:
-    """Which files were written, with a button that opens their folder."""
+def tell_files(files: list[Path], notes: Sequence[str] = ()) -> None:
+    """Which files were written and what to know of them, with a button that opens their folder."""
     folder = files[0].parent
     names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)
     heading = f"{translate('Elastica', 'Written to')} {folder}:"
     App.Console.PrintMessage(f"Elastica: {heading} {', '.join(file.name for file in files)}\n")
-    box = _show("\n".join([heading, *names]))
+    for note in notes:
+        App.Console.PrintWarning(f"Elastica: {note}\n")
+    box = _show("\n".join([heading, *names, *notes]))
     button = box.addButton(translate("Elastica", "Open folder"), QtWidgets.QMessageBox.ActionRole)
     button.setObjectName("openFolder")
     address = QtCore.QUrl.fromLocalFile(str(folder))

@@ -122,7 +122,7 @@ class ExportPanel(Panel):
             )
         preferences.put("ExportFolder", str(folder))
         if self.written:
-            tell_files(self.written)
+            tell_files(self.written, told_blanks_of(cuts_of(self.strips)))
 
 
 def _usual_folder(document: Any) -> str:
