@@ -3436,23 +3436,23 @@
     </message>
     <message>
         <source>bend it beforehand to a radius of %1 mm all along, the way it stands bent at %2 mm: its widths count on that</source>
-        <translation>安装前先将其全长预弯成半径 %1 mm，弯向与它在 %2 mm 处竖立时的弯向相同：其宽度已按此计算</translation>
+        <translation>安装前先将其全长预弯成半径 %1 mm，弯向与它装好后在 %2 mm 处的弯向相同：其宽度已按此计算</translation>
     </message>
     <message>
         <source>bend it beforehand to a radius of %1 mm all along, the other way than it stands bent at %2 mm: its widths count on that</source>
-        <translation>安装前先将其全长预弯成半径 %1 mm，弯向与它在 %2 mm 处竖立时的弯向相反：其宽度已按此计算</translation>
+        <translation>安装前先将其全长预弯成半径 %1 mm，弯向与它装好后在 %2 mm 处的弯向相反：其宽度已按此计算</translation>
     </message>
     <message>
         <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the way it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
-        <translation>安装前先将其预弯，最急处在 %2 mm，半径 %1 mm，弯向与它在该处竖立时的弯向相同：其宽度已按此计算；沿条带的曲率见属性 Blank</translation>
+        <translation>安装前先将其预弯，最急处在 %2 mm，半径 %1 mm，弯向与它装好后在该处的弯向相同：其宽度已按此计算；沿条带的曲率见属性 Blank</translation>
     </message>
     <message>
         <source>bend it beforehand to a radius of %1 mm at %2 mm, its sharpest, the other way than it stands bent there: its widths count on that; `blank` in the report has its curvature along the strip</source>
-        <translation>安装前先将其预弯，最急处在 %2 mm，半径 %1 mm，弯向与它在该处竖立时的弯向相反：其宽度已按此计算；沿条带的曲率见属性 Blank</translation>
+        <translation>安装前先将其预弯，最急处在 %2 mm，半径 %1 mm，弯向与它装好后在该处的弯向相反：其宽度已按此计算；沿条带的曲率见属性 Blank</translation>
     </message>
     <message>
         <source>bend it beforehand to %1, %2 it stands bent %3: its widths count on that%4</source>
-        <translation>安装前先将其预弯成%1，%2它%3竖立时的弯向：其宽度已按此计算%4</translation>
+        <translation>安装前先将其预弯成%1，%2它装好后%3的弯向：其宽度已按此计算%4</translation>
     </message>
     <message>
         <source>a radius of %1 mm</source>
