@@ -20,7 +20,7 @@ from freecad.elastica_wb.host.refusal import (
     why_not_computed,
     why_not_made,
 )
-from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list
+from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list, text_of
 from freecad.elastica_wb.host.view_providers import dress
 
 from elastica_cad.errors import ElasticaError, InputError
@@ -91,7 +91,7 @@ class Feature:
         if kept in obj.PropertiesList:
             with suppress(InputError):  # the next recompute says it
                 sheet = sheet_called(getattr(obj, name), getattr(obj, kept))
-                put(obj, **{kept: sheet.toml()})
+                put(obj, **{kept: text_of(sheet)})
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
                     put(obj, Thickness=sheet.thickness)
 
@@ -120,7 +120,7 @@ class Feature:
         """The document keeps the numbers that its shapes are made with."""
         for name, numbers in self.sheets.items():
             with suppress(InputError):
-                put(obj, **{numbers: sheet_called(getattr(obj, name), getattr(obj, numbers)).toml()})
+                put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
     @property
     def execute(self) -> Callable[[Any], None]:

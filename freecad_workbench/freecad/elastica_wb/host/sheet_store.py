@@ -12,6 +12,7 @@ import FreeCAD as App
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import reason, write_atomically
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheet_names, sheets_from_table
+from elastica_cad.mechanics.material.sheet_library import built_in_figures
 
 
 def own_sheets_file() -> Path:
@@ -72,6 +73,8 @@ def sheet_called(name: str, kept: str = "") -> Sheet:
     own = own_sheets()
     if name in own:
         return own[name]
+    if name in built_in_figures():  # every recompute asks, and files need not be looked for
+        return _built_in(name)
     if name in sheet_names():
         return Sheet.named(name)
     if kept:
@@ -79,6 +82,17 @@ def sheet_called(name: str, kept: str = "") -> Sheet:
     raise InputError(
         f"there is no sheet called {name!r} here: choose another one, or add it to the sheet library"
     )
+
+
+@lru_cache(maxsize=64)
+def _built_in(name: str) -> Sheet:
+    return Sheet.named(name)
+
+
+@lru_cache(maxsize=64)
+def text_of(sheet: Sheet) -> str:
+    """A sheet's numbers as documents keep them: what `sheet_from_text` reads."""
+    return sheet.toml()
 
 
 def sheet_from_text(name: str, text: str) -> Sheet:
