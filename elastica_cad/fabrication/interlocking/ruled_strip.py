@@ -19,6 +19,7 @@ CURVE_ERROR = 1e-13
 """Of the curve over arc length, relative to its length: near rounding, so that crossings are exact."""
 
 _TABLES = 128  # curves of late: equal strips share theirs, and crossings and collisions ask for the same
+_ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it
 
 InPlane = tuple[FloatArray, FloatArray]
 """Points and unit tangents (n, 2) of a strip's curve in its own plane."""
@@ -108,6 +109,7 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
     )
     centers = origins + (boxes.mean(axis=1)[:, None] @ axes)[:, 0]
     sizes = (boxes[:, 1] - boxes[:, 0]) / 2
+    rooms = rooms + _ROUNDING * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
     seen = np.empty((len(strips), len(strips)), dtype=bool)
     for own, box, room, sees, origin in zip(axes, boxes, rooms, seen, origins, strict=True):
         center = (centers - origin) @ own.T
