@@ -6,8 +6,10 @@ import re
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
-from freecad.elastica_wb.features import flat, model, nest, strip
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve
+from freecad.elastica_wb.features import curves, flat, model, nest, strip
 from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
+from freecad.elastica_wb.features.strip_request import nearest_spec_of
 
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
@@ -90,3 +92,17 @@ def test_both_layers_of_a_laminate_are_told(document, bent):
     document.recompute()
     (told,) = told_blanks_of(cuts_of([bent]))
     assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: bend it beforehand", told)
+
+
+def test_the_nearest_curve_is_sought_for_the_same_blank(document, bent, sketch):
+    """What is drawn for a strip bent beforehand is near for that one: a flat one has other curves."""
+    bent.Follow, bent.RatioLimit = "Nearest", 1.2
+    alone = curves.nearest(document, sketch)
+    alone.RatioLimit, alone.NaturalCurvature = 1.2, -0.004
+    document.recompute()
+    assert alone.State == ["Up-to-date"], alone.getStatusString()
+    assert alone.Deviation.Value == pytest.approx(bent.Deviation.Value, rel=1e-3)
+    assert nearest_spec_of(bent, drawn_curve(bent.Curve, bent)).natural_curvature == -0.004
+    alone.NaturalCurvature = 0.0
+    document.recompute()
+    assert abs(alone.Deviation.Value - bent.Deviation.Value) > 0.05 * bent.Deviation.Value

@@ -24,6 +24,9 @@ CENTROID_MM = 0.02
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
 """Thickness or diameter, mm, that no plane or lathe tells apart, and at how many places strips are compared."""
 
+SAME_BEND_RAD = 1e-4
+"""Over the length of a strip: blanks bent so nearly alike are bent over the same form."""
+
 STEEPEST_SLOPE = 100.0
 """No long side rises more than this for each mm along the strip."""
 
@@ -113,24 +116,36 @@ def _same_size(a: Profile | None, b: Profile | None) -> bool:
     )
 
 
+def _same_blank(a: FloatArray | None, b: FloatArray | None) -> bool:
+    """Are both flat before they are mounted, or bent beforehand alike?"""
+    if a is None or b is None:
+        return a is b
+    return bool(np.abs(a - b).max() < SAME_BEND_RAD)
+
+
 @dataclass(frozen=True, eq=False)
 class FlatShape:
     """The cut loops of a part, of each of its layers, ready to be compared with many others.
 
-    `size` is the thickness or diameter, along its free part, of one that is planed or turned.
+    `size` is the thickness or diameter, along its free part, of one that is planed or turned; `bent` (k,) by how much
+    the blank of one is bent beforehand at even steps along it, rad over its length, None where it is flat.
     """
 
     layers: tuple[Layer, ...]
     size: Profile | None = None
+    bent: FloatArray | None = None
 
     @classmethod
     def of(cls, strip: Strip) -> "FlatShape":
         """That of a strip."""
-        return cls(strip.layers, strip.layout.worked_size)
+        rod, bent = strip.rod, None
+        if np.any(rod.natural_curvature):
+            bent = rod.length * rod.rest_at(np.linspace(0.0, rod.length, SIZE_STATIONS))
+        return cls(strip.layers, strip.layout.worked_size, bent)
 
     def equals(self, other: "FlatShape") -> bool:
         """Would one part serve for both, but for what is engraved? Sheets and all loops must be the same."""
-        if not _same_size(self.size, other.size):
+        if not _same_size(self.size, other.size) or not _same_blank(self.bent, other.bent):
             return False
         if len(self.layers) != len(other.layers) or any(
             p.sheet != q.sheet or len(p.holes) != len(q.holes)
@@ -142,7 +157,8 @@ class FlatShape:
         if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
             return False
         off = np.abs(self._lean - np.array(WAYS) * other._lean).max(axis=1)
-        return any(self._covers(other, way) for way, far in zip(WAYS, off, strict=True) if far < CENTROID_MM)
+        ways = WAYS if self.bent is None else WAYS[:1]  # a bent blank that is turned is bent another way
+        return any(self._covers(other, way) for way, far in zip(ways, off, strict=False) if far < CENTROID_MM)
 
     @cached_property
     def _size(self) -> FloatArray:

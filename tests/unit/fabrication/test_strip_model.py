@@ -83,6 +83,18 @@ def test_holes_are_compared():
     ) == [2, 1]
 
 
+def test_a_blank_that_is_bent_beforehand_is_another_part():
+    """An arc is cut as the same rectangle, however its blank is bent: the workshop makes two parts of it."""
+    arc = PlaneCurve.arc((0, 0), 100, 0, 1)
+
+    def cut(rest):
+        return Strip(optimal_rod(arc, natural_curvature=rest), CARD, max_width=20)
+
+    assert counts(cut(0.0), cut(0.0), cut(0.005), cut(0.0)) == [3, 1]
+    assert counts(cut(0.005), cut(0.005), cut(0.004)) == [2, 1]
+    assert counts(cut(0.005), cut(-0.005)) == [1, 1]
+
+
 def test_names_and_members():
     model = Model([Placed(strip()), Placed(strip(label="X")), Placed(strip())], name="three")
     assert [(part.name, part.members, part.count) for part in model.parts] == [

@@ -206,6 +206,8 @@ NEAREST = tuple(
         "Gravity",
         "GravityDirection",
         "GravityLength",
+        "NaturalCurvature",
+        "Blank",
         "Ratio",
         "Deviation",
         CONTAINERS.name,

@@ -92,7 +92,10 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """The rod nearest to the curve within the limits, also where the strip is to follow its curve exactly."""
     sheet, supports = _sheet(obj), Supports(obj.StartSupport, obj.EndSupport)
     plain = StripSpec(drawn.curve, sheet, drawn.plane, max_width=1.0, gravity=_gravity(obj, drawn))
-    return RodSpec(drawn.curve, plain.gravity_in_plane, supports, limits=_limits(obj, sheet), keep=_keep(obj))
+    return RodSpec(
+        drawn.curve, plain.gravity_in_plane, supports, _natural_curvature(obj),
+        limits=_limits(obj, sheet), keep=_keep(obj),
+    )  # fmt: skip
 
 
 def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
