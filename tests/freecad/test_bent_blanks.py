@@ -5,8 +5,8 @@ import re
 
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
+from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import curves, flat, model, nest, strip
 from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
 from freecad.elastica_wb.features.strip_request import nearest_spec_of

@@ -127,8 +127,8 @@ def _same_blank(a: FloatArray | None, b: FloatArray | None) -> bool:
 class FlatShape:
     """The cut loops of a part, of each of its layers, ready to be compared with many others.
 
-    `size` is the thickness or diameter, along its free part, of one that is planed or turned; `bent` (k,) by how much
-    the blank of one is bent beforehand at even steps along it, rad over its length, None where it is flat.
+    `size` is the thickness or diameter, along its free part, of one that is planed or turned; `bent` (k,) by how
+    much the blank of one is bent beforehand at even steps along it, rad over its length, None where it is flat.
     """
 
     layers: tuple[Layer, ...]
