@@ -185,7 +185,7 @@ class CurveChanges:
         # the nodes slide along the curve so that they stay at equal arc lengths
         slide = (share[:, None] * length - before[panel] - along.at(panel, x)) / speed[:, None]
         half = (np.diff(panels.edges) / 2)[panel]
-        K_slope = state.balance.stiffness.slopes_at(panel, x)[0] / (state.scale * half)
+        K_slope = state.balance.stiffness.slope_at(panel, x) / (state.scale * half)
         K = -(rod.stiffness**2)[:, None] * self.compliance.at(panel, x) + K_slope[:, None] * slide
         moved = np.stack([curve.basis(nodes.t) @ self._moves[k::2] for k in (0, 1)], axis=1)
         moved += d1[:, :, None] * slide[:, None, :]

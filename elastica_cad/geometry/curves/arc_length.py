@@ -13,6 +13,9 @@ from elastica_cad.geometry.running_sums import numbers_in_groups
 _DEGREE = 15
 """Of the Chebyshev series for the speed on one panel."""
 
+_DERIVED = np.ascontiguousarray(np.polynomial.chebyshev.chebder(np.eye(_DEGREE + 2), axis=1))
+"""Chebyshev coefficients of a series times this (17, 16) are those of its derivative."""
+
 _NARROWEST = 2.0**-40
 """Share of the whole: a panel as narrow is as wide as rounding."""
 
@@ -22,12 +25,13 @@ _FINE = 2e-15
 _NOISE_SHARE = 1e-8
 """Coefficients below this share of the speed that halving no longer lessens are rounding."""
 
-_STEPS = np.linspace(-1.0, 1.0, 33)
+_CELLS = 64
+_STEPS = np.linspace(-1.0, 1.0, _CELLS + 1)
 _AT_STEPS = chebyshev(_STEPS, _DEGREE + 2)
-"""Places in a panel between which its inverse is nearly straight, and the polynomials (17, 33) there."""
+"""Places in a panel between which its inverse is a cubic to 1e-8, and the polynomials (17, 65) there."""
 
 _LAST_NEWTON_STEP = 1e-8
-"""In a panel from -1 to 1: the next step would be its square."""
+"""In a panel from -1 to 1: the next step would be its square, or after a cubic less than rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,40 +56,44 @@ class ArcLength:
         """Arc lengths (n,) of parameters (n,)."""
         if not t.size:
             return np.zeros(0)
-        panel = self._panel(self.t, t)
+        panel = np.searchsorted(self.t[1:-1], t, side="right")
         x = np.minimum(np.maximum(2 * (t - self.t[panel]) / self._widths[panel] - 1, -1.0), 1.0)
         s = self.s[panel] + series_at(self.series, panel, chebyshev(x, self.series.shape[1]))
         return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Parameters (n,) of arc lengths (n,)."""
-        panel = self._panel(self.s, s)
+        starts, cubics = self._inverse
+        cell = np.searchsorted(starts[1:], s, side="right")
+        panel = cell // _CELLS
+        c0, c1, c2, c3, pace = cubics[cell].T
+        share = (s - starts[cell]) * pace
+        guess = c0 + share * (c1 + share * (c2 + share * c3))
+        rate = (c1 + share * (2 * c2 + share * (3 * c3))) * pace
         target, whole = s - self.s[panel], self._lengths[panel]
-        share = np.minimum(np.maximum(2 * target / whole - 1, -1.0), 1.0)
-        guess = series_at(self._inverse, panel, chebyshev(share, self._inverse.shape[1]))
-        x = self._places(panel, target, guess)
+        x = self._places(panel, target, guess, rate)
         x = np.where(target <= 0, -1.0, np.where(target >= whole, 1.0, x))
         return np.asarray(self.t[panel] + self._widths[panel] * (1 + x) / 2)
 
-    def _panel(self, edges: FloatArray, places: FloatArray) -> IntArray:
-        """The panels between `edges` in which places (n,) lie; beyond the ends the outermost one."""
-        return np.asarray(np.searchsorted(edges[1:-1], places, side="right"))
+    def _places(self, panel: IntArray, target: FloatArray, guess: FloatArray, rate: FloatArray) -> FloatArray:
+        """Places x in [-1, 1] of panels (n,) at arc lengths `target` from their starts, by Newton steps.
 
-    def _places(self, panel: IntArray, target: FloatArray, guess: FloatArray) -> FloatArray:
-        """Places x in [-1, 1] of panels (n,) at arc lengths `target` from their starts, by Newton steps."""
+        `rate` is dx/ds at the guess, as exact as that is.
+        """
         x = np.minimum(np.maximum(guess, -1.0), 1.0)
+        gap = series_at(self.series, panel, chebyshev(x, self.series.shape[1])) - target
+        following = np.minimum(np.maximum(x - gap * rate, -1.0), 1.0)
         low, high = np.full(x.shape, -1.0), np.ones(x.shape)
         for _ in range(60):
-            polynomials = chebyshev(x, self.series.shape[1])
-            gap = series_at(self.series, panel, polynomials) - target
-            low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
-            newton = x - gap / series_at(self._slopes, panel, polynomials)
-            following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
+            low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
             x = following
-            # the next step would be its square
             if step <= _LAST_NEWTON_STEP:
                 break
+            polynomials = chebyshev(x, self.series.shape[1])
+            gap = series_at(self.series, panel, polynomials) - target
+            newton = x - gap / series_at(self._slopes, panel, polynomials)
+            following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
         return np.asarray(x)
 
     @cached_property
@@ -100,30 +108,41 @@ class ArcLength:
 
     @cached_property
     def _slopes(self) -> FloatArray:
-        return np.asarray(np.polynomial.chebyshev.chebder(self.series, axis=1), dtype=float)
+        """Series (k, 16) of ds/dx."""
+        return np.asarray(self.series @ _DERIVED)
 
     @cached_property
-    def _inverse(self) -> FloatArray:
-        """Series (k, 16) of the place x over the arc length, both from -1 to 1: where Newton's method starts."""
-        nodes, to_series, _ = _chebyshev()
-        count = self.series.shape[0]
-        panel = np.repeat(np.arange(count), nodes.size)
-        share = np.tile((1 + nodes) / 2, count)
-        target = share * self._lengths[panel]
+    def _inverse(self) -> tuple[FloatArray, FloatArray]:
+        """Where Newton's method starts: arc lengths (k * 64,) at which the cells of the panels begin, and
+        coefficients of the place x there (k * 64, 5), over the share of the cell that is behind, and shares a mm.
+        """
         reached = self.series @ _AT_STEPS + self.s[:-1, None]
-        steps = 2.0 * np.arange(count)[:, None] + _STEPS
-        guess = np.interp(target + self.s[panel], reached.ravel(), steps.ravel()) - 2.0 * panel
-        x = self._places(panel, target, guess)
-        return np.asarray(x.reshape(count, -1) @ to_series.T)
+        reached[:, 0], reached[:, -1] = self.s[:-1], self.s[1:]
+        size = np.maximum(reached[:, 1:] - reached[:, :-1], np.finfo(float).tiny)
+        # dx over the cell at its ends, as fast as there
+        pace = self._slopes @ _AT_STEPS[:-1]
+        pace = np.where(pace > 0, pace, np.inf)
+        first, last, step = size / pace[:, :-1], size / pace[:, 1:], 2.0 / _CELLS
+        cubics = np.empty((*size.shape, 5))
+        cubics[..., 0], cubics[..., 1] = _STEPS[:-1], first
+        cubics[..., 2], cubics[..., 3] = 3 * step - 2 * first - last, first + last - 2 * step
+        cubics[..., 4] = 1 / size
+        return reached[:, :-1].ravel(), cubics.reshape(-1, 5)
 
 
-def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
-    """Tabulate the integral of `speed` (parameters (n,) to mm per unit of t) over spans between `edges`."""
-    one = np.zeros(edges.size - 1, dtype=int)
-    _, t, _, series = _panels(lambda _, t: speed(t), one, edges[:-1], np.diff(edges), edges[[-1]] - edges[0])
-    order = np.argsort(t)
+def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
+    """Tabulate the integral of `speed` over the spans between `edges`.
+
+    Parameters
+    ----------
+    speed : callable
+        Maps spans (n,) and parameters (n,) in them to mm per unit of t.
+    """
+    spans, owner = np.arange(edges.size - 1), np.zeros(edges.size - 1, dtype=int)
+    _, t, _, series = _panels(speed, spans, owner, edges[:-1], edges[1:] - edges[:-1], edges[-1:] - edges[:1])
+    order = t.argsort()
     series = series[order]
-    s = np.concatenate([[0.0], np.cumsum(series.sum(axis=1))])
+    s = np.append(0.0, series.sum(axis=1).cumsum())
     return ArcLength(np.append(t[order], edges[-1]), s, series)
 
 
@@ -145,62 +164,69 @@ def arc_lengths(
     whole : (m,) array
         Sizes of the curves' domains.
     """
-    owner, _, _, series = _panels(speed, which, low, width, whole)
-    return np.asarray(np.bincount(owner, series.sum(axis=1), minlength=whole.size), dtype=float)
+    span, _, _, series = _panels(speed, which, np.arange(whole.size), low, width, whole)
+    return np.asarray(np.bincount(span, series.sum(axis=1), minlength=whole.size), dtype=float)
 
 
 def _panels(
     speed: Callable[[IntArray, FloatArray], FloatArray],
     which: IntArray,
+    owners: IntArray,
     low: FloatArray,
     width: FloatArray,
     whole: FloatArray,
 ) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
-    """Whose each panel is (k,), its start (k,), its width (k,) and the series (k, 17) of its arc length.
+    """Spans of the panels (k,), their starts and widths (k,), and series (k, 17) of their arc length.
+
+    `owners` are the curves of the spans that `which` (k,) names.
 
     Panels are cut into 2, 4 or 8 until the Chebyshev coefficients of the speed have fallen to rounding level, which
     is where cutting no longer helps when the parameters themselves are large beside their domain.
     """
-    nodes, to_series, integrate = _chebyshev()
+    shares, to_series, integrate = _chebyshev()
     parent: FloatArray = np.full(low.shape, np.inf)
-    owners, starts, widths, tables = [], [], [], []
+    found: list[tuple[IntArray, FloatArray, FloatArray, FloatArray]] = []
     total = np.zeros(whole.size)
-    while low.size:
-        t = low[:, None] + width[:, None] * (1 + nodes) / 2
-        values = speed(np.repeat(which, nodes.size), t.ravel()).reshape(t.shape)
-        coefficients = values @ to_series.T
-        sums = np.bincount(which, coefficients[:, 0] * width, minlength=whole.size)
-        total = np.maximum(total, sums)
+    while True:
+        t = low[:, None] + width[:, None] * shares
+        coefficients = speed(which.repeat(shares.size), t.ravel()).reshape(t.shape) @ to_series
+        mean = coefficients[:, 0]
+        owner = owners[which]
+        total = np.maximum(total, np.bincount(owner, mean * width, minlength=whole.size))
         tail = np.abs(coefficients[:, -3:]).max(axis=1)
         fine = (
-            (tail <= _FINE * coefficients[:, 0])
-            | (tail * width <= 1e-15 * total[which])
-            | (width < _NARROWEST * whole[which])
+            (tail <= _FINE * mean)
+            | (tail * width <= 1e-15 * total[owner])
+            | (width < _NARROWEST * whole[owner])
+            | ((tail < _NOISE_SHARE * mean) & (tail > 0.3 * parent))
         )
-        fine |= (tail < _NOISE_SHARE * coefficients[:, 0]) & (tail > 0.3 * parent)
-        owners.append(which[fine])
-        starts.append(low[fine])
-        widths.append(width[fine])
-        tables.append((coefficients[fine] * width[fine, None] / 2) @ integrate.T)
-        rough = ~fine
+        found.append(
+            (which[fine], low[fine], width[fine], (coefficients[fine] * width[fine, None] / 2) @ integrate)
+        )
+        rough = (~fine).nonzero()[0]
+        if not rough.size:
+            break
         # halving divides the last coefficients by 2^degree or so
-        excess = tail[rough] / (_FINE * coefficients[rough, 0])
-        parts = 2 ** np.clip(np.ceil(np.log2(excess) / _DEGREE), 1, 3).astype(int)
-        width = np.repeat(width[rough] / parts, parts)
-        low = np.repeat(low[rough], parts) + numbers_in_groups(parts) * width
-        parent = np.repeat(tail[rough], parts)
-        which = np.repeat(which[rough], parts)
-    found = (np.concatenate(part) for part in (owners, starts, widths, tables))
-    owner, start, size, series = found
-    return owner, start, size, series
+        parent = tail[rough]
+        halvings = np.ceil(np.log2(parent / (_FINE * mean[rough])) / _DEGREE)
+        parts = 2 ** np.minimum(np.maximum(halvings, 1), 3).astype(int)
+        width = (width[rough] / parts).repeat(parts)
+        low = low[rough].repeat(parts) + numbers_in_groups(parts) * width
+        parent, which = parent.repeat(parts), which[rough].repeat(parts)
+    if len(found) == 1:
+        return found[0]
+    span, start, size, series = (np.concatenate(part) for part in zip(*found, strict=True))
+    return span, start, size, series
 
 
 @lru_cache(maxsize=1)
 def _chebyshev() -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Nodes (n,), values -> coefficients (n, n), coefficients -> those of the integral from -1 (n+1, n)."""
+    """Nodes (n,) from 0 to 1; values @ to_series (n, n) are coefficients, these @ integrate (n, n+1) those of the
+    integral from -1.
+    """
     n = _DEGREE + 1
     phase = np.pi * (np.arange(n) + 0.5) / n
     to_series = 2 / n * np.cos(np.arange(n)[:, None] * phase)
     to_series[0] /= 2
     integrate = np.asarray(np.polynomial.chebyshev.chebint(np.eye(n), lbnd=-1, axis=0), dtype=float)
-    return np.cos(phase), to_series, integrate
+    return (1 + np.cos(phase)) / 2, to_series.T.copy(), integrate.T.copy()

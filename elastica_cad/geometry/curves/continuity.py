@@ -11,6 +11,12 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, curvature, curvature_slope, norm
 from elastica_cad.geometry.curves.tangent_angle import TangentAngle
 
+ORDERS_OF_SIDES = 3
+"""Of continuity that `KnotSides` tell of: beyond, it is taken from the multiplicity of a knot."""
+
+SHORT_SPAN_SHARE = 1e-6
+"""Of the domain: what knots as near to each other make of the direction is seen on both sides of each only."""
+
 
 @dataclass(frozen=True, eq=False)
 class KnotSides:
@@ -47,15 +53,11 @@ class KnotSides:
         return np.asarray(self.after[0] - self.before[0])
 
 
-def continuity_orders(pieces: RationalPieces, sides: KnotSides, knots: FloatArray, length: float) -> IntArray:
-    """Numbers (p - 1,) of continuous derivatives by arc length at the interior knots.
-
-    At least degree - multiplicity; more where angle, curvature and its slope agree on both sides, as at the
-    double knots of an arc written as a NURBS.
-    """
+def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
+    """How many derivatives by the parameter go on at the interior knots (p - 1,), by how often these stand."""
     t = pieces.edges[1:-1]
-    multiplicity = (knots[None, :] == t[:, None]).sum(axis=1)
-    return np.asarray(np.maximum(pieces.spans.degree - multiplicity, agreeing_orders(sides, length)))
+    repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
+    return np.asarray(pieces.spans.degree - repeated)
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:

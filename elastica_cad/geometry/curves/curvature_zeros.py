@@ -202,16 +202,15 @@ def _evenly_weighted(
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
     """Which homogeneous Bezier pieces are straight (p,): curvature below 1e-8 of 1 / size of the curve."""
     points = bezier[..., :2] / bezier[..., 2:]
-    size = _extent(bezier)
-    chord = points[:, -1] - points[:, 0]
-    offset = points - points[:, :1]
-    length = np.linalg.norm(chord, axis=1)
-    spread = np.linalg.norm(offset, axis=2).max(axis=1)
-    normal = np.stack([-chord[:, 1], chord[:, 0]], axis=1) / np.where(length > 0, length, 1.0)[:, None]
-    sagitta = np.abs(np.einsum("pnk,pk->pn", offset, normal)).max(axis=1)
-    sagitta = np.where(length > 1e-12 * size, sagitta, spread)
+    size = float(np.ptp(points, axis=(0, 1)).max())
+    x, y = (points - points[:, :1]).transpose(2, 0, 1)
+    along, across = x[:, -1:], y[:, -1:]
+    length = np.hypot(along, across)
+    safe = np.where(length > 0, length, 1.0)
+    sagitta = np.abs((y * along - x * across) / safe)
+    sagitta = np.where(length > 1e-12 * size, sagitta, np.hypot(x, y)).max(axis=1)
     magnitude = np.abs(points).max()
-    return np.asarray(8 * sagitta <= 1e-8 * length**2 / size + 32 * _EPS * magnitude)
+    return np.asarray(8 * sagitta <= 1e-8 * length[:, 0] ** 2 / size + 32 * _EPS * magnitude)
 
 
 def _extent(bezier: FloatArray) -> float:
@@ -233,19 +232,23 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     A, B, C are the de Casteljau points of the last but one step; the determinant is det(P, P', P'') up to the
     factor degree^2 (degree - 1), and kappa = (degree - 1)/degree * it * w^3 / |h|^3 with h of `hodograph`.
     """
-    a, b, c = bezier[:, :-2], bezier[:, 1:-1], bezier[:, 2:]
-    d, e = b - a, (c - b) - (b - a)
-    centre = bezier[:, :, :2].mean(axis=1, keepdims=True) / bezier[:, :, 2:].mean(axis=1, keepdims=True)
-    a, d, e = (np.concatenate([v[..., :2] - centre * v[..., 2:], v[..., 2:]], axis=-1) for v in (a, d, e))
+    centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
+    step = bezier[:, 1:] - bezier[:, :-1]
+    bend = step[:, 1:] - step[:, :-1]
+    # seen from the middle of each piece; rows x w, y w, w
+    a, d, e = (
+        (*(v[..., :2] - centre[:, None] * v[..., 2:]).transpose(2, 0, 1), v[..., 2])
+        for v in (bezier[:, :-2], step[:, :-1], bend)
+    )
 
     def minor(i: int, j: int) -> FloatArray:
-        return product(d[..., i], e[..., j]) - product(d[..., j], e[..., i])
+        return product(d[i], e[j]) - product(d[j], e[i])
 
-    value = product(a[..., 2], minor(0, 1))
+    value = product(a[2], minor(0, 1))
     if np.ptp(bezier[..., 2]) > 0:
-        value = value + product(a[..., 0], minor(1, 2)) + product(a[..., 1], minor(2, 0))
-    step, bend = np.linalg.norm(d, axis=-1).max(axis=1), np.linalg.norm(e, axis=-1).max(axis=1)
-    return value, 8 * _EPS * (step + bend) * (1 + np.abs(centre).max())
+        value = value + product(a[0], minor(1, 2)) + product(a[1], minor(2, 0))
+    sizes = sum(np.sqrt((v[0] ** 2 + v[1] ** 2 + v[2] ** 2).max(axis=1)) for v in (d, e))
+    return value, 8 * _EPS * sizes * (1 + np.abs(centre).max())
 
 
 def _same_degree(p: FloatArray, q: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -1,7 +1,7 @@
 """Positions and derivatives of rational Bezier pieces, many parameters at once."""
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import comb
 
 import numpy as np
@@ -9,7 +9,12 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.tangent_angle import TangentCones, cut_into_tangent_cones, hodograph
-from elastica_cad.geometry.polynomials.bernstein import interior_roots
+from elastica_cad.geometry.polynomials.bernstein import (
+    binomials,
+    interior_roots,
+    raise_degree,
+    scaled_bernstein,
+)
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans
 
 
@@ -41,6 +46,11 @@ class RationalPieces:
         """Parameters (p + 1,) at which the pieces meet."""
         return self.spans.edges
 
+    @property
+    def ends(self) -> tuple[list[float], list[float]]:
+        """First and last point, as x w, y w, w."""
+        return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
+
     def inside(self, t: FloatArray) -> FloatArray:
         """The parameters, rounding beyond the ends taken off; others outside are refused."""
         a, b = self.edges[0], self.edges[-1]
@@ -54,35 +64,20 @@ class RationalPieces:
         return self.within(*self.spans.locate(self.inside(t), left=left), order)
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
-        """The same at local coordinates u (n,) of spans (n,), by de Casteljau's scheme."""
-        degree = self.spans.degree
-        # the coefficients of the only piece need no copy for every place
-        alone = len(self.bezier) == 1 and not self.rational and order < degree
-        c = self._columns if alone else self._columns[:, :, index]
-        differences: list[FloatArray] = []
-        for remaining in range(degree, -1, -1):
-            if remaining <= order:
-                differences.append(_difference(c))
-            if remaining:
-                step = (c[1:] - c[:-1]) * u
-                step += c[:-1]
-                c = step
-        homogeneous = []
-        factor = np.ones_like(self.spans.widths if alone else u)
-        width, origins = (
-            (self.spans.widths, self._origins)
-            if alone
-            else (self.spans.widths[index], self._origins[:, index])
-        )
-        for k, difference in enumerate(reversed(differences)):
-            if k:  # no place is divided by the width: it may be too small for that
-                factor = factor * (degree - k + 1) / width
-            homogeneous.append(difference * factor)
-        homogeneous += [np.zeros_like(homogeneous[0])] * (order + 1 - len(homogeneous))
+        """The same at local coordinates u (n,) of spans (n,)."""
+        size = self._dimension
+        columns = size * (order + 1)
+        basis = scaled_bernstein(self.spans.degree, u)
+        if len(self._series) == 1:
+            values = basis @ self._series[0, :, :columns]
+        else:
+            values = np.einsum("nj,njc->nc", basis, self._series[:, :, :columns].take(index, axis=0))
+        rows = [values[:, k : k + size] for k in range(0, columns, size)]
         if self.rational:
-            homogeneous = quotient([h[:2] for h in homogeneous], [h[2] for h in homogeneous])
-        homogeneous[0] = homogeneous[0] + origins
-        return [np.ascontiguousarray(h.T) for h in homogeneous]
+            parts = quotient([row[:, :2].T for row in rows], [row[:, 2] for row in rows])
+            rows = [part.T for part in parts]
+        rows[0] = rows[0] + self._origins[index]
+        return rows
 
     def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:
         """Derivatives up to `order` just before and just after the p - 1 interior knots, each (p - 1, 2)."""
@@ -96,9 +91,14 @@ class RationalPieces:
         position, velocity = self.at(t, 1)
         return position, velocity
 
-    def speed(self, t: FloatArray) -> FloatArray:
-        """Lengths (n,) of the velocities d/dt, mm."""
-        return norm(self.at(t, 1)[1])
+    def speed(self, index: IntArray, t: FloatArray) -> FloatArray:
+        """Lengths (n,) of the velocities d/dt, mm, at parameters (n,) of spans (n,)."""
+        u = (t - self.edges[index]) / self.spans.widths[index]
+        u = np.minimum(np.maximum(u, 0.0), 1.0)
+        if self.rational:
+            return norm(self.within(index, u, 1)[1])
+        velocity = self._series[:, :, 2:4].take(index, axis=0)
+        return norm(np.einsum("nj,njc->nc", scaled_bernstein(self.spans.degree, u), velocity))
 
     def stationary(self) -> FloatArray:
         """Parameters (k,) of the knots and of all places where x or y is stationary."""
@@ -113,17 +113,31 @@ class RationalPieces:
         """Parts of the curve within which it turns by less than half a turn."""
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
-    @cached_property
-    def _columns(self) -> FloatArray:
-        """Pieces as (degree + 1, 3 or 2, p), the layout in which many points are evaluated fast.
+    @property
+    def _dimension(self) -> int:
+        """Numbers of a place: x, y, and w where weights differ."""
+        return 3 if self.rational else 2
 
-        Each is seen from its middle control point, from which the others are subtracted without rounding: the
-        second derivatives of short pieces far from the origin would otherwise carry that of their coordinates.
+    @cached_property
+    def _series(self) -> FloatArray:
+        """Position and its first three derivatives d/dt of every piece, in one scaled Bernstein basis.
+
+        (p, degree + 1, 4 * 2 or 3). Each piece is seen from its middle control point, from which the others are
+        subtracted without rounding: the second derivatives of short pieces far from the origin would otherwise
+        carry that of their coordinates.
         """
+        spans, degree = self.spans, self.spans.degree
         near = self.control_points[self._acting]
-        near[..., :2] -= near[..., 2:] * self._origins.T[:, None, :]
-        kept = near if self.rational else near[..., :2]
-        return np.ascontiguousarray(np.einsum("pij,pjk->ikp", self.spans.matrix, kept))
+        near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
+        difference = spans.matrix @ near[..., : self._dimension]
+        series = np.zeros((len(near), degree + 1, _ORDERS, self._dimension))
+        factor = np.ones(len(near))
+        for k in range(min(degree, _ORDERS - 1) + 1):
+            if k:
+                difference = difference[:, 1:] - difference[:, :-1]
+                factor = factor * (degree - k + 1) / spans.widths
+            series[:, :, k] = _raised(degree, k) @ difference * factor[:, None, None]
+        return series.reshape(len(near), degree + 1, -1)
 
     @cached_property
     def _acting(self) -> IntArray:
@@ -132,16 +146,21 @@ class RationalPieces:
 
     @cached_property
     def _origins(self) -> FloatArray:
-        """Middle control points (2, p) of the pieces, mm."""
+        """Middle control points (p, 2) of the pieces, mm."""
         middle = self.control_points[self.spans.first + self.spans.degree // 2]
-        return np.ascontiguousarray((middle[:, :2] / middle[:, 2:]).T)
+        return np.asarray(middle[:, :2] / middle[:, 2:])
 
 
-def _difference(c: FloatArray) -> FloatArray:
-    """The last forward difference of coefficients (k + 1, ...)."""
-    for _ in range(len(c) - 1):
-        c = c[1:] - c[:-1]
-    return np.asarray(c[0])
+_ORDERS = 4  # position and three derivatives
+
+
+@lru_cache(maxsize=64)
+def _raised(degree: int, times: int) -> FloatArray:
+    """Scaled Bernstein coefficients of `degree` from plain ones of `times` degrees less, (degree + 1, ...)."""
+    c = np.eye(degree + 1 - times)
+    for _ in range(times):
+        c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
+    return np.ascontiguousarray((c * binomials(degree)).T)
 
 
 def quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:
@@ -157,18 +176,25 @@ def quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[Fl
 
 def curvature(d1: FloatArray, d2: FloatArray) -> FloatArray:
     """Signed curvature (n,) from first and second derivatives (n, 2) by any parameter."""
-    return np.asarray(cross(d1, d2) / norm(d1) ** 3)
+    speed = norm(d1)
+    return np.asarray(cross(d1, d2) / (speed * speed * speed))
 
 
 def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArray:
     """Derivative of the curvature by arc length (n,), from derivatives (n, 2) by any parameter."""
-    speed2 = (d1**2).sum(axis=1)
-    return np.asarray(cross(d1, d3) / speed2**2 - 3 * cross(d1, d2) * (d1 * d2).sum(axis=1) / speed2**3)
+    speed2 = dot(d1, d1)
+    square = speed2 * speed2
+    return np.asarray(cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2))
 
 
 def norm(v: FloatArray) -> FloatArray:
     """Lengths (n,) of vectors (n, 2)."""
     return np.asarray(np.hypot(v[:, 0], v[:, 1]))
+
+
+def dot(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Products (n,) of pairs of vectors (n, 2)."""
+    return np.asarray(u[:, 0] * v[:, 0] + u[:, 1] * v[:, 1])
 
 
 def cross(u: FloatArray, v: FloatArray) -> FloatArray:

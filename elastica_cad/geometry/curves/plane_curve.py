@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import hypot
 
 import numpy as np
 
@@ -12,9 +13,11 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves import curvature_zeros as zeros
 from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.curves.continuity import (
+    ORDERS_OF_SIDES,
+    SHORT_SPAN_SHARE,
     KnotSides,
     agreeing_orders,
-    continuity_orders,
+    knot_orders,
 )
 from elastica_cad.geometry.curves.curve_derivatives import (
     curvature,
@@ -198,15 +201,12 @@ class PlaneCurve(NurbsCurve):
     def breaks(self) -> tuple[Break, ...]:
         """All interior knots with their continuity."""
         t = self._pieces.edges[1:-1]
-        return tuple(
-            Break(float(s), float(at), int(order))
-            for s, at, order in zip(self.arc_length(t), t, self._continuity, strict=True)
-        )
+        return tuple(map(Break, self.arc_length(t).tolist(), t.tolist(), self._continuity.tolist()))
 
     @cached_property
     def tangent_breaks(self) -> tuple[TangentBreak, ...]:
         """Corners of more than 1e-5 rad, without that of a closed curve's seam."""
-        if self._pieces.edges.size == 2:
+        if self._pieces.edges.size == 2 or self._is_smooth(1):
             return ()
         angle = self._knot_sides.corners
         sharp = np.flatnonzero(np.abs(angle) > CORNER_RAD)
@@ -241,8 +241,8 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def is_closed(self) -> bool:
         """Do the ends meet (within 1e-9 of the length)?"""
-        start, end = self.evaluate(np.array(self.domain), left=False)
-        return bool(np.hypot(*(end - start)) <= 1e-9 * self.length)
+        (x0, y0, w0), (x1, y1, w1) = self._pieces.ends
+        return hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0) <= 1e-9 * self.length
 
     def self_intersections(self) -> FloatArray:
         """Pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
@@ -261,9 +261,19 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def _continuity(self) -> IntArray:
-        if self._pieces.edges.size == 2:
-            return np.zeros(0, dtype=int)
-        return continuity_orders(self._pieces, self._knot_sides, self.knots, self.length)
+        if self._is_smooth(ORDERS_OF_SIDES):
+            return self._knot_orders
+        return np.maximum(self._knot_orders, agreeing_orders(self._knot_sides, self.length))
+
+    @cached_property
+    def _knot_orders(self) -> IntArray:
+        return knot_orders(self._pieces, self.knots)
+
+    def _is_smooth(self, order: int) -> bool:
+        """Is the curve known to be smooth to this order at all knots, as they are no more often repeated?"""
+        spans = self._pieces.spans
+        apart = spans.widths.min() > SHORT_SPAN_SHARE * (spans.edges[-1] - spans.edges[0])
+        return bool(apart and self._knot_orders.min(initial=order) >= order)
 
     @cached_property
     def _knot_sides(self) -> KnotSides:

@@ -10,7 +10,8 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 
 @lru_cache(maxsize=64)
-def _binomials(degree: int) -> FloatArray:
+def binomials(degree: int) -> FloatArray:
+    """Numbers (degree + 1,) by which the Bernstein polynomials are larger than `scaled_bernstein`."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
@@ -27,15 +28,35 @@ def _split_matrices(degree: int, u: float) -> tuple[FloatArray, FloatArray]:
     return left, right
 
 
+def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
+    """Values (n, degree + 1) of u^i (1 - u)^(degree - i): Bernstein polynomials without their binomials."""
+    values, rest = np.empty((u.size, degree + 1)), 1 - u
+    values[:, 0], values[:, 1:2] = 1.0, u[:, None]
+    power = u
+    for i in range(2, degree + 1):
+        power = power * u
+        values[:, i] = power
+    power = rest
+    for i in range(degree - 1, -1, -1):
+        values[:, i] *= power
+        power = power * rest
+    return values
+
+
 def product(a: FloatArray, b: FloatArray) -> FloatArray:
     """Coefficients (..., m+n+1) of the product of polynomials with coefficients (..., m+1) and (..., n+1)."""
     m, n = a.shape[-1] - 1, b.shape[-1] - 1
-    a = a * _binomials(m)
-    b = b * _binomials(n)
-    out = np.zeros((*np.broadcast_shapes(a.shape[:-1], b.shape[:-1]), m + n + 1))
-    for i in range(m + 1):
-        out[..., i : i + n + 1] += a[..., i : i + 1] * b
-    return out / _binomials(m + n)
+    terms = (a * binomials(m))[..., :, None] * (b * binomials(n))[..., None, :]
+    return np.asarray(terms.reshape(*terms.shape[:-2], -1) @ _gathered(m, n) / binomials(m + n))
+
+
+@lru_cache(maxsize=256)
+def _gathered(m: int, n: int) -> FloatArray:
+    """Terms ((m + 1) (n + 1),) named i, j times this are their sums over i + j = k, (m + n + 1,)."""
+    i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
+    matrix = np.zeros((i.size, m + n + 1))
+    matrix[np.arange(i.size), i + j] = 1.0
+    return matrix
 
 
 def raise_degree(c: FloatArray) -> FloatArray:

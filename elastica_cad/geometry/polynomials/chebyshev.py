@@ -28,4 +28,6 @@ def chebyshev(x: FloatArray, count: int) -> FloatArray:
 
 def series_at(coefficients: FloatArray, which: IntArray, values: FloatArray) -> FloatArray:
     """Sums (n,) of the series `which` (n,) of coefficients (k, m), from `values` of m polynomials or more."""
-    return np.asarray(np.einsum("mn,nm->n", values[: coefficients.shape[1]], coefficients[which]))
+    return np.asarray(
+        np.einsum("mn,nm->n", values[: coefficients.shape[1]], coefficients.take(which, axis=0))
+    )

@@ -1,9 +1,8 @@
 """A curve cut into panels with Gauss nodes: quotients and integrals along it to near rounding error."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
-from functools import cached_property
-from typing import Self
+from dataclasses import dataclass
+from itertools import accumulate
 
 import numpy as np
 
@@ -20,6 +19,8 @@ MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
 RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
 NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
 
+GRADED = 2.0  # distances from a zero beside it that a panel is long at most
+
 NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 
 ROUGH_AT_ZERO = 2
@@ -28,12 +29,15 @@ ROUGH_AT_ZERO = 2
 DENSE_PARTS = 24
 """Of each panel, at whose places bounds are first watched."""
 
-EXTREME_STEPS = 3
-"""Of Newton's method, from the nearest of those places to an extreme."""
+EXTREME_STEPS = 2
+"""Of Halley's method, from the nearest of those places to an extreme: the error is raised to the ninth power."""
+
+_REACH = 0.15  # from a place to the extreme that it lies next to
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
+FROM_LEFT = 1 + NODES
 _DEGREES = np.arange(ORDER)
-VANDER = np.polynomial.legendre.legvander(NODES, ORDER - 1)
+VANDER: FloatArray = np.asarray(np.polynomial.legendre.legvander(NODES, ORDER - 1), dtype=float)
 TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
 
 
@@ -50,7 +54,8 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 
 LEFT, RIGHT = _antiderivatives()
 _CHEBYSHEV_TO_LEGENDRE = np.linalg.solve(chebyshev(NODES, ORDER).T, VANDER)
-SLOPES = np.append(np.polynomial.legendre.legder(np.eye(ORDER)), np.zeros((1, ORDER)), axis=0)
+SLOPES: FloatArray = np.zeros((ORDER, ORDER))
+SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 """Legendre coefficients of the derivative from those of a function."""
 
 
@@ -122,7 +127,7 @@ class PanelFunction:
     @classmethod
     def through(cls, values: FloatArray) -> "PanelFunction":
         """The interpolant of nodal values (N, p, ...)."""
-        return cls(np.einsum("ij,nj...->ni...", TO_COEFFICIENTS, values))
+        return cls(in_panels(TO_COEFFICIENTS, values))
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Values (n, ...) at places x (n,) of panels (n,)."""
@@ -130,17 +135,11 @@ class PanelFunction:
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
         """Values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
-        return np.asarray(np.einsum("ki,ni...->nk...", basis, self.coefficients))
+        return in_panels(basis, self.coefficients)
 
-    def slopes_at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """First and second derivatives with respect to x (n, ...)."""
-        both = self._slopes.at(panel, x)
-        return both[..., 0], both[..., 1]
-
-    @cached_property
-    def _slopes(self) -> "PanelFunction":
-        first = np.einsum("ij,nj...->ni...", SLOPES, self.coefficients)
-        return PanelFunction(np.stack([first, np.einsum("ij,nj...->ni...", SLOPES, first)], axis=-1))
+    def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Derivatives by x (n, ...)."""
+        return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
 
     def unresolved(self, tolerance: float) -> BoolArray:
         """Panels (N,) whose last coefficients exceed `tolerance` times the largest one."""
@@ -150,7 +149,7 @@ class PanelFunction:
     @property
     def nodal(self) -> FloatArray:
         """Values (N, p, ...) at the nodes of the panels."""
-        return np.asarray(np.einsum("ij,nj...->ni...", VANDER, self.coefficients))
+        return in_panels(VANDER, self.coefficients)
 
     @property
     def where_panels_meet(self) -> tuple[FloatArray, FloatArray]:
@@ -166,12 +165,15 @@ class PanelFunction:
 
     @property
     def extremes(self) -> FloatArray:
-        """Values at `extreme_places`."""
-        return self.at(*self.extreme_places)
+        """Values at the local extremes near the largest and least one, and at the samples beside them."""
+        panel, sample, x = self.extreme_places
+        return np.concatenate([self.dense[panel * _DENSE.size + sample], self.at(panel, x)])
 
     @property
-    def extreme_places(self) -> tuple[IntArray, FloatArray]:
-        """Places of the local extremes near the largest and least value, by Newton's method from samples."""
+    def extreme_places(self) -> tuple[IntArray, IntArray, FloatArray]:
+        """Panels (n,) of the local extremes near the largest and least value, the samples of `dense_places` in
+        them (n,) that each was found from, and the places x (n,), by Halley's method.
+        """
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
@@ -181,14 +183,19 @@ class PanelFunction:
         near = extreme & ((table > high - band) | (table < low + band))
         # the worst samples stay in, ends of panels among them
         near.flat[[table.argmin(), table.argmax()]] = True
-        panel, place = np.nonzero(near)
-        start = x = _DENSE[place]
-        lower, upper = np.maximum(start - 0.15, -1.0), np.minimum(start + 0.15, 1.0)
-        for _ in range(EXTREME_STEPS):
-            slope, curvature = self.slopes_at(panel, x)
-            step = np.divide(-slope, curvature, out=np.zeros_like(x), where=curvature != 0)
-            x = np.minimum(np.maximum(x + step, lower), upper)
-        return np.concatenate([panel, panel]), np.concatenate([start, x])
+        panel, sample = near.nonzero()
+        own, start = self.coefficients[panel], _DENSE[sample]
+        x, slopes = start, _DENSE_SLOPES[sample]
+        lower, upper = np.maximum(start - _REACH, -1.0), np.minimum(start + _REACH, 1.0)
+        for step in range(EXTREME_STEPS):
+            if step:
+                slopes = (_chebyshev_columns(x) @ _CHEBYSHEV_TO_SLOPES).reshape(-1, 3, ORDER)
+            first, second, third = (slopes @ own[:, :, None])[:, :, 0].T
+            # Halley's step: Newton's, with the third derivative taken in
+            bend = 2 * second * second - first * third
+            step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
+            x = np.minimum(np.maximum(x + step_by, lower), upper)
+        return panel, sample, x
 
     def combined(self, numbers: FloatArray) -> "PanelFunction":
         """The last axis contracted with `numbers`."""
@@ -197,13 +204,31 @@ class PanelFunction:
 
 def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
     """Values (n, ...) of each function at places x (n,) of panels (n,)."""
-    basis = legendre_basis(x)
-    return [np.asarray(np.einsum("ni,ni...->n...", basis, f.coefficients[panel])) for f in functions]
+    columns = [f.coefficients.reshape(*f.coefficients.shape[:2], -1) for f in functions]
+    own = (columns[0] if len(columns) == 1 else np.concatenate(columns, axis=2)).take(panel, axis=0)
+    values = np.einsum("ni,nij->nj", legendre_basis(x), own)
+    ends = accumulate(one.shape[2] for one in columns)
+    return [
+        values[:, end - one.shape[2] : end].reshape(x.size, *f.coefficients.shape[2:])
+        for f, one, end in zip(functions, columns, ends, strict=True)
+    ]
 
 
 def legendre_basis(x: FloatArray) -> FloatArray:
     """Values (n, p) of the Legendre polynomials at x (n,)."""
-    return np.asarray(chebyshev(x, ORDER).T @ _CHEBYSHEV_TO_LEGENDRE)
+    return np.asarray(_chebyshev_columns(x) @ _CHEBYSHEV_TO_LEGENDRE)
+
+
+def _chebyshev_columns(x: FloatArray) -> FloatArray:
+    return chebyshev(x, ORDER).T
+
+
+def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
+    """A matrix (k, p) applied to the p nodal values or coefficients (N, p, ...) of every panel: (N, k, ...)."""
+    if values.ndim == 2:
+        return np.asarray(values @ matrix.T)
+    flat = matrix @ values.reshape(*values.shape[:2], -1)
+    return np.asarray(flat.reshape(len(values), len(matrix), *values.shape[2:]))
 
 
 def _lobatto(parts: int) -> FloatArray:
@@ -215,6 +240,11 @@ def _lobatto(parts: int) -> FloatArray:
 _DENSE = _lobatto(DENSE_PARTS)
 _DENSE_BASIS = legendre_basis(_DENSE)
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
+_CHEBYSHEV_TO_SLOPES = np.concatenate(
+    [_CHEBYSHEV_TO_LEGENDRE @ np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1
+)
+_DENSE_SLOPES = (_chebyshev_columns(_DENSE) @ _CHEBYSHEV_TO_SLOPES).reshape(-1, 3, ORDER)
+"""First, second and third derivatives by x, of every Legendre polynomial."""
 
 
 def cut_into_panels(
@@ -228,7 +258,8 @@ def cut_into_panels(
     """Panels that resolve the curve, and any moment over its curvature.
 
     A panel is cut into 2, 4 or 8 until the Legendre coefficients of the speed and of (t - zero)/(kappa -
-    kappa_0) have died away.
+    kappa_0) have died away, with the zero that is nearest: there the moment vanishes too, so panels beside those
+    that end in it need not grow narrow towards it.
 
     Parameters
     ----------
@@ -242,42 +273,70 @@ def cut_into_panels(
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
     close = 1e-10 * (high - low)
-    fixed = np.array([low, *sorted(z for z in zeros if low + close < z < high - close), high])
+    vanishing = np.sort(np.asarray(zeros, dtype=float))
+    inner = vanishing[(vanishing > low + close) & (vanishing < high - close)]
+    fixed = np.concatenate([[low], inner, [high]])
     # beside a zero a narrow panel would hold nothing but rounding
     narrow = NARROWEST_SHARE * (high - low)
-    knots = ((b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks)
-    kinks = ((t, close) for t in (*(t for t, _, _ in excess.kinks), *cuts))
-    others = [t for t, apart in (*knots, *kinks) if np.abs(fixed - t).min() > apart]
-    edges = np.unique(np.concatenate([fixed, others]))
-    edges = edges[np.concatenate([[True], np.diff(edges) > close])]
-    flags = np.array([any(abs(z - e) <= close for z in zeros) for e in edges])
+    others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
+    others += [(t, close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
+    edges = fixed
+    if others:
+        t, apart = np.array(others).T
+        edges = np.unique(np.concatenate([fixed, t[np.abs(fixed[:, None] - t).min(axis=0) > apart]]))
+        edges = edges[np.append(True, np.diff(edges) > close)]
+    edges = _graded(edges, vanishing, close)
+    flags = (np.abs(edges - vanishing[:, None]) <= close).any(axis=0)
     cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
-    cut = cut.into(np.where(cut.zero_left & cut.zero_right, 2, 1))
+    both = cut.zero_left & cut.zero_right
+    if both.any():
+        cut = cut.into(np.where(both, 2, 1))
     done: list[_Nodes] = []
-    while cut.left.size:
-        found, tail = _evaluated(excess, cut, law)
-        parts = _parts(tail)
+    count = 0
+    while True:
+        found, tail = _evaluated(excess, cut, vanishing, law)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
-        settled |= cut.right - cut.left < NARROWEST_SHARE * (high - low)
-        if sum(len(nodes.t) for nodes in done) + cut.left.size + parts[~settled].sum() > MAX_PANELS:
-            settled[:] = True
+        settled |= cut.right - cut.left < narrow
+        rough = (~settled).nonzero()[0]
+        if rough.size:
+            parts = _parts(tail[rough])
+        if not rough.size or count + cut.left.size + parts.sum() > MAX_PANELS:
+            done.append(found)
+            return _panels(curve, done)
         done.append(found.chosen(settled))
-        cut = replace(cut, tail=tail).chosen(~settled).into(parts[~settled])
-    return _panels(curve, done)
+        count += cut.left.size - rough.size
+        cut = cut.chosen(rough, tail[rough]).into(parts)
+
+
+def _graded(edges: FloatArray, zeros: FloatArray, close: float) -> FloatArray:
+    """The edges, and more towards zeros that lie near to one.
+
+    No panel is longer than `GRADED` times its distance from a zero that is not its end, or what is left of a pole
+    there would hide between the nodes.
+    """
+    if not zeros.size:
+        return edges
+    away = edges[:, None] - zeros
+    more: list[float] = []
+    for side, near in (
+        (1, np.where(away > close, away, np.inf)),
+        (-1, np.where(away < -close, -away, np.inf)),
+    ):
+        distance = near.min(axis=1)
+        step = np.diff(edges)
+        first = slice(None, -1) if side > 0 else slice(1, None)
+        for i in (GRADED * distance[first] < step).nonzero()[0].tolist():
+            start, d, width = float(edges[first][i]), float(distance[first][i]), float(step[i])
+            reached = GRADED * d
+            while reached < width:
+                more.append(start + side * reached)
+                reached += GRADED * (d + reached)
+    return np.unique(np.concatenate([edges, more])) if more else edges
 
 
 @dataclass(frozen=True, eq=False)
-class _Columns:
-    """Arrays with one entry a panel."""
-
-    def chosen(self, which: BoolArray | IntArray) -> Self:
-        """Some of the panels."""
-        return replace(self, **{f.name: getattr(self, f.name)[which] for f in fields(self)})
-
-
-@dataclass(frozen=True, eq=False)
-class _Cut(_Columns):
+class _Cut:
     """Panels before they are evaluated; `tail` is how badly the panel they come from was resolved."""
 
     left: FloatArray
@@ -286,29 +345,36 @@ class _Cut(_Columns):
     zero_right: BoolArray
     tail: FloatArray
 
+    def chosen(self, which: IntArray, tail: FloatArray) -> "_Cut":
+        """Some of the panels, with what is unresolved of them."""
+        return _Cut(self.left[which], self.right[which], self.zero_left[which], self.zero_right[which], tail)
+
     def into(self, parts: IntArray) -> "_Cut":
         """Every panel cut into its number of equal parts."""
-        whole = self.chosen(np.repeat(np.arange(parts.size), parts))
-        count = np.repeat(parts, parts)
-        part = numbers_in_groups(parts)
-        width, first, last = whole.right - whole.left, part == 0, part == count - 1
+        whole, count, part = (
+            np.arange(parts.size).repeat(parts),
+            parts.repeat(parts),
+            numbers_in_groups(parts),
+        )
+        left, right = self.left[whole], self.right[whole]
+        width, last = right - left, part == count - 1
         return _Cut(
-            whole.left + width * (part / count),
-            np.where(last, whole.right, whole.left + width * ((part + 1) / count)),
-            whole.zero_left & first,
-            whole.zero_right & last,
-            whole.tail,
+            left + width * (part / count),
+            np.where(last, right, left + width * ((part + 1) / count)),
+            self.zero_left[whole] & (part == 0),
+            self.zero_right[whole] & last,
+            self.tail[whole],
         )
 
 
 def _parts(tail: FloatArray) -> IntArray:
     """How many parts a panel needs, 2, 4 or 8: halving divides the last coefficient by 2^p or so."""
-    halvings = np.ceil(np.log2(np.nan_to_num(tail, nan=1.0, posinf=1.0) / RESOLVED) / ORDER)
+    halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
 
 @dataclass(frozen=True, eq=False)
-class _Nodes(_Columns):
+class _Nodes:
     """Panels evaluated at their Gauss nodes: fields as of `Panels`, `velocity` (N, p, 2) by x."""
 
     left: FloatArray
@@ -319,40 +385,64 @@ class _Nodes(_Columns):
     stretch: FloatArray
     curvature: FloatArray
 
+    def chosen(self, which: BoolArray | IntArray) -> "_Nodes":
+        """Some of the panels."""
+        return _Nodes(
+            self.left[which], self.zero_left[which], self.zero_right[which], self.t[which],
+            self.velocity[which], self.stretch[which], self.curvature[which],
+        )  # fmt: skip
 
-def _evaluated(excess: ExcessCurvature, cut: _Cut, law: MaterialLaw | None) -> tuple[_Nodes, FloatArray]:
-    """The panels at their nodes, and how much of each is unresolved."""
+    @classmethod
+    def joined(cls, parts: Sequence["_Nodes"]) -> "_Nodes":
+        """Loose panels in their order along the curve."""
+        if len(parts) == 1:
+            return parts[0]
+        nodes = cls(*map(np.concatenate, zip(*(vars(part).values() for part in parts), strict=True)))
+        return nodes.chosen(nodes.left.argsort())
+
+
+def _evaluated(
+    excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, law: MaterialLaw | None
+) -> tuple[_Nodes, FloatArray]:
+    """The panels at their nodes, and how much of each is unresolved; `zeros` are the parameters of all."""
     half = (cut.right - cut.left)[:, None] / 2
-    t = cut.left[:, None] + half * (1 + NODES)
-    beside = cut.zero_left | cut.zero_right
-    _, d1, d2, *d3 = excess.curve.derivatives(t.ravel(), 3 if beside.any() else 2)
+    from_left = half * FROM_LEFT
+    t = cut.left[:, None] + from_left
+    beside = (cut.zero_left | cut.zero_right).nonzero()[0]
+    _, d1, d2, *d3 = excess.curve.derivatives(t.ravel(), 3 if beside.size else 2)
     velocity = d1.reshape(*t.shape, 2) * half[..., None]
     stretch = np.hypot(velocity[..., 0], velocity[..., 1])
     kappa = curvature(d1, d2).reshape(t.shape) - excess.rest_at(t)
-    if d3:
-        slope = curvature_slope(d1, d2, d3[0]).reshape(t.shape) - excess.rest_at(t, 1)
-        growth = (slope * stretch)[beside]
+    if beside.size:
+        at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
+        slope = curvature_slope(d1[at], d2[at], d3[0][at]).reshape(-1, ORDER) - excess.rest_at(t[beside], 1)
+        growth = slope * stretch[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
         kappa = law.effective_curvature(kappa)
-    to_zero = np.where(cut.zero_left[:, None], 1 + NODES, np.where(cut.zero_right[:, None], NODES - 1, 1.0))
+    functions = np.empty((2, *t.shape))
+    functions[0], functions[1] = stretch, 1.0
+    if zeros.size:
+        middle = cut.left + half[:, 0]
+        nearest = zeros[np.abs(zeros[:, None] - middle).argmin(axis=0)]
+        functions[1] = from_left + (cut.left - nearest)[:, None]
+    if beside.size:
+        functions[1, beside] = np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        functions = np.stack([stretch, to_zero / kappa])
+        functions[1] /= kappa
         tails = np.abs(functions @ TO_COEFFICIENTS[-2:].T).max(axis=-1) / np.abs(functions).max(axis=-1)
     nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa)
     return nodes, np.asarray(tails.max(axis=0))
 
 
-def _panels(curve: PlaneCurve, parts: list[_Nodes]) -> Panels:
+def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
     """One chain of panels from loose ones."""
-    nodes = _Nodes(*(np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(_Nodes)))
-    nodes = nodes.chosen(np.argsort(nodes.left))
+    nodes = _Nodes.joined(parts)
     edges = np.append(nodes.left, curve.domain[1])
-    edge_s = np.concatenate([[0.0], np.cumsum(nodes.stretch @ WEIGHTS)])
+    edge_s = np.append(0.0, np.cumsum(nodes.stretch @ WEIGHTS))
     return Panels(
         edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
         zero_left=nodes.zero_left, zero_right=nodes.zero_right, t=nodes.t,
         s=edge_s[:-1, None] + nodes.stretch @ LEFT.T, curvature=nodes.curvature, stretch=nodes.stretch,
-        from_left=np.einsum("ij,njk->nik", LEFT, nodes.velocity),
-        from_right=-np.einsum("ij,njk->nik", RIGHT, nodes.velocity),
+        from_left=in_panels(LEFT, nodes.velocity), from_right=-in_panels(RIGHT, nodes.velocity),
     )  # fmt: skip

@@ -15,11 +15,13 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
     unsettled,
 )
 from elastica_cad.mechanics.stiffness.quadrature_panels import (
+    DENSE_PARTS,
     SLOPES,
     VANDER,
     WEIGHTS,
     PanelFunction,
     Panels,
+    in_panels,
 )
 from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
 
@@ -71,8 +73,12 @@ class StiffnessFamily:
         return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Rows and offsets where K of the numbers y has its extremes."""
-        return self.at(*self.stiffness(y).extreme_places)
+        """Rows and offsets where K of the numbers y has its extremes, and at the samples beside them."""
+        panel, sample, x = self.stiffness(y).extreme_places
+        rows, offset = self.dense
+        beside = panel * (DENSE_PARTS + 1) + sample
+        near, near_offset = self.at(panel, x)
+        return np.concatenate([rows[beside], near]), np.concatenate([offset[beside], near_offset])
 
     def stiffness(self, y: FloatArray) -> PanelFunction:
         """K of the numbers y."""
@@ -145,9 +151,9 @@ def smoothest(
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
-    slope = np.einsum("ij,njm->nim", _SLOPES_AT_NODES, columns) / panels.stretch[..., None]
+    slope = in_panels(_SLOPES_AT_NODES, columns) / panels.stretch[..., None]
     slopes = PanelFunction.through(slope)
-    bend = np.einsum("ij,njm->nim", _SLOPES_AT_NODES, slopes.coefficients) * WEIGHTS[:, None]
+    bend = in_panels(_SLOPES_AT_NODES, slopes.coefficients) * WEIGHTS[:, None]
     before, after = slopes.where_panels_meet
     bends = np.concatenate([bend.reshape(count * order, -1), after - before])
     d = family.freedom
