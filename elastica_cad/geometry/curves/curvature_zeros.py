@@ -288,7 +288,8 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
     count = f.flat.size
     c = f.coefficients.copy()
     zero = np.zeros((count, 2), dtype=bool)
-    for i in np.flatnonzero(~f.flat).tolist():
+    ends = np.abs(c[:, [0, -1]]) <= f.noise[:, None]
+    for i in (ends.any(axis=1) & ~f.flat).nonzero()[0].tolist():
         for side in (0, 1):
             for _ in range(c.shape[1] - 1):
                 if abs(c[i, -side]) > f.noise[i]:

@@ -29,9 +29,8 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
     normal, constant = finite("b", b), float(finite("a", a))
     if normal.shape != (2,) or not normal.any():
         raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
-    pieces = curve.bezier_pieces()
-    edges = np.array([pieces[0][0], *(end for _, end, _ in pieces)])
-    found = line_places(np.array([piece for *_, piece in pieces]), edges, constant, normal)
+    edges, bezier = curve.bezier_table
+    found = line_places(bezier, edges, constant, normal)
     s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
     return tuple(
         LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)

@@ -236,6 +236,11 @@ class NurbsCurve:
         """The curve with the same knots and weights over other control points (m, 2)."""
         return type(self)(self.knots, np.asarray(control_points, dtype=float), self.degree, self.weights)
 
+    @property
+    def bezier_table(self) -> tuple[FloatArray, FloatArray]:
+        """The knot spans' ends (p + 1,) and homogeneous control points (p, degree + 1, 3); not to be written on."""
+        return self._pieces.edges, self._pieces.bezier
+
     def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
         """The knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
         edges = self._pieces.edges

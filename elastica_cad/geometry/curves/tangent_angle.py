@@ -78,16 +78,18 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     off_axis = _signed_angle(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = _signed_angle(last[:-1], first[1:])
-    steps = to_end[:-1] + across - to_start[1:]
-    start = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
-    angle = start + np.concatenate([[0.0], np.cumsum(steps)])
-    return TangentAngle(cones.edges, axis, angle, float(np.ptp(angle[:, None] + off_axis)))
+    angle = np.empty(len(axis))
+    angle[0] = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
+    angle[1:] = to_end[:-1] + across - to_start[1:]
+    angle = angle.cumsum()
+    reached = angle[:, None] + off_axis
+    return TangentAngle(cones.edges, axis, angle, float(reached.max() - reached.min()))
 
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
     """The tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
-    part, low, width = hodographs, edges[:-1], np.diff(edges)
-    size = np.linalg.norm(part, axis=-1)
+    part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
+    size = np.hypot(part[..., 0], part[..., 1])
     largest = size.max(axis=1)
     still = largest <= 1e-14 * largest.max()
     stopped = np.concatenate(
@@ -95,15 +97,17 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
     )
     if stopped.size:
         return TangentCones(edges, part, float(stopped.min()))
-    starts, found = [], []
+    starts: list[FloatArray] = []
+    found: list[FloatArray] = []
     slowest = _STANDSTILL_SHARE * largest
     for _ in range(_MOST_HALVINGS):
         if not low.size:
             break
         axis = _unit(part[:, 0]) + _unit(part[:, -1])
-        along = np.einsum("pnk,pk->pn", part, axis)
-        length = np.linalg.norm(part, axis=-1)
-        decided = (along > 1e-9 * length).all(axis=1) & (length[:, [0, -1]].min(axis=1) > slowest)
+        along = (part @ axis[:, :, None])[:, :, 0]
+        decided = (along > 1e-9 * size).all(axis=1) & (size[:, [0, -1]].min(axis=1) > slowest)
+        if not starts and decided.all():
+            return TangentCones(edges, part)
         starts.append(low[decided])
         found.append(part[decided])
         rest = ~decided
@@ -111,6 +115,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
         part = np.swapaxes(np.concatenate([left, right]), 1, 2)
         width, slowest = np.tile(width[rest] / 2, 2), np.tile(slowest[rest], 2)
         low = np.concatenate([low[rest], low[rest] + width[: rest.sum()]])
+        size = np.hypot(part[..., 0], part[..., 1])
     if low.size:
         return TangentCones(edges, part, float((low + width / 2).min()))
     begin, coefficients = np.concatenate(starts), np.concatenate(found)
@@ -119,7 +124,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
 
 
 def _unit(v: FloatArray) -> FloatArray:
-    length = np.linalg.norm(v, axis=-1, keepdims=True)
+    length = np.hypot(v[..., :1], v[..., 1:])
     return np.asarray(v / np.where(length > 0, length, 1.0))
 
 

@@ -8,11 +8,12 @@ from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.tangent_angle import cut_into_tangent_cones, tabulate_tangent_angle
 from elastica_cad.geometry.polynomials.bernstein import (
+    binomials,
     divide_out_end_root,
     interior_roots,
     product,
+    scaled_bernstein,
     subdivide,
-    value_and_slope,
 )
 
 _AT_KNOT_SHARE = 1e-9  # of a span
@@ -46,13 +47,16 @@ def find_view_angles(curve: PlaneCurve, t: float) -> ViewAngles | None:
     cones = cut_into_tangent_cones(views, edges)
     if cones.standstill is not None:
         return None
-    step = np.diff(views, axis=1)
+    step = views[:, 1:] - views[:, :-1]
     turn = product(views[..., 0], step[..., 1]) - product(views[..., 1], step[..., 0])
     roots = interior_roots(turn)
     piece = np.array([*range(len(views)), len(views) - 1, *(root.piece for root in roots)])
     u = np.array([0.0] * len(views) + [1.0] + [root.u for root in roots])
     places = edges[piece] + u * (edges[piece + 1] - edges[piece])
-    direction = np.column_stack([value_and_slope(views[piece, :, k], u)[0] for k in (0, 1)])
+    degree = views.shape[1] - 1
+    direction = np.einsum(
+        "nj,njk->nk", scaled_bernstein(degree, u) * binomials(degree), views.take(piece, axis=0)
+    )
     angle = tabulate_tangent_angle(cones).at(places, direction)
     low, high = int(angle.argmin()), int(angle.argmax())
     return ViewAngles(float(angle[low]), float(angle[high]), float(places[low]), float(places[high]))
@@ -60,9 +64,7 @@ def find_view_angles(curve: PlaneCurve, t: float) -> ViewAngles | None:
 
 def _views(curve: PlaneCurve, t: float) -> tuple[FloatArray, FloatArray]:
     """Pieces (k, n, 2) along gamma - p (reversed before p), no longer zero at p, and their edges (k + 1,)."""
-    pieces = curve.bezier_pieces()
-    edges = np.array([pieces[0][0], *(end for _, end, _ in pieces)])
-    bezier = np.array([piece for *_, piece in pieces])
+    edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))
     u = (t - edges[at]) / (edges[at + 1] - edges[at])
     if u > 1 - _AT_KNOT_SHARE:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from math import comb
 
 import numpy as np
@@ -131,8 +132,7 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     """
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
-    simple: list[tuple[FloatArray, FloatArray, FloatArray, FloatArray]] = []
-    clusters: list[tuple[int, float, float]] = []
+    events: list[tuple[int, float, float, bool]] = []
     for depth in range(_MOST_HALVINGS + 1):
         if not piece.size:
             break
@@ -142,19 +142,13 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
         one = some & (changes == 1) & (sign[:, 0] * sign[:, -1] < 0)
         none = some & (changes == 0) & ~blurred
         cluster = ~some if depth < _MOST_HALVINGS else ~(one | none)
-        if one.any():
-            simple.append((piece[one].astype(float), low[one], width[one], _bracketed(part[one])))
-        clusters.extend(
-            zip(piece[cluster].tolist(), low[cluster].tolist(), width[cluster].tolist(), strict=True)
-        )
+        for i in one.nonzero()[0].tolist():
+            at = float(low[i] + width[i] * _crossing(part[i].tolist()))
+            events.append((int(piece[i]), at, at, True))
+        for i in cluster.nonzero()[0].tolist():
+            events.append((int(piece[i]), float(low[i]), float(low[i] + width[i]), False))
         rest = ~(one | none | cluster)
         piece, part, low, width = _halved(piece[rest], part[rest], low[rest], width[rest])
-    events = [
-        (int(i), float(a + w * v), float(a + w * v), True)
-        for group in simple
-        for i, a, w, v in zip(*group, strict=True)
-    ]
-    events += [(i, a, a + w, False) for i, a, w in clusters]
     return _classified(c, _merged(sorted(events)))
 
 
@@ -163,7 +157,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
     noise = 32 * _EPS * np.abs(c).max(axis=1)
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c = c.copy()
-    for i in range(c.shape[0]):
+    for i in (np.abs(c[:, [0, -1]]) <= noise[:, None]).any(axis=1).nonzero()[0].tolist():
         for at_end in (False, True):
             for _ in range(c.shape[1] - 1):
                 if abs(c[i, -1 if at_end else 0]) > noise[i]:
@@ -176,10 +170,12 @@ def interior_roots(c: FloatArray) -> list[Root]:
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
     """Sign changes (k,) of rows with zeros skipped, and whether a row holds zeros."""
-    filled = sign.copy()
-    for j in range(1, filled.shape[1]):
-        filled[:, j] = np.where(filled[:, j] == 0, filled[:, j - 1], filled[:, j])
-    return (filled[:, :-1] * filled[:, 1:] < 0).sum(axis=1), (sign == 0).any(axis=1)
+    blurred = (sign == 0).any(axis=1)
+    if blurred.any():
+        sign = sign.copy()
+        for j in range(1, sign.shape[1]):
+            sign[:, j] = np.where(sign[:, j] == 0, sign[:, j - 1], sign[:, j])
+    return (sign[:, :-1] * sign[:, 1:] < 0).sum(axis=1), blurred
 
 
 def _halved(
@@ -202,25 +198,38 @@ def _halved(
     )
 
 
-def _bracketed(c: FloatArray) -> FloatArray:
-    """The one sign change (k,) of polynomials whose end values differ in sign, to rounding error."""
-    low, high = np.zeros(c.shape[0]), np.ones(c.shape[0])
-    rising = c[:, -1] > 0
-    blurred = _EPS * np.abs(c).max(axis=1)
-    u = c[:, 0] / (c[:, 0] - c[:, -1])
+def _crossing(c: list[float]) -> float:
+    """The one sign change of a polynomial whose end values differ in sign, to rounding error.
+
+    In plain numbers: there are a few such polynomials, and a step of an array would cost as much for one as for ten.
+    """
+    low, high, rising = 0.0, 1.0, c[-1] > 0
+    blurred = _EPS * max(map(abs, c))
+    u = c[0] / (c[0] - c[-1])
     for _ in range(80):
-        value, slope = value_and_slope(c, u)
-        above = (value > 0) == rising
-        low, high = np.where(above, low, u), np.where(above, u, high)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            newton = u - value / slope
-        inside = (newton > low) & (newton < high)
-        following = np.where(inside, newton, (low + high) / 2)
-        following = np.where(np.abs(value) <= blurred, u, following)
-        if np.abs(following - u).max() <= 4e-16:
+        value, slope = _value_and_slope(c, u)
+        if abs(value) <= blurred:
+            return u
+        if (value > 0) == rising:
+            high = u
+        else:
+            low = u
+        following = u - value / slope if slope else low
+        if not low < following < high:
+            following = (low + high) / 2
+        if abs(following - u) <= 4e-16:
             return following
         u = following
     return u
+
+
+def _value_and_slope(c: list[float], u: float) -> tuple[float, float]:
+    """Value and derivative of one polynomial."""
+    degree = len(c) - 1
+    for _ in range(degree - 1):
+        c = [a + (b - a) * u for a, b in pairwise(c)]
+    step = c[1] - c[0]
+    return c[0] + step * u, degree * step
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:

@@ -43,12 +43,13 @@ class Spans:
     @cached_property
     def widths(self) -> FloatArray:
         """Lengths (p,) of the spans in the parameter."""
-        return np.diff(self.edges)
+        return np.asarray(self.edges[1:] - self.edges[:-1])
 
     def bezier(self, control_points: FloatArray) -> FloatArray:
         """Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
         local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
-        return np.asarray(np.einsum("pij,pj...->pi...", self.matrix, local), dtype=float)
+        pieces = self.matrix @ local.reshape(*local.shape[:2], -1)
+        return np.asarray(pieces.reshape(local.shape), dtype=float)
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
         """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""

@@ -1,12 +1,14 @@
 """Splines that follow a given function to a tolerance, with knots where they are needed."""
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
@@ -64,14 +66,18 @@ def adaptive_spline(
     order = _break_orders(breaks, domain)
     edges = _with_knots(np.array([domain[0], *sorted(order), domain[1]]), np.asarray(knots, dtype=float))
     sites, weight = gauss_rule(degree + 3)
-    places = np.concatenate([(1 + sites) / 2, _PROBES])
+    places, inner, probing = _places(degree)
     samples = _sampled(function, edges[:-1], edges[1:], places)
     while True:
-        counts = [min(max(degree - order.get(e, degree - 1), 1), degree + 1) for e in edges[1:-1].tolist()]
-        repeated = np.repeat(edges, [degree + 1, *counts, degree + 1])
+        counts = np.ones(edges.size, dtype=int)
+        counts[np.searchsorted(edges, list(order))] = [
+            min(max(degree - continuity, 1), degree + 1) for continuity in order.values()
+        ]
+        counts[[0, -1]] = degree + 1
+        repeated = edges.repeat(counts)
         spans = bezier_spans(repeated, degree)
-        coefficients = _least_squares(spans, samples[:, : sites.size], places[: sites.size], weight)
-        error = _largest_errors(spans, coefficients, samples[:, sites.size :])
+        coefficients = _least_squares(spans, samples[:, : sites.size], inner, weight)
+        error = _largest_errors(spans, coefficients, samples[:, sites.size :], probing)
         accepted = max(tolerance, rounding * float(np.abs(samples).max()))
         # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
         bad = np.flatnonzero(error > max(accepted, _REFINED_SHARE * error.max()))
@@ -103,10 +109,8 @@ def fit_spans(
     They are those of `adaptive_spline` where it takes no knots inside: there the second array (p,) is true.
     """
     sites, weight = gauss_rule(degree + 3)
-    places = np.concatenate([(1 + sites) / 2, _PROBES])
+    places, inner, probing = _places(degree)
     samples = _sampled(function, low, high, places)
-    basis = bezier_spans(np.repeat([0.0, 1.0], degree + 1), degree).bernstein(places)
-    inner, probing = basis[: sites.size], basis[sites.size :]
     weighted = (weight[:, None] * inner).T
     coefficients = np.linalg.solve(weighted @ inner, weighted) @ samples[:, : sites.size]
     error = np.abs(probing @ coefficients - samples[:, sites.size :]).max(axis=(1, 2))
@@ -190,16 +194,27 @@ def _parts(excess: FloatArray, degree: int) -> IntArray:
     return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
 
 
-def _least_squares(spans: Spans, values: FloatArray, places: FloatArray, weight: FloatArray) -> FloatArray:
-    """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places of spans."""
+@lru_cache(maxsize=16)
+def _places(degree: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Where in a span a function is asked, in shares of it, and Bernstein polynomials (k, degree + 1) there.
+
+    The polynomials are apart for the sites of the fit and for the probes.
+    """
+    sites, _ = gauss_rule(degree + 3)
+    places = np.concatenate([(1 + sites) / 2, _PROBES])
+    basis = scaled_bernstein(degree, places) * binomials(degree)
+    return places, basis[: sites.size], basis[sites.size :]
+
+
+def _least_squares(spans: Spans, values: FloatArray, inner: FloatArray, weight: FloatArray) -> FloatArray:
+    """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at the sites of spans."""
     degree, count = spans.degree, spans.count
-    width = np.diff(spans.edges)
-    basis = np.einsum("ki,pij->pkj", spans.bernstein(places), spans.matrix)
-    weighted = basis * (width[:, None] * weight)[..., None]
-    gram = np.einsum("pki,pkj->pij", weighted, basis)
-    right = np.einsum("pki,pk...->pi...", weighted, values)
+    basis = inner @ spans.matrix
+    weighted = (basis * (spans.widths[:, None] * weight)[..., None]).swapaxes(1, 2)
+    gram = weighted @ basis
+    right = weighted @ values.reshape(*values.shape[:2], -1)
     banded = np.zeros((degree + 1, count))
-    total = np.zeros((count, *values.shape[2:]))
+    total = np.zeros((count, right.shape[2]))
     for i in range(degree + 1):
         # no two spans begin at the same control point
         total[spans.first + i] += right[:, i]
@@ -208,10 +223,13 @@ def _least_squares(spans: Spans, values: FloatArray, places: FloatArray, weight:
     _, solution, info = lapack().dpbsv(banded, total)
     if info != 0:
         raise np.linalg.LinAlgError("a span of the spline holds no place of the fit")
-    return np.asarray(solution, dtype=float)
+    return np.asarray(solution, dtype=float).reshape(count, *values.shape[2:])
 
 
-def _largest_errors(spans: Spans, coefficients: FloatArray, values: FloatArray) -> FloatArray:
-    approximate = np.einsum("ki,pi...->pk...", spans.bernstein(_PROBES), spans.bezier(coefficients))
-    error = np.abs(approximate - values).reshape(values.shape[0], -1)
-    return np.asarray(error.max(axis=1))
+def _largest_errors(
+    spans: Spans, coefficients: FloatArray, values: FloatArray, probing: FloatArray
+) -> FloatArray:
+    pieces = spans.bezier(coefficients)
+    approximate = probing @ pieces.reshape(*pieces.shape[:2], -1)
+    error = np.abs(approximate - values.reshape(approximate.shape))
+    return np.asarray(error.reshape(len(error), -1).max(axis=1))

@@ -23,7 +23,7 @@ from elastica_cad.mechanics.stiffness.moment_conditions import (
 )
 from elastica_cad.mechanics.stiffness.moment_rows import LineLoad, moment_rows
 from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
-from elastica_cad.mechanics.stiffness.stiffness_smoothing import largest_number
+from elastica_cad.mechanics.stiffness.stiffness_family import largest_within
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 COMPLIANCE_STEP = 0.2
@@ -167,9 +167,9 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     if light is None or heavy[1] < light[1] * (1 - NO_GAIN_SHARE):
         tau = float((numbers.basis @ heavy[0])[3])
     else:
-        rows, _ = numbers.family.dense
         try:
-            tau = largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
+            y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
+            tau = float(numbers.basis[3] @ y)
         except NotConvergedError:
             load.refuse()
     if tau <= 0:  # rounding, of rows that grow beyond their digits

@@ -1,8 +1,9 @@
 """A curve cut into panels with Gauss nodes: quotients and integrals along it to near rounding error."""
 
-from collections.abc import Sequence
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -19,7 +20,9 @@ MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
 RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
 NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
 
-GRADED = 2.0  # distances from a zero beside it that a panel is long at most
+APART_SHARE = 0.25  # of a panel: cuts that lie nearer to each other are one
+
+GRADED = 1.0  # distances from a zero beside it that a panel is long at most
 
 NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 
@@ -205,8 +208,12 @@ class PanelFunction:
 def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
     """Values (n, ...) of each function at places x (n,) of panels (n,)."""
     columns = [f.coefficients.reshape(*f.coefficients.shape[:2], -1) for f in functions]
-    own = (columns[0] if len(columns) == 1 else np.concatenate(columns, axis=2)).take(panel, axis=0)
-    values = np.einsum("ni,nij->nj", legendre_basis(x), own)
+    whole = columns[0] if len(columns) == 1 else np.concatenate(columns, axis=2)
+    if len(whole) < x.size:  # rather than every basis every panel is put into the other form
+        basis, own = chebyshev(x, ORDER), (_CHEBYSHEV_TO_LEGENDRE @ whole).take(panel, axis=0)
+        values = np.einsum("in,nij->nj", basis, own)
+    else:
+        values = np.einsum("ni,nij->nj", legendre_basis(x), whole.take(panel, axis=0))
     ends = accumulate(one.shape[2] for one in columns)
     return [
         values[:, end - one.shape[2] : end].reshape(x.size, *f.coefficients.shape[2:])
@@ -273,20 +280,22 @@ def cut_into_panels(
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
     close = 1e-10 * (high - low)
-    vanishing = np.sort(np.asarray(zeros, dtype=float))
-    inner = vanishing[(vanishing > low + close) & (vanishing < high - close)]
-    fixed = np.concatenate([[low], inner, [high]])
+    vanishing = sorted(map(float, zeros))
+    fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
     # beside a zero a narrow panel would hold nothing but rounding
     narrow = NARROWEST_SHARE * (high - low)
     others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
-    others += [(t, close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
-    edges = fixed
-    if others:
-        t, apart = np.array(others).T
-        edges = np.unique(np.concatenate([fixed, t[np.abs(fixed[:, None] - t).min(axis=0) > apart]]))
-        edges = edges[np.append(True, np.diff(edges) > close)]
-    edges = _graded(edges, vanishing, close)
-    flags = (np.abs(edges - vanishing[:, None]) <= close).any(axis=0)
+    others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
+    places = sorted(fixed + [t for t, apart in others if _distance(t, fixed) > apart])
+    # where the speed is resolved already
+    smooth = curve.smooth_panels.tolist()
+    widths = [b - a for a, b in pairwise(smooth)]
+    finer = [
+        t for t, a, b in zip(smooth[1:-1], widths[:-1], widths[1:], strict=True)
+        if _distance(t, places) > APART_SHARE * min(a, b)
+    ]  # fmt: skip
+    edges = _graded(_distinct(sorted(places + finer), close), vanishing, close)
+    flags = np.array([_distance(t, vanishing) <= close for t in edges.tolist()])
     cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
     both = cut.zero_left & cut.zero_right
     if both.any():
@@ -294,7 +303,7 @@ def cut_into_panels(
     done: list[_Nodes] = []
     count = 0
     while True:
-        found, tail = _evaluated(excess, cut, vanishing, law)
+        found, tail = _evaluated(excess, cut, np.array(vanishing), law)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
@@ -309,30 +318,43 @@ def cut_into_panels(
         cut = cut.chosen(rough, tail[rough]).into(parts)
 
 
-def _graded(edges: FloatArray, zeros: FloatArray, close: float) -> FloatArray:
+def _distance(t: float, places: list[float]) -> float:
+    """How far the nearest of rising places is."""
+    at = bisect_left(places, t)
+    return min((abs(t - place) for place in places[max(at - 1, 0) : at + 1]), default=np.inf)
+
+
+def _distinct(places: list[float], close: float) -> list[float]:
+    """Rising places, those left out that are as close to the one before."""
+    kept = places[:1]
+    for place in places[1:]:
+        if place - kept[-1] > close:
+            kept.append(place)
+    return kept
+
+
+def _graded(edges: list[float], zeros: list[float], close: float) -> FloatArray:
     """The edges, and more towards zeros that lie near to one.
 
     No panel is longer than `GRADED` times its distance from a zero that is not its end, or what is left of a pole
     there would hide between the nodes.
     """
-    if not zeros.size:
-        return edges
-    away = edges[:, None] - zeros
     more: list[float] = []
-    for side, near in (
-        (1, np.where(away > close, away, np.inf)),
-        (-1, np.where(away < -close, -away, np.inf)),
-    ):
-        distance = near.min(axis=1)
-        step = np.diff(edges)
-        first = slice(None, -1) if side > 0 else slice(1, None)
-        for i in (GRADED * distance[first] < step).nonzero()[0].tolist():
-            start, d, width = float(edges[first][i]), float(distance[first][i]), float(step[i])
-            reached = GRADED * d
-            while reached < width:
-                more.append(start + side * reached)
-                reached += GRADED * (d + reached)
-    return np.unique(np.concatenate([edges, more])) if more else edges
+    for a, b in pairwise(edges if zeros else []):
+        before, after = bisect_left(zeros, a - close), bisect_right(zeros, b + close)
+        if before:
+            more += [a + step for step in _steps_away(a - zeros[before - 1], b - a)]
+        if after < len(zeros):
+            more += [b - step for step in _steps_away(zeros[after] - b, b - a)]
+    return np.array(sorted({*edges, *more}) if more else edges)
+
+
+def _steps_away(distance: float, width: float) -> Iterator[float]:
+    """Where panels end that begin at a distance from a zero and grow with it, up to a width."""
+    reached = GRADED * distance
+    while reached + distance < width:
+        yield reached
+        reached += GRADED * (distance + reached)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,5 +1,6 @@
 """All stiffness profiles that balance a drawn curve, and the one of least ratio on the continuous curve."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -23,7 +24,7 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import (
     Panels,
     in_panels,
 )
-from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
+from elastica_cad.mechanics.stiffness.stiffness_smoothing import largest_number, least_variation
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
@@ -160,11 +161,28 @@ def smoothest(
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
     if places is not None:
         return least_variation(*family.at(*places), bends[:, :d], bend_offset, ratio)
+    return _bounded(
+        family, ratio, lambda rows, offset: least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+    )
+
+
+def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
+    """The numbers y of the largest number @ y, of a family without offset, with K between 1 and `ratio`."""
+    return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio))
+
+
+def _bounded(
+    family: StiffnessFamily, ratio: float, best: Callable[[FloatArray, FloatArray], FloatArray]
+) -> FloatArray:
+    """The best numbers y with K between 1 and `ratio` on the continuous curve.
+
+    `best` gives those of rows and offsets at places; the extremes of its K are added until it keeps within.
+    """
     rows, offset = family.dense
     first = start_rows(len(rows))
     rows, offset = rows[first], offset[first]
     for _ in range(MAX_ROUNDS):
-        y = least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+        y = best(rows, offset)
         more, more_offset = family.extremes(y)
         K = more @ y + more_offset
         if K.min() >= 1 - BOUNDED and K.max() <= ratio * (1 + BOUNDED):

@@ -53,12 +53,12 @@ def _least_variation_of_one(
     return np.array([min(max(best, low), high) if low <= high else (low + high) / 2])
 
 
-def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> float:
-    """The largest number @ x subject to 1 <= rows @ x <= largest."""
+def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> FloatArray:
+    """The numbers x of the largest number @ x subject to 1 <= rows @ x <= largest."""
     from scipy.optimize import linprog
 
     limit = np.concatenate([np.full(len(rows), -1.0), np.full(len(rows), largest)])
     result = linprog(-number, np.concatenate([-rows, rows]), limit, bounds=(None, None), method="highs")
     if result.status != 0:
         raise NotConvergedError(f"the linear program for the bending stiffness stopped: {result.message}")
-    return -float(result.fun)
+    return np.asarray(result.x, dtype=float)

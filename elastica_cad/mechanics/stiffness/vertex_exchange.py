@@ -13,6 +13,9 @@ _FEASIBLE = 1e-10
 _PIVOT = 1e-9
 """Share of the largest component below which a condition cannot leave a vertex."""
 
+_CORRECTED = 1e-13
+"""Share of the numbers at a vertex that its conditions may lack, after they have corrected it."""
+
 _MOST_EXCHANGES = 200  # several times what a program in four numbers takes
 
 
@@ -21,8 +24,8 @@ class VertexExchange:
 
     Stiefel's exchange method, the dual simplex of a program with few unknowns and many rows: a vertex of which R is
     the least under its own conditions takes in the condition that it violates most, and gives up the one whose
-    multiplier would turn negative first. A vertex is solved for anew each time, so no rounding is carried on, and
-    an exchange takes a few microseconds, where calling a solver takes hundreds.
+    multiplier would turn negative first. The inverse of the conditions at the vertex follows the exchange; they
+    correct the vertex themselves, and where that leaves more than rounding the inverse is made anew.
 
     Sources: Stiefel, "Uber diskrete und lineare Tschebyscheff-Approximationen", Numer. Math. 1 (1959); Lemke, "The
     dual method of solving the linear programming problem", Naval Res. Logist. Q. 1 (1954).
@@ -35,6 +38,7 @@ class VertexExchange:
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.concatenate([np.full(unknowns, -_BOX), [0.0], np.full(unknowns, -_BOX)])
         self.active = np.arange(count)
+        self.inverse = box
 
     def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
         """Demand rows @ x + offset >= 0 of the first `low` rows and rows @ x + offset <= R of the others."""
@@ -47,26 +51,36 @@ class VertexExchange:
         """(x, R), or None where this method comes to no vertex of all conditions: an unbounded program, none at all
         that meets them, or one that is all but degenerate."""
         unknowns = self.rows.shape[1] - 1
+        holds_largest = self.rows[:, -1]
+        active, inverse = self.active, self.inverse
+        rows, limits = self.rows[active], self.limits[active]
         for _ in range(_MOST_EXCHANGES):
-            try:
-                inverse = _inverse(self.rows[self.active])
-            except np.linalg.LinAlgError:
-                return None
-            rows, limits = self.rows[self.active], self.limits[self.active]
             vertex = inverse @ limits
             vertex += inverse @ (limits - rows @ vertex)  # to rounding of the conditions themselves
-            size = 1.0 + self.rows[:, -1] * max(0.0, vertex[-1] - 1.0)
-            excess = (self.rows @ vertex - self.limits) / size
+            excess = self.rows @ vertex - self.limits
+            if vertex[-1] > 1:
+                excess /= 1.0 + holds_largest * (vertex[-1] - 1.0)
             worst = int(excess.argmin())
             if not excess[worst] < -_FEASIBLE:
-                boxed = self.active[self.active < 2 * unknowns + 1] != unknowns
+                if not np.abs(limits - rows @ vertex).max() <= _CORRECTED * np.abs(vertex).max():
+                    try:
+                        inverse = _inverse(rows)
+                    except np.linalg.LinAlgError:
+                        return None
+                    continue
+                self.inverse = inverse
+                boxed = active[active < 2 * unknowns + 1] != unknowns
                 return vertex if np.isfinite(vertex).all() and not boxed.any() else None
             # the entering row is so much of each active one; R is the sum of the active ones by `share`
             parts, share = self.rows[worst] @ inverse, inverse[-1]
-            leaving = np.flatnonzero(parts > _PIVOT * np.abs(parts).max())
+            leaving = (parts > _PIVOT * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
                 return None
-            self.active[leaving[(share[leaving] / parts[leaving]).argmin()]] = worst
+            out = leaving[(share[leaving] / parts[leaving]).argmin()]
+            active[out], rows[out], limits[out] = worst, self.rows[worst], self.limits[worst]
+            column = inverse[:, out] / parts[out]
+            inverse = inverse - column[:, None] * parts
+            inverse[:, out] = column
         return None
 
 

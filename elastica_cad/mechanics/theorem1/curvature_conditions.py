@@ -79,7 +79,8 @@ def examine_curvature(
         and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
     ):
         return replace(check, any_stiffness=True, warnings=_warn_of_crossing(curve), zeros=())
-    gentle = [z.s for z in points if _slope(excess, z) <= GENTLE_SHARE * largest / curve.length]
+    gentle = [z.s for z, slope in zip(points, _slopes(excess, points), strict=True)
+              if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
     gentle += _faint_places(excess, largest, zeros)
     reasons = [
         *_tell_pinned_ends(excess, supports, points),
@@ -125,10 +126,10 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
             found.append(zero)
         else:
             ends[at_end] = zero
-    for is_end, support in enumerate(supports.ends):
-        t = high if is_end else low
-        kappa = float(excess.at(np.array(t)))
-        slope = float(excess.slope_at(np.array(t)))
+    at_ends = zip(
+        (low, high), *(x.tolist() for x in excess.value_and_slope_at(np.array([low, high]))), strict=True
+    )
+    for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
         # a zero that lies as near beyond the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
@@ -172,12 +173,15 @@ def _faint_places(excess: ExcessCurvature, largest: float, zeros: tuple[Curvatur
     return found
 
 
-def _slope(excess: ExcessCurvature, zero: CurvatureZero) -> float:
-    """Least one-sided |d kappa / ds| at a zero."""
-    t = np.array(zero.t)
+def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:
+    """Least one-sided |d kappa / ds| at each zero."""
+    if not zeros:
+        return []
+    t = np.array([zero.t for zero in zeros])
     low, high = excess.curve.domain
-    sides = [side for side, inside in ((True, zero.t > low), (False, zero.t < high)) if inside]
-    return min(abs(float(excess.slope_at(t, left=side))) for side in sides)
+    before, after = (np.abs(excess.slope_at(t, left=left)) for left in (True, False))
+    least = np.where(t <= low, after, np.where(t >= high, before, np.minimum(before, after)))
+    return list(map(float, least))
 
 
 def _tell_pinned_ends(

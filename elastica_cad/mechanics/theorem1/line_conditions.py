@@ -244,17 +244,20 @@ def _widest_place(
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
     s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
-    clear = np.abs(nodes.s[:, None] - s_zero).min(axis=1) > _AT_ZERO_SHARE * curve.length
+    clear = (np.abs(nodes.s - s_zero[:, None]) > _AT_ZERO_SHARE * curve.length).all(axis=0)
     clear &= kappa != 0
     tangent = np.asarray(curve.evaluate(t_zero, 1)).reshape(-1, 2)
-    tangent /= np.hypot(tangent[:, 0], tangent[:, 1])[:, None]
+    tangent = tangent / np.hypot(tangent[:, 0], tangent[:, 1])[:, None]
     slope = excess.slope_at(t_zero, left=bool(t_zero[-1] >= curve.domain[1]))
     s = np.concatenate([nodes.s[clear], s_zero])
     arm = np.concatenate(
         [(nodes.position[clear] - np.asarray(line.point)) / kappa[clear, None], tangent / slope[:, None]]
     )
-    turns = np.linspace(-spare, spare, _TURNS)[1:-1] if spare > 0 else np.zeros(1)
     along, across = np.asarray(line.direction), line.b
+    K = np.abs(arm @ across)
+    if K.max() <= _WIDEST_RATIO * K.min():
+        return None
+    turns = np.linspace(-spare, spare, _TURNS)[1:-1] if spare > 0 else np.zeros(1)
     normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
     K = np.abs(arm @ normals.T)
     ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
