@@ -63,11 +63,11 @@ class ArcLength:
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Parameters (n,) of arc lengths (n,)."""
-        starts, cubics = self._inverse
-        cell = np.searchsorted(starts[1:], s, side="right")
+        meets, cubics = self._inverse
+        cell = meets.searchsorted(s, side="right")
         panel = cell // _CELLS
-        c0, c1, c2, c3, pace = cubics[cell].T
-        share = (s - starts[cell]) * pace
+        start, pace, c0, c1, c2, c3 = cubics.take(cell, axis=0).T
+        share = (s - start) * pace
         guess = c0 + share * (c1 + share * (c2 + share * c3))
         rate = (c1 + share * (2 * c2 + share * (3 * c3))) * pace
         target, whole = s - self.s[panel], self._lengths[panel]
@@ -83,9 +83,11 @@ class ArcLength:
         x = np.minimum(np.maximum(guess, -1.0), 1.0)
         gap = series_at(self.series, panel, chebyshev(x, self.series.shape[1])) - target
         following = np.minimum(np.maximum(x - gap * rate, -1.0), 1.0)
+        if np.abs(following - x).max(initial=0.0) <= _LAST_NEWTON_STEP:
+            return np.asarray(following)
         low, high = np.full(x.shape, -1.0), np.ones(x.shape)
         for _ in range(60):
-            step = np.abs(following - x).max(initial=0.0)
+            step = np.abs(following - x).max()
             low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
             x = following
             if step <= _LAST_NEWTON_STEP:
@@ -113,8 +115,9 @@ class ArcLength:
 
     @cached_property
     def _inverse(self) -> tuple[FloatArray, FloatArray]:
-        """Where Newton's method starts: arc lengths (k * 64,) at which the cells of the panels begin, and
-        coefficients of the place x there (k * 64, 5), over the share of the cell that is behind, and shares a mm.
+        """Where Newton's method starts: arc lengths at which the cells of the panels meet, and rows (k * 64, 6).
+
+        These are the cell's start, shares of it a mm, and the place x as a cubic in the share that is behind.
         """
         reached = self.series @ _AT_STEPS + self.s[:-1, None]
         reached[:, 0], reached[:, -1] = self.s[:-1], self.s[1:]
@@ -123,11 +126,11 @@ class ArcLength:
         pace = self._slopes @ _AT_STEPS[:-1]
         pace = np.where(pace > 0, pace, np.inf)
         first, last, step = size / pace[:, :-1], size / pace[:, 1:], 2.0 / _CELLS
-        cubics = np.empty((*size.shape, 5))
-        cubics[..., 0], cubics[..., 1] = _STEPS[:-1], first
-        cubics[..., 2], cubics[..., 3] = 3 * step - 2 * first - last, first + last - 2 * step
-        cubics[..., 4] = 1 / size
-        return reached[:, :-1].ravel(), cubics.reshape(-1, 5)
+        cubics = np.empty((*size.shape, 6))
+        cubics[..., 0], cubics[..., 1] = reached[:, :-1], 1 / size
+        cubics[..., 2], cubics[..., 3] = _STEPS[:-1], first
+        cubics[..., 4], cubics[..., 5] = 3 * step - 2 * first - last, first + last - 2 * step
+        return reached[:, :-1].ravel()[1:], cubics.reshape(-1, 6)
 
 
 def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges: FloatArray) -> ArcLength:

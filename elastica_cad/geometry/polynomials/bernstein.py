@@ -16,6 +16,9 @@ def binomials(degree: int) -> FloatArray:
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
+_SPLITS = (0.5, 0.4375, 0.578125)  # exact binary fractions, so that interval ends carry no rounding
+
+
 @lru_cache(maxsize=256)
 def _split_matrices(degree: int, u: float) -> tuple[FloatArray, FloatArray]:
     """Matrices that map coefficients to those of the parts [0, u] and [u, 1] (de Casteljau)."""
@@ -31,17 +34,14 @@ def _split_matrices(degree: int, u: float) -> tuple[FloatArray, FloatArray]:
 
 def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
     """Values (n, degree + 1) of u^i (1 - u)^(degree - i): Bernstein polynomials without their binomials."""
-    values, rest = np.empty((u.size, degree + 1)), 1 - u
-    values[:, 0], values[:, 1:2] = 1.0, u[:, None]
-    power = u
-    for i in range(2, degree + 1):
-        power = power * u
-        values[:, i] = power
-    power = rest
-    for i in range(degree - 1, -1, -1):
-        values[:, i] *= power
-        power = power * rest
-    return values
+    powers = np.empty((degree + 1, 2, u.size))
+    powers[0] = 1.0
+    if degree:
+        powers[1, 0] = u
+        np.subtract(1.0, u, out=powers[1, 1])
+    for k in range(2, degree + 1):
+        np.multiply(powers[k - 1], powers[1], out=powers[k])
+    return np.asarray((powers[:, 0] * powers[::-1, 1]).T)
 
 
 def product(a: FloatArray, b: FloatArray) -> FloatArray:
@@ -70,8 +70,15 @@ def raise_degree(c: FloatArray) -> FloatArray:
 
 def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
     """Coefficients (..., n+1) of the parts on [0, u] and [u, 1]."""
-    left, right = _split_matrices(c.shape[-1] - 1, u)
-    return c @ left.T, c @ right.T
+    if u in _SPLITS:
+        left, right = _split_matrices(c.shape[-1] - 1, u)
+        return c @ left.T, c @ right.T
+    rows = [c]
+    while rows[-1].shape[-1] > 1:  # de Casteljau
+        rows.append(rows[-1][..., :-1] * (1 - u) + rows[-1][..., 1:] * u)
+    return np.stack([row[..., 0] for row in rows], axis=-1), np.stack(
+        [row[..., -1] for row in rows[::-1]], axis=-1
+    )
 
 
 def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -115,7 +122,6 @@ class Root:
     crossing: bool
 
 
-_SPLITS = (0.5, 0.4375, 0.578125)  # exact binary fractions, so that interval ends carry no rounding
 _MOST_HALVINGS = 48
 """A piece halved this often is as short as rounding: what is left in it is one multiple zero."""
 
@@ -201,7 +207,7 @@ def _halved(
 def _crossing(c: list[float]) -> float:
     """The one sign change of a polynomial whose end values differ in sign, to rounding error.
 
-    In plain numbers: there are a few such polynomials, and a step of an array would cost as much for one as for ten.
+    In plain numbers: there are few such polynomials, and a step with arrays costs as much for one as for ten.
     """
     low, high, rising = 0.0, 1.0, c[-1] > 0
     blurred = _EPS * max(map(abs, c))

@@ -101,20 +101,20 @@ def _spans(written: bytes, degree: int) -> Spans:
     knots = np.frombuffer(written)
     if knots.size == 2 * degree + 2 and knots[0] == knots[degree] < knots[degree + 1] == knots[-1]:
         return _one_span(knots[[0, -1]], degree)
-    inner = np.arange(degree, knots.size - degree - 1)
-    span = inner[knots[inner + 1] > knots[inner]]
-    a, b = knots[span], knots[span + 1]
-    count, size = span.size, degree + 1
-    arguments = np.where(
-        np.arange(degree)[None, :] < np.arange(size)[:, None], b[:, None, None], a[:, None, None]
-    )
-    points = np.broadcast_to(np.eye(size), (count, size, size, size))
+    span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
+    size = degree + 1
+    near = knots[span[:, None] + np.arange(1 - degree, degree + 1)]
+    ends = near[:, degree - 1 : degree + 1, None]
+    points = np.eye(size)[None, None]
     for level in range(1, size):
-        i = span[:, None] - degree + level + np.arange(size - level)
-        low, high = knots[i], knots[i + size - level]
-        alpha = (arguments[:, :, level - 1 : level] - low[:, None, :]) / (high - low)[:, None, :]
-        points = points[:, :, :-1] * (1 - alpha[..., None]) + points[:, :, 1:] * alpha[..., None]
-    edges, first, matrix = np.append(a, b[-1]), span - degree, np.ascontiguousarray(points[:, :, 0])
+        low, high = near[:, level - 1 : degree], near[:, degree : degree + size - level]
+        # argument `level` of the blossom is a of the first Bezier points, b of the others
+        shares = ((ends - low[:, None]) / (high - low)[:, None])[
+            :, (np.arange(size) >= level).astype(int), :, None
+        ]
+        points = points[:, :, :-1] * (1 - shares) + points[:, :, 1:] * shares
+    edges, first = np.append(ends[:, 0, 0], ends[-1, 1, 0]), span - degree
+    matrix = np.ascontiguousarray(points[:, :, 0])
     for shared in (edges, first, matrix):
         shared.setflags(write=False)
     return Spans(knots.size - size, edges, first, matrix)

@@ -213,13 +213,15 @@ def _least_squares(spans: Spans, values: FloatArray, inner: FloatArray, weight: 
     weighted = (basis * (spans.widths[:, None] * weight)[..., None]).swapaxes(1, 2)
     gram = weighted @ basis
     right = weighted @ values.reshape(*values.shape[:2], -1)
-    banded = np.zeros((degree + 1, count))
+    banded = np.zeros((degree + 1, count), order="F")
     total = np.zeros((count, right.shape[2]))
+    # no two spans begin at the same control point, and mostly each at the next
+    first, gaps = spans.first, spans.first[-1] - spans.first[0] > len(spans.first) - 1
+    acting = [first + i if gaps else slice(first[0] + i, first[-1] + i + 1) for i in range(degree + 1)]
     for i in range(degree + 1):
-        # no two spans begin at the same control point
-        total[spans.first + i] += right[:, i]
+        total[acting[i]] += right[:, i]
         for j in range(i, degree + 1):
-            banded[degree - (j - i), spans.first + j] += gram[:, i, j]
+            banded[degree - (j - i), acting[j]] += gram[:, i, j]
     _, solution, info = lapack().dpbsv(banded, total)
     if info != 0:
         raise np.linalg.LinAlgError("a span of the spline holds no place of the fit")

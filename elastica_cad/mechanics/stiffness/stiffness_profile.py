@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import ceil
 
 import numpy as np
 
@@ -40,9 +41,9 @@ CELLS = 8
 """Parts of a panel in which the density of knots is taken as constant."""
 
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
-_CELL_MIDDLES = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1)
 
-_FOURTH_SLOPES = np.linalg.matrix_power(SLOPES, 4)
+_FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
+"""Fourth derivatives by x in the middles of the cells."""
 
 BEST_CUBIC = 1 / 720
 """Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
@@ -121,27 +122,28 @@ class _AlongArc:
         """Largest jump of K between panels, but for its steps: rounding that grows along under much weight."""
         before, after = self.series.where_panels_meet
         # over as much of the length as a step is spread over: of steps nearer to each other one is kept
-        apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
-        return float(np.abs(after - before)[apart.all(axis=1)].max(initial=0.0))
+        jumps = np.abs(after - before)
+        if len(steps):
+            apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
+            jumps = jumps[apart.all(axis=1)]
+        return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
         """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.
 
         Their distance h is that where `BEST_CUBIC` h^4 K'''' is the tolerance.
         """
-        width = np.diff(self.edges)
-        fourth = PanelFunction(
-            np.einsum("ij,nj->ni", _FOURTH_SLOPES, self.series.coefficients)
-        ).in_every_panel(_CELL_MIDDLES)
+        width = self.edges[1:] - self.edges[:-1]
+        fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
         # both by the panel's own x, from -1 to 1
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
-        reached = np.append(0.0, np.cumsum(count))
-        s = np.append(
-            (self.edges[:-1, None] + width[:, None] * np.arange(CELLS) / CELLS).ravel(), self.edges[-1]
-        )
-        stops = np.unique([self.edges[0], *breaks, self.edges[-1]])
-        at = np.interp(stops, s, reached)
-        wanted = [np.linspace(a, b, int(np.ceil(b - a)) + 1)[1:-1] for a, b in pairwise(at)]
+        reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
+        np.cumsum(count, out=reached[1:])
+        s[:-1] = (self.edges[:-1, None] + width[:, None] * np.arange(CELLS) / CELLS).ravel()
+        s[-1] = self.edges[-1]
+        stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
+        at = np.interp(stops, s, reached).tolist()
+        wanted = [np.linspace(a, b, ceil(b - a) + 1)[1:-1] for a, b in pairwise(at)]
         return np.asarray(np.interp(np.concatenate(wanted), reached, s))
 
 
