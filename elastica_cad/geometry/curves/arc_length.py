@@ -25,13 +25,14 @@ _FINE = 2e-15
 _NOISE_SHARE = 1e-8
 """Coefficients below this share of the speed that halving no longer lessens are rounding."""
 
-_CELLS = 64
+_CELLS = 32
 _STEPS = np.linspace(-1.0, 1.0, _CELLS + 1)
 _AT_STEPS = chebyshev(_STEPS, _DEGREE + 2)
-"""Places in a panel between which its inverse is a cubic to 1e-8, and the polynomials (17, 65) there."""
+"""Places in a panel between which its inverse is a cubic to 1e-8, and the polynomials (17, 33) there."""
 
-_LAST_NEWTON_STEP = 1e-8
-"""In a panel from -1 to 1: the next step would be its square, or after a cubic less than rounding."""
+_LAST_NEWTON_STEP, _STEP_FROM_CUBIC = 1e-8, 2e-8
+"""In a panel from -1 to 1: the next step would be its square, or from a cubic, whose slope is as exact as it, as
+little."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +84,7 @@ class ArcLength:
         x = np.minimum(np.maximum(guess, -1.0), 1.0)
         gap = series_at(self.series, panel, chebyshev(x, self.series.shape[1])) - target
         following = np.minimum(np.maximum(x - gap * rate, -1.0), 1.0)
-        if np.abs(following - x).max(initial=0.0) <= _LAST_NEWTON_STEP:
+        if np.abs(following - x).max(initial=0.0) <= _STEP_FROM_CUBIC:
             return np.asarray(following)
         low, high = np.full(x.shape, -1.0), np.ones(x.shape)
         for _ in range(60):
@@ -115,7 +116,7 @@ class ArcLength:
 
     @cached_property
     def _inverse(self) -> tuple[FloatArray, FloatArray]:
-        """Where Newton's method starts: arc lengths at which the cells of the panels meet, and rows (k * 64, 6).
+        """Where Newton's method starts: arc lengths at which the cells of the panels meet, and rows (k * 32, 6).
 
         These are the cell's start, shares of it a mm, and the place x as a cubic in the share that is behind.
         """

@@ -221,9 +221,11 @@ def _extent(bezier: FloatArray) -> float:
 def _unit_sized(bezier: FloatArray) -> FloatArray:
     """The pieces moved to the origin and scaled to extent 1, weights to largest 1."""
     points = bezier[..., :2] / bezier[..., 2:]
-    centre = (points.max(axis=(0, 1)) + points.min(axis=(0, 1))) / 2
-    weight = bezier[..., 2:] / bezier[..., 2].max()
-    return np.concatenate([(points - centre) / _extent(bezier) * weight, weight], axis=-1)
+    high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
+    unit = np.empty_like(bezier)
+    unit[..., 2] = bezier[..., 2] / bezier[..., 2].max()
+    unit[..., :2] = (points - (high + low) / 2) / float((high - low).max()) * unit[..., 2:]
+    return unit
 
 
 def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -54,10 +54,10 @@ class RationalPieces:
     def inside(self, t: FloatArray) -> FloatArray:
         """The parameters, rounding beyond the ends taken off; others outside are refused."""
         a, b = self.edges[0], self.edges[-1]
-        slack = 1e-9 * (b - a)
-        if t.size and not (t.min() >= a - slack and t.max() <= b + slack):
+        inside = np.minimum(np.maximum(t, a), b)
+        if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
             raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
-        return np.asarray(np.minimum(np.maximum(t, a), b))
+        return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
         """Position and derivatives d/dt up to `order`, each (n, 2)."""

@@ -73,7 +73,7 @@ def _views(curve: PlaneCurve, t: float) -> tuple[FloatArray, FloatArray]:
         left, right = subdivide(bezier[at].T, u)
         bezier = np.concatenate([bezier[:at], [left.T, right.T], bezier[at + 1 :]])
         at += 1
-        edges = np.insert(edges, at, t)
+        edges = np.concatenate([edges[:at], [t], edges[at:]])
     x, y, w = bezier[at, 0] if at < len(bezier) else bezier[-1, -1]
     views = bezier[..., :2] - bezier[..., 2:] * np.array([x, y]) / w
     views[:at] *= -1

@@ -15,7 +15,7 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
         array = np.array(values, dtype=float)
     except (TypeError, ValueError):
         raise InputError(f"{name} must be numbers") from None
-    if not np.all(np.isfinite(array)):
+    if not np.isfinite(array).all():
         first = np.argwhere(~np.isfinite(array))[0].tolist()
         raise InputError(f"{name} holds NaN or infinite values, the first at index {first}")
     array.setflags(write=False)
