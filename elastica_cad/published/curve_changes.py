@@ -21,7 +21,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     directed_rows,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.stiffness.quadrature_panels import LEFT, NODES, WEIGHTS, PanelFunction
+from elastica_cad.geometry.polynomials.panel_functions import LEFT, NODES, WEIGHTS, PanelFunction
 
 _ALONG = 0.1  # a move along the curve counts this much of one across it
 _BEND = 0.005  # a move that changes the curvature by 1 / length counts as this share of the length

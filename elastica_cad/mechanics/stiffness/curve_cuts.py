@@ -9,11 +9,12 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels, cut_into_panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels, cut_into_panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 REFINEMENTS = 6

@@ -9,10 +9,11 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.stiffness.moment_rows import MomentRows
-from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.stiffness.stiffness_family import (
     StiffnessFamily,
     find_violations,

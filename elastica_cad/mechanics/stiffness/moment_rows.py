@@ -15,7 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.mechanics.stiffness.quadrature_panels import LEFT, RIGHT, WEIGHTS, Panels
+from elastica_cad.geometry.polynomials.panel_functions import LEFT, RIGHT, WEIGHTS
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 
 
 @dataclass(frozen=True, eq=False)

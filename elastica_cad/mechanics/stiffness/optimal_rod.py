@@ -9,6 +9,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.panel_functions import values_at
 from elastica_cad.mechanics.loads.arguments import (
     require_gravity,
     require_supports,
@@ -24,7 +25,6 @@ from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight, balance_without_weight
-from elastica_cad.mechanics.stiffness.quadrature_panels import values_at
 from elastica_cad.mechanics.stiffness.section_balance import balance_with_section
 from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE

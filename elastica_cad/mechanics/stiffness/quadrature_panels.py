@@ -3,19 +3,30 @@
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import accumulate, pairwise
+from itertools import pairwise
 
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.polynomials.chebyshev import chebyshev
+from elastica_cad.geometry.polynomials.panel_functions import (
+    DENSE_PARTS,
+    LEFT,
+    NODES,
+    ORDER,
+    RIGHT,
+    TO_COEFFICIENTS,
+    WEIGHTS,
+    PanelFunction,
+    in_panels,
+    lobatto_places,
+    locate_in_panels,
+)
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 
-ORDER = 12  # Gauss nodes of a panel
 MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
 RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
 NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
@@ -29,44 +40,7 @@ NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 ROUGH_AT_ZERO = 2
 """Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
 
-DENSE_PARTS = 24
-"""Of each panel, at whose places bounds are first watched."""
-
-EXTREME_STEPS = 2
-"""Of Halley's method, from the nearest of those places to an extreme: the error is raised to the ninth power."""
-
-_REACH = 0.15  # from a place to the extreme that it lies next to
-
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
 FROM_LEFT = 1 + NODES
-_DEGREES = np.arange(ORDER)
-VANDER: FloatArray = np.asarray(np.polynomial.legendre.legvander(NODES, ORDER - 1), dtype=float)
-TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
-
-
-def _antiderivatives() -> tuple[FloatArray, FloatArray]:
-    """Matrices (p, p) that integrate nodal values from -1 to each node, and from each node to 1."""
-    longer = np.polynomial.legendre.legvander(NODES, ORDER)
-    primitive = np.empty((ORDER, ORDER))
-    primitive[:, 0] = NODES + 1
-    for n in range(1, ORDER):
-        primitive[:, n] = (longer[:, n + 1] - longer[:, n - 1]) / (2 * n + 1)
-    left = primitive @ TO_COEFFICIENTS
-    return left, WEIGHTS - left
-
-
-LEFT, RIGHT = _antiderivatives()
-_CHEBYSHEV_TO_LEGENDRE = np.linalg.solve(chebyshev(NODES, ORDER).T, VANDER)
-SLOPES: FloatArray = np.zeros((ORDER, ORDER))
-SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
-"""Legendre coefficients of the derivative from those of a function."""
-
-
-def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Between which edges (N + 1,) places (n,) lie, and where there, from -1 to 1."""
-    panel = np.searchsorted(edges[1:-1], places, side="right")
-    start, end = edges[panel], edges[panel + 1]
-    return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,145 +87,12 @@ class Panels:
 
     def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
         """Panel numbers and places x of a dense sampling, panel ends included, in so many parts a panel."""
-        x = _lobatto(parts)
+        x = lobatto_places(parts)
         return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
 
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Arc lengths of places x in panels, mm."""
         return np.asarray(PanelFunction.through(self.s).at(panel, x))
-
-
-@dataclass(frozen=True, eq=False)
-class PanelFunction:
-    """A piecewise polynomial: Legendre coefficients (N, p, ...) over the panels."""
-
-    coefficients: FloatArray
-
-    @classmethod
-    def through(cls, values: FloatArray) -> "PanelFunction":
-        """The interpolant of nodal values (N, p, ...)."""
-        return cls(in_panels(TO_COEFFICIENTS, values))
-
-    def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Values (n, ...) at places x (n,) of panels (n,)."""
-        return values_at((self,), panel, x)[0]
-
-    def in_every_panel(self, basis: FloatArray) -> FloatArray:
-        """Values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
-        return in_panels(basis, self.coefficients)
-
-    def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Derivatives by x (n, ...)."""
-        return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
-
-    def unresolved(self, tolerance: float) -> BoolArray:
-        """Panels (N,) whose last coefficients exceed `tolerance` times the largest one."""
-        size = np.abs(self.coefficients)
-        return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
-
-    @property
-    def nodal(self) -> FloatArray:
-        """Values (N, p, ...) at the nodes of the panels."""
-        return in_panels(VANDER, self.coefficients)
-
-    @property
-    def where_panels_meet(self) -> tuple[FloatArray, FloatArray]:
-        """Values (N - 1, ...) before and after the places where panels meet."""
-        at_ends = self.in_every_panel(_ENDS_BASIS)
-        return at_ends[:-1, 1], at_ends[1:, 0]
-
-    @property
-    def dense(self) -> FloatArray:
-        """Values (n, ...) at `Panels.dense_places`."""
-        values = self.in_every_panel(_DENSE_BASIS)
-        return values.reshape(values.shape[0] * values.shape[1], *values.shape[2:])
-
-    @property
-    def extremes(self) -> FloatArray:
-        """Values at the local extremes near the largest and least one, and at the samples beside them."""
-        panel, sample, x = self.extreme_places
-        return np.concatenate([self.dense[panel * _DENSE.size + sample], self.at(panel, x)])
-
-    @property
-    def extreme_places(self) -> tuple[IntArray, IntArray, FloatArray]:
-        """Panels (n,) of the local extremes near the largest and least value, the samples of `dense_places` in
-        them (n,) that each was found from, and the places x (n,), by Halley's method.
-        """
-        table = self.in_every_panel(_DENSE_BASIS)
-        extreme = np.zeros_like(table, dtype=bool)
-        middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
-        extreme[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))
-        low, high = table.min(), table.max()
-        band = 0.05 * (high - low)
-        near = extreme & ((table > high - band) | (table < low + band))
-        # the worst samples stay in, ends of panels among them
-        near.flat[[table.argmin(), table.argmax()]] = True
-        panel, sample = near.nonzero()
-        own, start = self.coefficients[panel], _DENSE[sample]
-        x, slopes = start, _DENSE_SLOPES[sample]
-        lower, upper = np.maximum(start - _REACH, -1.0), np.minimum(start + _REACH, 1.0)
-        for step in range(EXTREME_STEPS):
-            if step:
-                slopes = (_chebyshev_columns(x) @ _CHEBYSHEV_TO_SLOPES).reshape(-1, 3, ORDER)
-            first, second, third = (slopes @ own[:, :, None])[:, :, 0].T
-            # Halley's step: Newton's, with the third derivative taken in
-            bend = 2 * second * second - first * third
-            step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
-            x = np.minimum(np.maximum(x + step_by, lower), upper)
-        return panel, sample, x
-
-    def combined(self, numbers: FloatArray) -> "PanelFunction":
-        """The last axis contracted with `numbers`."""
-        return PanelFunction(self.coefficients @ numbers)
-
-
-def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
-    """Values (n, ...) of each function at places x (n,) of panels (n,)."""
-    columns = [f.coefficients.reshape(*f.coefficients.shape[:2], -1) for f in functions]
-    whole = columns[0] if len(columns) == 1 else np.concatenate(columns, axis=2)
-    if len(whole) < x.size:  # rather than every basis every panel is put into the other form
-        basis, own = chebyshev(x, ORDER), (_CHEBYSHEV_TO_LEGENDRE @ whole).take(panel, axis=0)
-        values = np.einsum("in,nij->nj", basis, own)
-    else:
-        values = np.einsum("ni,nij->nj", legendre_basis(x), whole.take(panel, axis=0))
-    ends = accumulate(one.shape[2] for one in columns)
-    return [
-        values[:, end - one.shape[2] : end].reshape(x.size, *f.coefficients.shape[2:])
-        for f, one, end in zip(functions, columns, ends, strict=True)
-    ]
-
-
-def legendre_basis(x: FloatArray) -> FloatArray:
-    """Values (n, p) of the Legendre polynomials at x (n,)."""
-    return np.asarray(_chebyshev_columns(x) @ _CHEBYSHEV_TO_LEGENDRE)
-
-
-def _chebyshev_columns(x: FloatArray) -> FloatArray:
-    return chebyshev(x, ORDER).T
-
-
-def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    """A matrix (k, p) applied to the p nodal values or coefficients (N, p, ...) of every panel: (N, k, ...)."""
-    if values.ndim == 2:
-        return np.asarray(values @ matrix.T)
-    flat = matrix @ values.reshape(*values.shape[:2], -1)
-    return np.asarray(flat.reshape(len(values), len(matrix), *values.shape[2:]))
-
-
-def _lobatto(parts: int) -> FloatArray:
-    """Places (parts + 1,) from -1 to 1, closer towards the ends."""
-    inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
-    return np.concatenate([[-1.0], inner, [1.0]])
-
-
-_DENSE = _lobatto(DENSE_PARTS)
-_DENSE_BASIS = legendre_basis(_DENSE)
-_ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
-_CHEBYSHEV_TO_SLOPES = np.concatenate(
-    [_CHEBYSHEV_TO_LEGENDRE @ np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1
-)
-_DENSE_SLOPES = (_chebyshev_columns(_DENSE) @ _CHEBYSHEV_TO_SLOPES).reshape(-1, 3, ORDER)
-"""First, second and third derivatives by x, of every Legendre polynomial."""
 
 
 def cut_into_panels(

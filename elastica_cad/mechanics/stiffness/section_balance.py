@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
@@ -24,7 +25,7 @@ from elastica_cad.mechanics.stiffness.optimal_balance import (
     balance_without_weight,
     point_weights,
 )
-from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.stiffness.stiffness_family import StiffnessFamily, least_ratio
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 

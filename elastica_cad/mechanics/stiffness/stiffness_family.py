@@ -7,6 +7,14 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.polynomials.panel_functions import (
+    DENSE_PARTS,
+    SLOPES,
+    VANDER,
+    WEIGHTS,
+    PanelFunction,
+    in_panels,
+)
 from elastica_cad.mechanics.stiffness.minimax_lp import (
     MAX_ROUNDS,
     MinimaxProgram,
@@ -15,15 +23,7 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
     start_rows,
     unsettled,
 )
-from elastica_cad.mechanics.stiffness.quadrature_panels import (
-    DENSE_PARTS,
-    SLOPES,
-    VANDER,
-    WEIGHTS,
-    PanelFunction,
-    Panels,
-    in_panels,
-)
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.stiffness.stiffness_smoothing import largest_number, least_variation
 
 _SLOPES_AT_NODES = VANDER @ SLOPES

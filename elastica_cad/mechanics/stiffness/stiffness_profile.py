@@ -10,16 +10,15 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
-from elastica_cad.mechanics.stiffness.quadrature_panels import (
-    NARROWEST_SHARE,
+from elastica_cad.geometry.polynomials.panel_functions import (
     NODES,
-    ROUGH_AT_ZERO,
     SLOPES,
     PanelFunction,
     legendre_basis,
     locate_in_panels,
 )
+from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
+from elastica_cad.mechanics.stiffness.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 TOLERANCE = 1e-6

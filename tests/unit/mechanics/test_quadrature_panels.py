@@ -5,14 +5,8 @@ import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.trim import trim_curve
-from elastica_cad.mechanics.stiffness.quadrature_panels import (
-    LEFT,
-    NODES,
-    RIGHT,
-    WEIGHTS,
-    PanelFunction,
-    cut_into_panels,
-)
+from elastica_cad.geometry.polynomials.panel_functions import LEFT, NODES, RIGHT, WEIGHTS, PanelFunction
+from elastica_cad.mechanics.stiffness.quadrature_panels import cut_into_panels
 
 pytestmark = pytest.mark.core
 
