@@ -51,10 +51,10 @@ def evaluated(name):
 @pytest.mark.parametrize(
     ("task", "name", "limit"),
     [
-        (check_equilibrium, "arch", 0.15),
-        (check_equilibrium, "wave", 0.3),
-        (optimal_rod, "arch", 0.75),
-        (optimal_rod, "wave", 1.1),
+        (check_equilibrium, "arch", 0.09),
+        (check_equilibrium, "wave", 0.19),
+        (optimal_rod, "arch", 0.4),
+        (optimal_rod, "wave", 0.6),
     ],
 )
 def test_drawn_curve_against_its_evaluations(benchmark, task, name, limit):

@@ -228,6 +228,14 @@ class TestWeight:
         miss, _ = marched(rod)
         assert miss < 1e-6
 
+    def test_a_strip_that_is_the_better_the_stiffer_gives_a_hundredth_of_its_ratio(self):
+        arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+        gravity = Gravity(200.0, (0.6, -0.8))
+        light = optimal_rod(arch, gravity)
+        rod = optimal_rod(arch, gravity, weight=Weight(2e-4, own=True))
+        # on the continuous curve: bounded at samples only, the ratio exceeds it by 4e-5
+        assert rod.ratio == pytest.approx(1.01 * light.ratio, rel=1e-8)
+
     def test_given_bending_stiffness_is_kept(self):
         rod = optimal_rod(ELLIPSE, LEANING, weight=Weight(1e-3, 1e-3), bending_stiffness=2000.0)
         assert rod.bending_stiffness == pytest.approx(2000.0, rel=1e-4)

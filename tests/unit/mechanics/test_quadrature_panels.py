@@ -82,3 +82,18 @@ def test_a_piece_far_shorter_than_its_coordinates_is_one_smooth_panel():
         PlaneCurve.spline([(40, 20), (70, 35), (90, 80), (150, 60)], degree=3), 0.3, 0.3 + 1e-7
     )
     assert cut_into_panels(piece, []).count < 8
+
+
+def test_a_zero_beside_a_knot_asks_for_a_few_panels_on_its_other_side():
+    curve = PlaneCurve.spline([(0, 0), (50, 80), (90.1, 60), (120, -60), (160, -80), (210, 0)])
+    zero, knot = curve.curvature_zeros[0].t, 0.5
+    assert 0 < zero - knot < 1e-3
+    panels = cut_into_panels(curve, [zero])
+    assert panels.count < 50
+    # what is left of the pole there is resolved all the same: the moment about any line through the zero
+    point, normal = curve.evaluate(zero), np.array([0.3, 1.0])
+    moment = (panels.edge_position[:-1, None] + panels.from_left - point) @ normal
+    quotient = PanelFunction.through(moment / panels.curvature)
+    t = knot - np.geomspace(1e-6, 0.3, 200)
+    exact = (curve.evaluate(t) - point) @ normal / curve.curvature_at(t)
+    np.testing.assert_allclose(quotient.at(*panels.locate(t)), exact, rtol=1e-8)
