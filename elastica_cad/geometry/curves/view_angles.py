@@ -25,12 +25,15 @@ class ViewAngles:
 
     Attributes
     ----------
+    point : (float, float)
+        Where it is seen from, mm.
     low, high : float
         rad; high - low may exceed a full turn.
     low_t, high_t : float
         The parameters where the curve is seen under these angles.
     """
 
+    point: tuple[float, float]
     low: float
     high: float
     low_t: float
@@ -43,7 +46,7 @@ def find_view_angles(curve: PlaneCurve, t: float) -> ViewAngles | None:
     The direction at p itself is the tangent, so that the angle is continuous along the curve. None when the
     curve passes p again.
     """
-    views, edges = _views(curve, t)
+    views, edges, point = _views(curve, t)
     cones = cut_into_tangent_cones(views, edges)
     if cones.standstill is not None:
         return None
@@ -59,11 +62,11 @@ def find_view_angles(curve: PlaneCurve, t: float) -> ViewAngles | None:
     )
     angle = tabulate_tangent_angle(cones).at(places, direction)
     low, high = int(angle.argmin()), int(angle.argmax())
-    return ViewAngles(float(angle[low]), float(angle[high]), float(places[low]), float(places[high]))
+    return ViewAngles(point, float(angle[low]), float(angle[high]), float(places[low]), float(places[high]))
 
 
-def _views(curve: PlaneCurve, t: float) -> tuple[FloatArray, FloatArray]:
-    """Pieces (k, n, 2) along gamma - p (reversed before p), no longer zero at p, and their edges (k + 1,)."""
+def _views(curve: PlaneCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
+    """Pieces (k, n, 2) along gamma - p (reversed before p), no longer zero at p, their edges (k + 1,), and p."""
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))
     u = (t - edges[at]) / (edges[at + 1] - edges[at])
@@ -74,11 +77,11 @@ def _views(curve: PlaneCurve, t: float) -> tuple[FloatArray, FloatArray]:
         bezier = np.concatenate([bezier[:at], [left.T, right.T], bezier[at + 1 :]])
         at += 1
         edges = np.concatenate([edges[:at], [t], edges[at:]])
-    x, y, w = bezier[at, 0] if at < len(bezier) else bezier[-1, -1]
+    x, y, w = (bezier[at, 0] if at < len(bezier) else bezier[-1, -1]).tolist()
     views = bezier[..., :2] - bezier[..., 2:] * np.array([x, y]) / w
     views[:at] *= -1
     if at:
         views[at - 1] = divide_out_end_root(views[at - 1].T, at_end=True).T
     if at < len(views):
         views[at] = divide_out_end_root(views[at].T, at_end=False).T
-    return views, edges
+    return views, edges, (x / w, y / w)

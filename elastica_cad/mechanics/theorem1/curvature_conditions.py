@@ -126,6 +126,9 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
             found.append(zero)
         else:
             ends[at_end] = zero
+    hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
+    if not (ends or hardly_bent.any()):  # nor does a slope make a zero of them
+        return tuple(found)
     at_ends = zip(
         (low, high), *(x.tolist() for x in excess.value_and_slope_at(np.array([low, high]))), strict=True
     )

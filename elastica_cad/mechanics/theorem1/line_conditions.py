@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.curves.curve_derivatives import curvature_slope
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.line_intersections import line_crossings
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -246,9 +247,7 @@ def _widest_place(
     s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
     clear = (np.abs(nodes.s - s_zero[:, None]) > _AT_ZERO_SHARE * curve.length).all(axis=0)
     clear &= kappa != 0
-    tangent = np.asarray(curve.evaluate(t_zero, 1)).reshape(-1, 2)
-    tangent = tangent / np.hypot(tangent[:, 0], tangent[:, 1])[:, None]
-    slope = excess.slope_at(t_zero, left=bool(t_zero[-1] >= curve.domain[1]))
+    tangent, slope = _at_zeros(excess, t_zero)
     s = np.concatenate([nodes.s[clear], s_zero])
     arm = np.concatenate(
         [(nodes.position[clear] - np.asarray(line.point)) / kappa[clear, None], tangent / slope[:, None]]
@@ -263,6 +262,13 @@ def _widest_place(
     ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
     best = int(np.argmin(ratios))
     return float(s[int(np.argmax(K[:, best]))]) if ratios[best] > _WIDEST_RATIO else None
+
+
+def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Unit tangents (k, 2) and slopes (k,) of kappa - kappa_0 at its zeros, from inside where one is the end."""
+    _, d1, d2, d3 = excess.curve.derivatives(t, 3)
+    slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
+    return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:
@@ -286,10 +292,10 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
     if spread >= np.pi - _TANGENT_RAD:
         return SeparatingLine(None, spread, (low, high))
     middle = (views.low + views.high) / 2
-    x, y = curve.evaluate(zero.t)
+    x, y = views.point
     # along the middle direction turned right by a quarter, so that its normal b is that direction
     direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
-    line = InflectionLine((float(x), float(y)), (float(direction[0]), float(direction[1])))
+    line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
     return SeparatingLine(line, spread, (low, high))
 
 
