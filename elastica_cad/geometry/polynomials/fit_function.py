@@ -145,7 +145,8 @@ def _with_knots(edges: FloatArray, knots: FloatArray) -> FloatArray:
     knots = knots[(knots > edges[0]) & (knots < edges[-1])]
     after = np.searchsorted(edges, knots)
     apart = np.minimum(edges[after] - knots, knots - edges[after - 1])
-    return np.union1d(edges, knots[apart > _NARROWEST_SHARE * (edges[-1] - edges[0])])
+    both = np.sort(np.concatenate([edges, knots[apart > _NARROWEST_SHARE * (edges[-1] - edges[0])]]))
+    return np.asarray(both[np.append(True, both[1:] > both[:-1])])
 
 
 def _sampled(
@@ -156,7 +157,7 @@ def _sampled(
     values = np.asarray(function(x.ravel()), dtype=float)
     if values.shape[:1] != (x.size,):
         raise InputError(f"a function along the curve must give a value for each of {x.size} places")
-    if not np.all(np.isfinite(values)):
+    if not np.isfinite(values).all():
         first = np.argwhere(~np.isfinite(values.reshape(x.size, -1)).all(axis=1))[0, 0]
         raise InputError(f"the function is not finite at {x.ravel()[first]:.6g}")
     return values.reshape(*x.shape, *values.shape[1:])
