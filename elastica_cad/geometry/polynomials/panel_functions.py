@@ -98,11 +98,16 @@ class PanelFunction:
     @property
     def extremes(self) -> FloatArray:
         """Values at the local extremes near the largest and least one, and at the samples beside them."""
-        panel, sample, x = self.extreme_places
-        return np.concatenate([self.dense[panel * _DENSE.size + sample], self.at(panel, x)])
+        return self.at(*self.extreme_places)
 
     @property
-    def extreme_places(self) -> tuple[IntArray, IntArray, FloatArray]:
+    def extreme_places(self) -> tuple[IntArray, FloatArray]:
+        """Panels and places x of those samples and extremes."""
+        panel, sample, x = self.found_extremes
+        return np.concatenate([panel, panel]), np.concatenate([_DENSE[sample], x])
+
+    @property
+    def found_extremes(self) -> tuple[IntArray, IntArray, FloatArray]:
         """Panels (n,) of the local extremes near the largest and least value, the samples of `dense_places` in
         them (n,) that each was found from, and the places x (n,), by Halley's method.
         """

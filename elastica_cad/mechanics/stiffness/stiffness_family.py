@@ -75,7 +75,7 @@ class StiffnessFamily:
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets where K of the numbers y has its extremes, and at the samples beside them."""
-        panel, sample, x = self.stiffness(y).extreme_places
+        panel, sample, x = self.stiffness(y).found_extremes
         rows, offset = self.dense
         beside = panel * (DENSE_PARTS + 1) + sample
         near, near_offset = self.at(panel, x)
