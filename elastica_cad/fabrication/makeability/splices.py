@@ -111,13 +111,12 @@ class Splice:
         """
         # imported when it is asked for, as what holds strips is
         from elastica_cad.fabrication.holding.held_shape import strayed
-        from elastica_cad.fabrication.strip.made_stiffness import with_shares
+        from elastica_cad.fabrication.strip.made_stiffness import PLATES
 
+        joined = replace(self.strip, plates=self.plates)
         if self.strip.correction is not None:
-            return replace(self.strip, plates=self.plates).held_deviation
-        whole, rod = self.strip.as_made.cut, self.strip.as_made.design
-        factor = self.plates.stiffening(rod.s, self.strip.layout, self.strip.layers)
-        return strayed(rod, bend(with_shares(whole, [factor])))
+            return joined.held_deviation
+        return strayed(joined.as_made.design, bend(joined.as_made.alone(PLATES)))
 
     def __str__(self) -> str:
         """One sentence."""

@@ -1,11 +1,13 @@
 """The stiffness of a strip as it is made, where it differs from the design's, and whose doing it is."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.fabrication.holding.held_shape import ANTICLASTIC
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import cell_means, cell_stations
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
@@ -16,9 +18,11 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-from elastica_cad.mechanics.material.laminate_curl import laminate_factor
+from elastica_cad.mechanics.material.laminate_curl import LaminateCurl, laminate_factor
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection, stack_stiffness
 from elastica_cad.mechanics.material.notches import dead_zone_slope
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 DEPTHS = 64
@@ -40,6 +44,15 @@ bending (Tada, Paris and Irwin 1973), in whose place 5.7 thicknesses of the stac
 
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
+
+BORDERS = "borders that curl"
+"""Of a laminate's base, beside its backing: what gives way there, as a cause."""
+
+PLATES = "plates"
+"""Over joints of pieces, as a cause."""
+
+Factor = Callable[[FloatArray], FloatArray]
+"""On the stiffness of nodes, (..., n) for their curvatures (..., n), 1/mm."""
 
 
 def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
@@ -97,8 +110,8 @@ def stiffness_shares(
         "narrow tabs": _beside_tabs(layout.width, tab_widths, s),
         "steps of width": _beside_steps(layout, s, slope=STEP_SHARE * slope),
         "leaning ligaments": _leaning(layout, s),
-        "anticlastic bending": _anticlastic(rod, layout, s) if layout.backing is None else None,
-        "borders that curl": _curling(rod, layout, s),
+        ANTICLASTIC: _anticlastic(rod, layout, s),
+        BORDERS: _curling(rod, layout, s),
     }
     # a cell's angle feels the mean compliance
     return {
@@ -106,6 +119,68 @@ def stiffness_shares(
         for cause, share in found.items()
         if share is not None
     }
+
+
+@dataclass(frozen=True, eq=False)
+class Curl:
+    """How the stiffness of a strip's nodes follows their curvature.
+
+    Attributes
+    ----------
+    designed : (n,) array
+        The factor of the nodes where they are bent as designed.
+    factor, plated : callable
+        The factor, and that of a strip with plates over its joints: there it is twice as thick, and curls as if it
+        were narrower.
+    """
+
+    designed: FloatArray
+    factor: Factor
+    plated: Factor
+
+    def on(self, made: Rod, *, plated: bool = False) -> Rod:
+        """A rod that is as stiff as made where it is bent as designed, and follows its bend elsewhere."""
+        factor = self.plated if plated else self.factor
+        return replace(made, law=CurlingLaw(factor, self.designed, made.natural_curvature, made.law))
+
+
+def is_made_by_curl(design: Rod) -> bool:
+    """Are the widths of a design made by how wide places curl across?"""
+    return design.section is not None and design.section.follows_bend
+
+
+def curl_of(rod: Rod, layout: Layout, covered: ArrayLike = 0.0) -> Curl | None:
+    """How a strip curls about its design; None where that changes nothing or a section knows its own.
+
+    `covered` is the share (n,) of each node's cell under a plate; plates on a laminate leave its curl as it is.
+    """
+    s, rest = rod.s, rod.natural_curvature
+    if layout.backing is not None:
+        section = LaminatedSection(layout.sheet, layout.backing.sheet)
+        table = LaminateCurl.about(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
+        return Curl(table(rod.curvature), table, table)
+    nu = layout.sheet.poisson_ratio
+    if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
+        return None
+    # what counts is width^2 over thickness
+    breadth = _breadth(layout, s)
+    bare, plated = (
+        partial(
+            anticlastic_factor,
+            wide,
+            thickness=layout.sheet.thickness,
+            poisson_ratio=nu,
+            natural_curvature=rest,
+        )
+        for wide in (breadth, breadth / np.sqrt(1 + np.asarray(covered)))
+    )
+    return Curl(bare(rod.curvature), bare, plated)
+
+
+def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
+    """A rod that follows its bend as its design counts on; where it does not, the rod itself."""
+    curl = curl_of(design, layout) if is_made_by_curl(design) else None
+    return made if curl is None else curl.on(made)
 
 
 @dataclass(frozen=True)
@@ -148,7 +223,7 @@ class LapPlates:
         glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
         designed = stack_stiffness([(base.sheet, cut), *glued])
         compliance = np.zeros(s.size)
-        on_base = self._covered(s, self.joints, base.sheet.thickness)
+        on_base = self.covered(s, base.sheet)
         on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
         for share, stack in (
             (1 - on_base - on_backing, [(base.sheet, left), *glued]),
@@ -157,6 +232,10 @@ class LapPlates:
         ):
             compliance += share * designed / stack_stiffness(stack)
         return np.asarray(1 / compliance)
+
+    def covered(self, s: FloatArray, base: Sheet) -> FloatArray:
+        """Share (n,) of the cell of each of the nodes s (n,), mm, where a plate on the base carries."""
+        return self._covered(s, self.joints, base.thickness)
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
         """Share (n,) of each node's cell that lies under a plate which carries."""
@@ -215,13 +294,12 @@ def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
 
 
 def _anticlastic(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
-    """Stiffening (n,) of each station by what it is bent."""
+    """Stiffening (n,) of each station by what it is bent; None for laminates and where a section knows its own."""
     nu = layout.sheet.poisson_ratio
-    if nu == 0 or layout.section is not None:  # a section knows its own
+    if nu == 0 or layout.section is not None or layout.backing is not None:
         return None
-    pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
     return anticlastic_factor(
-        layout.material(s) / pieces,
+        _breadth(layout, s),
         np.interp(s, rod.s, rod.curvature),
         thickness=layout.sheet.thickness,
         poisson_ratio=nu,
@@ -230,7 +308,7 @@ def _anticlastic(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
 
 
 def _curling(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
-    """What is left of, or added to, a laminate's stiffness by how its borders give way."""
+    """What is left of, or added to, a laminate's stiffness by how its borders give way (n,)."""
     if layout.backing is None:
         return None
     base, backing = layout.width(rod.s), layout.backing.width(rod.s)
@@ -238,3 +316,9 @@ def _curling(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
     # the backing lies on the strip's upper side, to the right of the curve: a turn to the left stretches it
     factor = laminate_factor(base, backing, rod.curvature, section, rod.natural_curvature)
     return np.interp(s, rod.s, factor)
+
+
+def _breadth(layout: Layout, s: FloatArray) -> FloatArray:
+    """Width (n,), mm, of each of the parts side by side that curl on their own."""
+    pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
+    return np.asarray(layout.material(s) / pieces)

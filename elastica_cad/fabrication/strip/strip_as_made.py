@@ -8,17 +8,27 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, strayed
+from elastica_cad.fabrication.holding.held_shape import ANTICLASTIC, HeldShape, Seats, strayed
 from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import material_width, rod_as_built
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.flat_outline import Ends, end_holes, fix_tab_widths, flat_rim
-from elastica_cad.fabrication.strip.made_stiffness import LapPlates, stiffness_shares, with_shares
+from elastica_cad.fabrication.strip.made_stiffness import (
+    BORDERS,
+    PLATES,
+    Curl,
+    LapPlates,
+    curl_of,
+    is_made_by_curl,
+    stiffness_shares,
+    with_shares,
+)
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.bending.bend_forward import resample
+from elastica_cad.mechanics.rod.curling_law import as_bent
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 HELD_NODES = 241
@@ -40,11 +50,14 @@ class StripAsMade:
     cut : Rod
         With the stiffness and weight of what is cut, slots apart.
     shares : mapping of str to (n,) array
-        Factors on that stiffness at the nodes by cause: see `stiffness_shares`; "plates" over joints of pieces.
+        Factors on that stiffness at the nodes by cause, bent as designed: see `stiffness_shares`; "plates" over
+        joints of pieces.
     approximated : bool
         Does the drawing only come near to the stiffness, as holes and backings do?
     lap : LapJoint, optional
         The joint of a closed strip.
+    curl : Curl, optional
+        How the stiffness of the nodes follows their curvature.
     """
 
     design: Rod
@@ -54,6 +67,7 @@ class StripAsMade:
     shares: Mapping[str, FloatArray]
     approximated: bool
     lap: LapJoint | None = None
+    curl: Curl | None = None
 
     @classmethod
     def of(
@@ -76,7 +90,7 @@ class StripAsMade:
             first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
         shares = stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
-            shares["plates"] = plates.stiffening(design.s, layout, whole())
+            shares[PLATES] = plates.stiffening(design.s, layout, whole())
         return cls(
             design,
             layout.bending_stiffness,
@@ -87,13 +101,25 @@ class StripAsMade:
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
             if ends[1].length and closes(rod)
             else None,
+            curl_of(design, layout, 0.0 if plates is None else plates.covered(design.s, layout.sheet)),
         )
 
     @cached_property
     def rod(self) -> Rod:
-        """The rod with all causes together, out of balance until bent."""
+        """The rod with all causes together, whose stiffness follows its bend: out of balance until bent."""
         made = with_shares(self.cut, list(self.shares.values()))
-        return made if self.lap is None else _lapped(made, self.lap)
+        return self._curling(made if self.lap is None else _lapped(made, self.lap), plated=True)
+
+    @property
+    def as_plate(self) -> bool:
+        """Are its widths made by how the strip curls across?"""
+        return is_made_by_curl(self.design)
+
+    def alone(self, cause: str) -> Rod:
+        """The rod with one of the causes in `shares` alone: out of balance until bent."""
+        made, plated = with_shares(self.cut, [self.shares[cause]]), cause == PLATES
+        follows = self.as_plate or cause in (ANTICLASTIC, BORDERS)
+        return self._curling(made, plated=plated) if follows else made
 
     def tab_ratios(self, rod: Rod | None = None) -> tuple[float, float]:
         """E I of the tabs at start and end over the B of a rod made of the design, or of the design itself."""
@@ -101,7 +127,7 @@ class StripAsMade:
         return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
 
     def rest(self, seats: Seats = (None, None)) -> Rod:
-        """The shape that the strip takes.
+        """The shape that the strip takes, with a law of its nodes where their stiffness follows the bend.
 
         Raises
         ------
@@ -114,7 +140,7 @@ class StripAsMade:
     def loaded(self) -> Rod:
         """Its shape with both ends held as designed, with what it does to its holders; the design where none."""
         try:
-            return self.rest()
+            return as_bent(self.rest())
         except NotConvergedError:
             return self.design
 
@@ -122,31 +148,36 @@ class StripAsMade:
         """The same with what each cause does alone to the strip as it was asked for, before any correction."""
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
         parts = asked.deviations_alone(seats)
-        section = self.design.section
-        strays, corrected = strayed(self.design, rod), asked is not self
         return HeldShape(
-            rod,
-            strays,
+            as_bent(rod),
+            strayed(self.design, rod),
             parts,
             *poses,
-            corrected=corrected,
-            as_plate=section is not None and section.follows_bend,
+            corrected=asked is not self,
+            as_plate=self.as_plate,
         )
 
     def deviations_alone(self, seats: Seats) -> dict[str, float]:
         """How far, mm, each cause alone takes the strip from its design."""
-        alone = {cause: with_shares(self.cut, [share]) for cause, share in self.shares.items()}
+        alone = {cause: self.alone(cause) for cause in self.shares}
         if self.approximated:
             alone["fit of the drawing"] = self.cut
         if self.lap is not None:
-            alone["lap joint"] = _lapped(self.cut, self.lap)
+            alone["lap joint"] = self._by_design(_lapped(self.cut, self.lap))
         shapes = {cause: rest_in_seats(made, self.design, (None, None))[0] for cause, made in alone.items()}
         one_seat: tuple[Seats, Seats] = (seats[0], None), (None, seats[1])
         for end, seat, one in zip(("start", "end"), seats, one_seat, strict=True):
             if seat is not None:
-                bent, _ = rest_in_seats(self.design, self.design, one, self.tab_ratios())
+                bent, _ = rest_in_seats(self._by_design(self.design), self.design, one, self.tab_ratios())
                 shapes[f"{end}: {seat.name}"] = bent
         return {cause: strayed(self.design, shape) for cause, shape in shapes.items()}
+
+    def _curling(self, made: Rod, *, plated: bool = False) -> Rod:
+        return made if self.curl is None else self.curl.on(made, plated=plated)
+
+    def _by_design(self, made: Rod) -> Rod:
+        """Does the design itself count on its curl?"""
+        return self._curling(made) if self.as_plate else made
 
 
 def _widths_left(

@@ -38,7 +38,7 @@ from elastica_cad.fabrication.strip.tabs import Tab, pair_of_tabs
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.bending.bend_forward import bend, resample
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -307,7 +307,9 @@ class Strip:
         """
         if not self.creep:
             return None
-        found = creep(self.rod, self.creep)
+        from elastica_cad.fabrication.strip.made_stiffness import curling_by_design
+
+        found = creep(curling_by_design(self.rod, self.rod, self.layout), self.creep)
         sheets = {layer.sheet for layer in self.layers}
         return found if len(sheets) == 1 else replace(found, exact=False)
 
@@ -354,7 +356,10 @@ class Strip:
         """
         edges = self.rod.s.size - 1
         finer = -(-FINE_EDGES // edges)
-        bent = bend(self.as_built, end=self.rod.position[-1], samples=finer * edges + 1)
+        from elastica_cad.fabrication.strip.made_stiffness import curling_by_design
+
+        built, design = (resample(rod, finer * edges + 1) for rod in (self.as_built, self.rod))
+        bent = bend(curling_by_design(built, design, self.layout), end=self.rod.position[-1])
         return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
 
     @cached_property

@@ -41,6 +41,10 @@ class MaterialLaw(ABC):
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """dm/dkappa (n,); 1 at rest."""
 
+    def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """m and dm/dkappa (n,) together, which some laws find in one."""
+        return self.effective_curvature(curvature), self.slope(curvature)
+
     @abstractmethod
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """Integral of m from rest (n,), 1/mm2: the elastic energy per length over K."""

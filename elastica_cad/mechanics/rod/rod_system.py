@@ -165,7 +165,7 @@ class RodState:
             force[:, i] += value
         K = system.stiffness
         if system.law is not None:
-            K = K * system.law.slope(self._hooke_moments / K)
+            K = K * self._lawful[1]
         return DiscreteRod(K, self.angles, force, system.edge_length, system.supports)
 
     @cached_property
@@ -174,7 +174,7 @@ class RodState:
         system, hooke = self.system, self._hooke_moments
         if system.law is None:
             return hooke
-        moments = system.stiffness * system.law.effective_curvature(hooke / system.stiffness)
+        moments = system.stiffness * self._lawful[0]
         for node, held in zip((0, -1), system.held_angles, strict=True):
             if held is None:
                 moments[node] = hooke[node]
@@ -189,6 +189,13 @@ class RodState:
             natural_curvature=system.natural_curvature,
             end_moments=(-system.moments[0], system.moments[1]),
         )  # fmt: skip
+
+    @cached_property
+    def _lawful(self) -> tuple[FloatArray, FloatArray]:
+        """What the law makes of the nodes' change of curvature (n+1,), 1/mm, and its slope (n+1,)."""
+        system = self.system
+        change = self._hooke_moments / system.stiffness
+        return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)
 
     @cached_property
     def residual(self) -> Residual:
@@ -250,7 +257,9 @@ class RodState:
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):
                 if held is None:  # at an end free to turn, what its moment asks for
-                    change[node] = system.law.curvature(change[node])
+                    asked = np.zeros_like(change)
+                    asked[node] = change[node]
+                    change[node] = system.law.curvature(asked)[node]
         curvature = change + system.natural_curvature
         bend = system.node_lengths * curvature
         angle = np.empty(n + 1)

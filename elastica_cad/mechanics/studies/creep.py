@@ -9,6 +9,8 @@ from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
 from elastica_cad.mechanics.studies.imperfection import feels_modulus
@@ -139,7 +141,7 @@ def creep(rod: Rod, factor: float) -> Creep:
                 f"with a creep factor of {phi:g} no shape is left near the first: it collapses under its load; "
                 "take a stiffer sheet or support it"
             ) from problem
-    return Creep(phi, first, later, exact=rod.law is None)
+    return Creep(phi, first, later, exact=_is_linear(rod.law))
 
 
 def require_creep(factor: object) -> float:
@@ -155,6 +157,11 @@ def require_creep(factor: object) -> float:
     if factor < 0:
         raise InputError(f"creep is {factor:g}: it must be 0 or more; plywood indoors has 0.8 (Eurocode 5)")
     return float(factor)
+
+
+def _is_linear(law: MaterialLaw | None) -> bool:
+    """Does the material follow Hooke's law? Sections that curl do so by their shape, whatever the modulus."""
+    return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 
 def _softened(rod: Rod, times: float) -> Rod:
