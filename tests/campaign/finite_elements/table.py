@@ -25,7 +25,8 @@ meshed by gmsh and bent by CalculiX in space: bricks of twenty nodes (C3D20R), o
 sheet, large displacements. The tabs are held in the drawn pose; all else is free. Numbers are the largest distance
 of the middle line (the mean over the section) from the drawn curve, as a share of the length.
 
-All rows are of 21 November 2026.
+All rows are of 21 November 2026; what is told of strips whose widths make up for nothing, or for their curl alone,
+is of 24 November.
 """
 
 DEFAULT = """Stiffness alone: `compensate=False`. By default plain strips of a sheet whose Poisson ratio is known,
