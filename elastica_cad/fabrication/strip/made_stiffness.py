@@ -84,7 +84,7 @@ def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: 
 def stiffness_shares(
     rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
 ) -> dict[str, FloatArray]:
-    """What each cause leaves of, or adds to, the designed stiffness: factors (n,) at the nodes, by cause.
+    """What each cause leaves of, or adds to, the designed stiffness in the drawn shape: factors (n,), by cause.
 
     "slots": the cuts and the idle triangles beside them. "narrow tabs": idle corners at ends that are wider than
     their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. "leaning
