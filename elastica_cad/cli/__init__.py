@@ -3,8 +3,14 @@
 import gc
 import sys
 import warnings
+from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
+from typing import TYPE_CHECKING
 
 from elastica_cad.errors import how_to_install
+
+if TYPE_CHECKING:
+    from elastica_cad.plot.page_process import PageProcess
 
 __all__ = ["main"]
 
@@ -27,9 +33,11 @@ def main(arguments: list[str] | None = None) -> None:
         sys.exit(f"the elastica command needs click: {how_to_install('click')}")
     if arguments is not None:
         from elastica_cad.cli.commands import elastica
-    else:
-        if not sys.warnoptions:
-            warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
+
+        elastica.main(args=arguments, prog_name="elastica")
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
+    with _painter(sys.argv[1:]) as painter:
         # a command is short: looking for cycles among what imports made is a tenth of its time
         gc.disable()
         from elastica_cad.cli.commands import elastica
@@ -37,4 +45,13 @@ def main(arguments: list[str] | None = None) -> None:
         gc.freeze()
         gc.set_threshold(*RARE_COLLECTIONS)
         gc.enable()
-    elastica.main(args=arguments, prog_name="elastica")
+        elastica.main(prog_name="elastica", obj=painter)
+
+
+def _painter(words: Sequence[str]) -> AbstractContextManager["PageProcess | None"]:
+    """What paints the picture of `elastica strip` meanwhile, begun before all else is loaded."""
+    if words[:1] != ["strip"] or {"-h", "--help"} & set(words):
+        return nullcontext()
+    from elastica_cad.plot.page_process import page_process
+
+    return page_process()

@@ -249,11 +249,12 @@ def _told_in_mm() -> list[str]:
 def _once(run: Any, chosen: dict[str, Any], budget: tuple[float, float], in_mm: list[str]) -> None:
     """The command's own work within its budget, and its record at the end, whatever its exit code."""
     voice().begin()
-    click.get_current_context().meta[BUDGET] = budget
+    context = click.get_current_context()
+    context.meta[BUDGET] = budget
     for told in in_mm:
         warn(told)
     try:
-        with spend(*budget):
+        with spend(*budget, beside=lambda: context.obj and context.obj.pid):
             run(**chosen)
     except OutOfBudgetError as problem:
         kept = len(voice().files)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
@@ -17,6 +17,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.file_access.text_files import write_json
 from elastica_cad.formats.reports.strip_report import report_strip
@@ -24,6 +25,10 @@ from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+
+if TYPE_CHECKING:
+    from elastica_cad.plot.page_process import PageProcess
+    from elastica_cad.plot.strip_page import StripPage
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
 """The plane of a curve that says none, as screens show it."""
@@ -118,6 +123,13 @@ class StripKit:
         return drawings
 
     @cached_property
+    def page(self) -> "StripPage":
+        """What its picture shows."""
+        from elastica_cad.plot.strip_views import view_page
+
+        return view_page(self.strip, None if self.near is None else self.near.target)
+
+    @cached_property
     def report(self) -> dict[str, Any]:
         """All that was asked and found, ready for JSON."""
         report = report_strip(
@@ -132,9 +144,16 @@ class StripKit:
 
 
 def write_strip(
-    kit: StripKit, folder: Path, *, force: bool = False, kept: Path | None = None
+    kit: StripKit,
+    folder: Path,
+    *,
+    force: bool = False,
+    kept: Path | None = None,
+    painter: "PageProcess | None" = None,
 ) -> tuple[Path, ...]:
     """Write all files of a strip, or after any error none; where they are.
+
+    The picture is painted by `painter` meanwhile, where one is given that has not painted yet.
 
     Raises
     ------
@@ -145,8 +164,14 @@ def write_strip(
     if kept is not None and any(os.path.exists(path) and path.samefile(kept) for path in written):
         raise InputError(f"{kept} holds the drawn curve and is kept: name another folder, e.g. -o out")
     with write_together(folder, kit.files.values(), force=force) as workshop:
-        for kind, file in kit.files.items():
-            _writer(kit, kind)(kit, workshop / file)
+        painted = painter.begin(kit.page) if painter is not None and "png" in kit.files else None
+        # what is painted beside is waited for last
+        for kind, file in sorted(kit.files.items(), key=lambda one: bool(painted) and one[0] == "png"):
+            png = painted() if painted is not None and kind == "png" else None
+            if png is None:
+                _writer(kit, kind)(kit, workshop / file)
+            else:
+                write_atomically(workshop / file, png)
     return written
 
 
@@ -177,9 +202,8 @@ def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
 
 def _draw_picture(kit: StripKit, path: Path) -> None:
     from elastica_cad.plot.canvas import save_figure
-    from elastica_cad.plot.strip_pictures import strip_sheet
 
-    save_figure(strip_sheet(kit.strip, wish=None if kit.near is None else kit.near.target), path)
+    save_figure(kit.page.figure(), path)
 
 
 def _draw_template(kit: StripKit, path: Path) -> None:

@@ -21,6 +21,9 @@ WIDTH_INCHES = 9.0
 NOTEBOOK_DPI = 90.0
 """A page as wide as a notebook's column."""
 
+RESOLUTION = 150.0
+"""Of PNG files unless told otherwise, dots per inch."""
+
 COMPRESSION = 3
 """Of PNG files: beyond, they take half as long again to write and are a twentieth smaller."""
 
@@ -46,7 +49,7 @@ class Panel(NamedTuple):
 
 
 def save_figure(
-    figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = 150.0
+    figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = RESOLUTION
 ) -> None:
     """Write a figure as PNG, whole or not at all; `resolution` in dots per inch.
 
@@ -57,11 +60,11 @@ def save_figure(
     """
     if not (np.isfinite(resolution) and resolution > 0):
         raise InputError(f"resolution is {resolution}: it must be positive, in dots per inch")
-    write_atomically(path, _png(figure, resolution), force=force)
+    write_atomically(path, draw_png(figure, resolution), force=force)
 
 
-def _png(figure: Figure, resolution: float) -> bytes:
-    """What `savefig` shows; that would go through the whole figure once more before it is drawn."""
+def draw_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
+    """A PNG file of what `savefig` shows; that would go through the whole figure once more before it is drawn."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
@@ -70,8 +73,9 @@ def _png(figure: Figure, resolution: float) -> bytes:
     try:
         drawn = FigureCanvasAgg(figure)
         drawn.draw()
-        page = Image.fromarray(np.asarray(drawn.buffer_rgba()))
-        if page.getextrema()[-1] == (255, 255):  # opaque all over
+        pixels = np.asarray(drawn.buffer_rgba())
+        page = Image.fromarray(pixels)
+        if np.all(pixels[..., 3] == 255):  # opaque all over
             page = page.convert("RGB")
         page.save(stream, format="png", dpi=(resolution, resolution), compress_level=COMPRESSION)
     finally:

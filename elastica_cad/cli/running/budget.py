@@ -5,7 +5,7 @@ import os
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from elastica_cad.errors import ElasticaError
@@ -29,8 +29,8 @@ class OutOfBudgetError(ElasticaError):
 
 
 @contextmanager
-def spend(seconds: float, mib: float) -> Iterator[None]:
-    """Run the block within limits of time and memory.
+def spend(seconds: float, mib: float, *, beside: Callable[[], int | None] | None = None) -> Iterator[None]:
+    """Run the block within limits of time and memory; `beside` tells the number of a process that shares them.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def spend(seconds: float, mib: float) -> Iterator[None]:
                     f"this takes longer than {seconds:g} s: ask for less at a time (a smaller drawing, fewer "
                     "strips, looser limits), or give it more with --seconds"
                 )
-            elif (used := _resident_mib()) > mib:
+            elif (used := _resident_mib("self") + _resident_mib(beside and beside())) > mib:
                 said.append(
                     f"this takes more than {mib:g} MB of memory ({used:.0f} MB now): ask for less at a time, or "
                     "give it more with --memory"
@@ -82,10 +82,12 @@ def spend(seconds: float, mib: float) -> Iterator[None]:
         ) from None
 
 
-def _resident_mib() -> float:
-    """Memory in use now; 0 where the system does not say."""
+def _resident_mib(process: int | str | None) -> float:
+    """Memory that a process uses now; 0 where the system does not say, or there is none."""
+    if process is None:
+        return 0.0
     try:
-        with open("/proc/self/statm", encoding="ascii") as file:
+        with open(f"/proc/{process}/statm", encoding="ascii") as file:
             return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
     except (OSError, ValueError, IndexError):
         return 0.0
