@@ -1,6 +1,7 @@
 """The `elastica` command."""
 
 import gc
+import os
 import sys
 import warnings
 from collections.abc import Sequence
@@ -37,6 +38,8 @@ def main(arguments: list[str] | None = None) -> None:
         elastica.main(args=arguments, prog_name="elastica")
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
+    # its matrices are small: threads cost more than they help, and on one the bytes are those of every machine
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     with _painter(sys.argv[1:]) as painter:
         # a command is short: looking for cycles among what imports made is a tenth of its time
         gc.disable()

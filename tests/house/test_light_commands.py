@@ -1,5 +1,6 @@
 """Commands load what they use: a person waits for every library."""
 
+import os
 import subprocess
 import sys
 from shutil import copy
@@ -54,3 +55,20 @@ def test_a_check_loads_no_solver_and_no_reader_of_another_format(drawn, project_
     other = {"arch.dxf": "svgelements", "arch.svg": "ezdxf"}[drawn]
     assert not {"scipy", "highspy", "matplotlib", "OCP", other} & loaded
     assert not {f"elastica_cad.{name}" for name in (*NOT_FOR_A_STRIP, *NOT_FOR_A_CHECK)} & loaded
+
+
+@pytest.mark.skipif(not os.path.isdir("/proc/self/task"), reason="the system tells no threads")
+@pytest.mark.parametrize("asked", [None, "2"])
+def test_a_command_begins_no_threads_for_small_matrices(asked, project_root):
+    """Each spins for a while when numpy is loaded; whoever asks for them gets them."""
+    code = (
+        "import os\nfrom elastica_cad.cli import main\n"
+        "try:\n    main()\nexcept SystemExit:\n    print(len(os.listdir('/proc/self/task')))"
+    )
+    env = {key: value for key, value in os.environ.items() if key != "OPENBLAS_NUM_THREADS"}
+    done = subprocess.run(
+        [sys.executable, "-c", code, "check", project_root / "examples" / "arch" / "arch.dxf"],
+        capture_output=True, text=True, check=True, env=env | ({"OPENBLAS_NUM_THREADS": asked} if asked else {}),
+    )  # fmt: skip
+    threads = int(done.stdout.splitlines()[-1])
+    assert threads == 1 if asked is None else threads <= int(asked)
