@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 __all__ = ["main"]
 
-RARE_COLLECTIONS = (100_000, 20, 20)
-"""Thresholds of the garbage collector: a command ends before its cycles matter."""
+RARE_COLLECTIONS = (200_000, 20, 20)
+"""Thresholds of the garbage collector: a command ends before its cycles matter, a strip makes 100 000 objects."""
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -48,7 +48,10 @@ def main(arguments: list[str] | None = None) -> None:
         gc.freeze()
         gc.set_threshold(*RARE_COLLECTIONS)
         gc.enable()
-        elastica.main(prog_name="elastica", obj=painter)
+        try:
+            elastica.main(prog_name="elastica", obj=painter)
+        finally:
+            gc.freeze()  # the process ends: it need not look through all it loaded for cycles once more
 
 
 def _painter(words: Sequence[str]) -> AbstractContextManager["PageProcess | None"]:

@@ -16,7 +16,10 @@ NOT_FOR_A_STRIP = (
 )  # fmt: skip
 """Rooms that a strip which follows its curve, without bodies, never enters."""
 
-NOT_FOR_A_CHECK = ("mechanics.stiffness.optimal_rod", "mechanics.rod.rod_record", "fabrication.strip_spec")
+NOT_FOR_A_CHECK = (
+    "mechanics.stiffness.optimal_rod", "mechanics.rod.rod_record", "fabrication.strip_spec",
+    "mechanics.material.sheet",
+)  # fmt: skip
 
 
 def _loaded(words, absent, folder):

@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from elastica_cad.cli.asking.lengths import LENGTH
-from elastica_cad.mechanics.material.sheet import Sheet
+
+if TYPE_CHECKING:
+    from elastica_cad.mechanics.material.sheet import Sheet
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -67,7 +69,7 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
     )  # fmt: skip
 
 
-def asked_sheet(chosen: Mapping[str, Any]) -> Sheet:
+def asked_sheet(chosen: Mapping[str, Any]) -> "Sheet":
     """The sheet that `sheet_options` name.
 
     Raises
@@ -75,5 +77,7 @@ def asked_sheet(chosen: Mapping[str, Any]) -> Sheet:
     InputError
         No such sheet or file, or a thickness that no sheet has.
     """
+    from elastica_cad.mechanics.material.sheet import Sheet
+
     sheet = Sheet.named(chosen["sheet"])
     return sheet if chosen["thickness"] is None else sheet.with_thickness(chosen["thickness"])

@@ -155,7 +155,8 @@ class Edge:
     def stations(self, each: int = 17) -> FloatArray:
         """Parameters along the edge, `each` to a span, both ends and all knots included."""
         edges = self.spans.edges
-        return np.unique((edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)).ravel())
+        places = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)
+        return knot_runs(np.sort(places, axis=None))[0]  # `np.unique` loads all of numpy.ma
 
     def reversed(self) -> "Edge":
         """The edge run the other way."""

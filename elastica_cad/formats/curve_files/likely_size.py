@@ -43,7 +43,7 @@ def doubt_size(curves: Iterable[Iterable[FloatArray]], unit: float, why: str) ->
         return ""
     (least, most), largest = LIKELY_MM, max(sizes)
     small = largest < least
-    if not small and not np.median(sizes) > most:
+    if not small and not (largest > most and np.median(sizes) > most):  # the median loads all of numpy.ma
         return ""
     others = {name: largest / unit * look_up_unit(name) for name in (_SO_SMALL if small else _SO_LARGE)}
     meant = [f"--unit {name} ({size:.4g} mm)" for name, size in others.items() if least <= size <= most]

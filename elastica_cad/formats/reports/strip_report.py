@@ -1,6 +1,5 @@
 """The report of a strip: one JSON record that says what was asked, what came out and with which versions."""
 
-from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
@@ -228,6 +227,8 @@ def _joint(strip: Strip) -> dict[str, Any] | None:
 
 def list_versions() -> dict[str, str]:
     """Versions of the packages that a result depends on."""
+    from importlib.metadata import PackageNotFoundError, version
+
     found = {}
     for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):
         try:
