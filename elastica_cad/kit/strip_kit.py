@@ -165,13 +165,9 @@ def write_strip(
         raise InputError(f"{kept} holds the drawn curve and is kept: name another folder, e.g. -o out")
     with write_together(folder, kit.files.values(), force=force) as workshop:
         painted = painter.begin(kit.page) if painter is not None and "png" in kit.files else None
-        # what is painted beside is waited for last
-        for kind, file in sorted(kit.files.items(), key=lambda one: bool(painted) and one[0] == "png"):
-            png = painted() if painted is not None and kind == "png" else None
-            if png is None:
-                _writer(kit, kind)(kit, workshop / file)
-            else:
-                write_atomically(workshop / file, png)
+        for kind in sorted(kit.files, key="png".__eq__):  # what is painted beside is waited for last
+            write = partial(_draw_picture, painted=painted) if kind == "png" else _writer(kit, kind)
+            write(kit, workshop / kit.files[kind])
     return written
 
 
@@ -200,7 +196,12 @@ def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
     return partial({"dxf": _write_dxf, "svg": _write_svg}[kind], layer=number)
 
 
-def _draw_picture(kit: StripKit, path: Path) -> None:
+def _draw_picture(kit: StripKit, path: Path, painted: Callable[[], bytes | None] | None = None) -> None:
+    """Write the picture: what was `painted` beside, or where nothing was, one painted now."""
+    png = None if painted is None else painted()
+    if png is not None:
+        write_atomically(path, png)
+        return
     from elastica_cad.plot.canvas import save_figure
 
     save_figure(kit.page.figure(), path)
