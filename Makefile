@@ -90,6 +90,7 @@ campaign: .venv-campaign/installed
 campaign-trust: $(VENV)/test-installed
 	-$(TRUST).files --cases 100000 --minutes $(MINUTES) --out $(OUT)/campaign
 	-$(TRUST).commands --runs 3000 --minutes $(MINUTES) --out $(OUT)/campaign
+	-$(TRUST).kernels --cases 20000
 	-$(TRUST).met_checks --solves 10000 --minutes $(MINUTES) --out $(OUT)/campaign
 	-$(TRUST).written --strips 1000 --minutes $(MINUTES) --out $(OUT)/campaign
 	-$(TRUST).designs --designs 2000 --minutes $(MINUTES) --out $(OUT)/campaign

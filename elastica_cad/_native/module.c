@@ -6,6 +6,14 @@
 #define BORROW_OUT(target, object, size, name) \
     if ((target = borrow(&arrays, object, size, 1, name)) == NULL) goto done
 
+/* NULL with the error that is set, or else with this one. */
+static PyObject *refused(const char *why)
+{
+    if (!PyErr_Occurred())
+        PyErr_SetString(PyExc_ValueError, why);
+    return NULL;
+}
+
 static PyObject *py_shoot(PyObject *module, PyObject *arguments)
 {
     PyObject *bends, *rests, *across, *along, *out_angles, *out_moments, *answer = NULL;
@@ -18,7 +26,7 @@ static PyObject *py_shoot(PyObject *module, PyObject *arguments)
     double *angles, *moments;
     const Py_ssize_t nodes = array_size(bends);
     if (nodes < 1)
-        return NULL;
+        return refused("a rod has one node or more");
     BORROW(bend, bends, nodes, "bend");
     BORROW(rest, rests, nodes, "rest");
     BORROW(pull_x, across, nodes - 1, "pull_x");
@@ -46,11 +54,8 @@ static PyObject *py_sensitivities(PyObject *module, PyObject *arguments)
     Borrowed arrays = {.count = 0};
     double *angles, *moments, *position;
     const Py_ssize_t nodes = array_size(of_rod[0]), entries = array_size(of_grid[2]);
-    if (nodes < 2 || entries < 0) {
-        if (!PyErr_Occurred())
-            PyErr_SetString(PyExc_ValueError, "a rod has two nodes or more");
-        return NULL;
-    }
+    if (nodes < 2 || entries < 0)
+        return refused("a rod has two nodes or more");
     rod.edges = nodes - 1;
     rod.coefficients = entries / nodes;
     rod.columns = rod.coefficients + 7 + rod.closing;
@@ -89,11 +94,8 @@ static PyObject *py_weighted_gram(PyObject *module, PyObject *arguments)
     const double *A, *weights;
     double *product;
     const Py_ssize_t rows = array_size(shares), entries = array_size(matrix);
-    if (rows < 1 || entries < 0) {
-        if (!PyErr_Occurred())
-            PyErr_SetString(PyExc_ValueError, "there is no row to weigh");
-        return NULL;
-    }
+    if (rows < 1 || entries < 0)
+        return refused("there is no row to weigh");
     const Py_ssize_t columns = entries / rows;
     BORROW(A, matrix, rows * columns, "A");
     BORROW(weights, shares, rows, "weights");
@@ -133,11 +135,8 @@ static PyObject *py_largest_distance(PyObject *module, PyObject *arguments)
     const double *points, *chain;
     double *bounds, distance;
     const Py_ssize_t count = array_size(room), entries = array_size(line);
-    if (count < 1 || entries < 4) {
-        if (!PyErr_Occurred())
-            PyErr_SetString(PyExc_ValueError, "a distance asks for one point and two nodes or more");
-        return NULL;
-    }
+    if (count < 1 || entries < 4)
+        return refused("a distance asks for one point and two nodes or more");
     BORROW(points, given, 2 * count, "points");
     BORROW(chain, line, entries, "chain");
     BORROW_OUT(bounds, room, count, "bounds");
@@ -222,11 +221,8 @@ static PyObject *py_lowest_mode(PyObject *module, PyObject *arguments)
     Borrowed arrays = {.count = 0};
     double *mode, *multipliers, value = 0.0;
     const Py_ssize_t n = array_size(given[0]), entries = array_size(given[3]);
-    if (n < 2 || entries < 0 || entries > 2 * n || v.smooth < 1 || v.smooth > 16) {
-        if (!PyErr_Occurred())
-            PyErr_SetString(PyExc_ValueError, "a mode has two edges or more, at most two rows and 16 polynomials");
-        return NULL;
-    }
+    if (n < 2 || entries < 0 || entries > 2 * n || v.smooth < 1 || v.smooth > 16)
+        return refused("a mode has two edges or more, at most two rows and 16 polynomials");
     v.edges = n;
     v.rows = (int)(entries / n);
     BORROW(v.diagonal, given[0], n, "diagonal");

@@ -11,6 +11,7 @@ from tests.campaign.trust import (
     designs,
     equivalent,
     files,
+    kernels,
     ledger,
     met_checks,
     request_bank,
@@ -40,6 +41,13 @@ def test_hostile_commands_give_answers_or_one_sentence(tmp_path):
         said = commands.words(rng, elastica.commands)
         ended = commands.run(said, folder, typed=True)
         assert commands.judged(said, folder, ended) == [], said
+
+
+def test_compiled_kernels_touch_nothing_but_their_arrays():
+    ended = kernels.ask_apart(120, 2026)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    cases, refused, wrong = map(int, ended.stdout.split())
+    assert (cases, refused) == (120, wrong)
 
 
 @pytest.mark.parametrize("number", range(4))

@@ -1,0 +1,162 @@
+"""Compiled kernels under the compiler's sanitizers: odd sizes, dependent rows, numbers that are none, wrong arrays.
+
+python -m tests.campaign.trust.kernels --cases 20000
+Needs gcc. What reads or writes beyond its arrays, or overflows an integer, ends the process with a report.
+"""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tomllib
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[3]
+SANITIZERS = ("asan", "ubsan")
+FLAGS = ("-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fPIC", "-shared")
+MOST_S = 3000.0
+
+
+def build(folder):
+    """The package with kernels that watch themselves, in `folder`."""
+    leave_out = shutil.ignore_patterns("__pycache__", "*.so")
+    shutil.copytree(ROOT / "elastica_cad", folder / "elastica_cad", ignore=leave_out)
+    asked = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    (extension,) = asked["tool"]["setuptools"]["ext-modules"]
+    macros = [f"-D{name}={value}" for name, value in extension["define-macros"]]
+    include = f"-I{sysconfig.get_path('include')}"
+    target = "elastica_cad/_native/kernels.abi3.so"
+    subprocess.run(
+        ["gcc", *FLAGS, *macros, include, *extension["sources"], "-o", target], check=True, cwd=folder
+    )
+
+
+def ask_apart(cases, seed):
+    """The finished process that asked so many cases of kernels that watch themselves."""
+    with TemporaryDirectory() as place:
+        folder = Path(place)
+        build(folder)
+        loaded = [
+            subprocess.run(
+                ["gcc", f"-print-file-name=lib{name}.so"], check=True, capture_output=True, text=True
+            ).stdout.strip()
+            for name in SANITIZERS
+        ]
+        return subprocess.run(
+            [sys.executable, __file__, "--here", "--cases", str(cases), "--seed", str(seed)],
+            env=dict(os.environ)
+            | {"LD_PRELOAD": ":".join(loaded), "ASAN_OPTIONS": "detect_leaks=0", "PYTHONPATH": str(folder)},
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            timeout=MOST_S,
+            check=False,
+        )
+
+
+def ask_here(cases, seed):
+    """Ask the kernels that this process finds; how many wrong arrays were refused, of how many."""
+    from elastica_cad._native import kernels
+
+    rng = np.random.default_rng(seed)
+    for case in range(cases):
+        with np.errstate(all="ignore"):
+            ask_programs(rng, case)
+        ask_modes(kernels, rng, case)
+        ask_distances(kernels, rng, case)
+    return refused_arrays(kernels)
+
+
+def ask_programs(rng, case):
+    """A program with rows that say the same, say nothing, or hold no number."""
+    from elastica_cad.forming.optimizer import quadratic_program as programs
+
+    p, m = int(rng.integers(1, 40)), int(rng.integers(0, 60))
+    J, A = rng.normal(size=(int(rng.integers(1, 2 * p + 1)), p)), rng.normal(size=(m, p))
+    H = J.T @ J * (rng.random() < 0.8) + 1e-9 * np.eye(p)
+    if m > 3 and case % 3 == 0:
+        A[1], A[2] = A[0], 0
+    if m and case % 50 == 0:
+        A[0, 0] = np.nan
+    if case % 70 == 0:
+        H[0, 0] = np.inf
+    lower, upper, given = -rng.random(p), rng.random(p), rng.random(p) < 0.2
+    upper[given] = lower[given]
+    asked = programs.QuadraticProgram(
+        H, rng.normal(size=p) * 10 ** rng.uniform(-6, 6), lower, upper, A, rng.normal(size=m),
+        10 ** rng.uniform(-3, 5, m), rng.random(m) < 0.5,
+    )  # fmt: skip
+    programs.solve_quadratic(asked)
+    if not given.any():
+        programs._by_interior_points(asked, 1e-10)
+
+
+def ask_modes(kernels, rng, case):
+    """The lowest mode of matrices that are rough, empty, huge or no numbers."""
+    n, rows, smooth = int(rng.integers(2, 300)), int(rng.integers(0, 3)), int(rng.integers(1, 17))
+    diagonal = rng.normal(size=n) * 10 ** rng.uniform(-3, 300 if case % 40 == 0 else 6)
+    off = rng.normal(size=n - 1)
+    if case % 30 == 0:
+        diagonal[0] = np.nan
+    if case % 31 == 0:
+        diagonal[:], off[:] = 0, 0
+    polynomials = np.linalg.qr(rng.normal(size=(max(n, smooth), smooth)))[0][:n].copy()
+    kernels.lowest_mode(
+        diagonal, off, rng.random(n) + 0.01, rng.normal(size=(rows, n)) * (case % 17 > 0), polynomials,
+        (smooth, 8, 1e-9, 1e-15, 2e-16, 1e-5), np.empty(n), np.empty(2),
+    )  # fmt: skip
+
+
+def ask_distances(kernels, rng, case):
+    """Points far from their chain, and places that are no numbers."""
+    count, nodes = int(rng.integers(1, 300)), int(rng.integers(2, 300))
+    points, chain = rng.normal(size=(count, 2)) * 10 ** rng.uniform(-3, 3), rng.normal(size=(nodes, 2))
+    if case % 20 == 0:
+        chain[0] = np.nan
+    if case % 21 == 0:
+        points[0] = np.inf
+    kernels.largest_distance(points, chain, np.empty(count))
+    kernels.weighted_gram(chain, rng.random(nodes), np.empty((2, 2)))
+
+
+def refused_arrays(kernels):
+    """Arrays of other sizes, kinds and layouts, or that may not be written: how many are refused, of how many."""
+    locked = np.empty(10)
+    locked.setflags(write=False)
+    wrong = [
+        np.ones(3), np.ones(20), np.ones((3, 6))[:, ::2], None, "x", np.ones(9, dtype=np.float32), np.ones(0),
+    ]  # fmt: skip
+    asked = [(place, array) for place in (0, 1, 2, 3, 7, 8) for array in wrong] + [(7, locked)]
+    refused = 0
+    for place, array in asked:
+        arguments = [np.ones(9), np.ones(9), np.ones(8), np.ones(8), 1.0, 0.0, 1e6, np.empty(10), np.empty(9)]
+        arguments[place] = array
+        try:
+            kernels.shoot(*arguments)
+        except (TypeError, ValueError, BufferError):
+            refused += 1
+    return refused, len(asked)
+
+
+def main():
+    """Ask here, or in a process of its own."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--here", action="store_true")
+    asked = parser.parse_args()
+    if asked.here:
+        print(asked.cases, *ask_here(asked.cases, asked.seed))
+        return
+    found = ask_apart(asked.cases, asked.seed)
+    print(found.stdout, found.stderr)
+    sys.exit(found.returncode)
+
+
+if __name__ == "__main__":
+    main()
