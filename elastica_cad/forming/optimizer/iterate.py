@@ -190,6 +190,9 @@ def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
 
 def _find_common(here: IntArray, there: IntArray) -> tuple[IntArray, IntArray]:
     """Places of the keys that both have, each key once in either."""
+    if np.array_equal(here, there):
+        order = np.arange(here.size)
+        return order, order
     order = np.argsort(here)
     if not here.size:
         return order, order
