@@ -23,10 +23,13 @@ from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.strip.flat_outline import close_chain, fix_tab_widths
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.paths.spline_table import SplineTable
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -131,8 +134,8 @@ class FlatSolid:
         """May a kernel extrude its face? Programs would misread walls along splines that go up and down often."""
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
         splines = [one for one in segments if isinstance(one, Spline) and not one.curve.is_rational]
-        many = [one for one in splines if np.unique(one.curve.knots).size > FEW_SPANS + 1]
-        return not many or sum(map(_misread_area, many)) <= EVEN_SHARE * self.area
+        many = [one for one in splines if knot_runs(one.curve.knots)[0].size > FEW_SPANS + 1]
+        return not many or _misread_area(many) <= EVEN_SHARE * self.area
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -141,12 +144,21 @@ class FlatSolid:
         return BoundaryMaker(pattern.points, (self.frame,), (0.0, self.thickness)).solid(pattern.regions)
 
 
-def _misread_area(side: Spline) -> float:
-    """How far one rule for all its spans is off the area that is swept along it, mm2."""
+def _misread_area(sides: Sequence[Spline]) -> float:
+    """How far one rule for all spans of a side is off the area that is swept along it, mm2, summed over sides."""
     points, weights = RULE
-    u = (points + 1) / 2
-    (x, y), (vx, vy) = (side.at(u) - side.start).T, side.velocity_at(u).T
-    return abs(float(weights @ (x * vy - y * vx)) / 4 - side.swept_area(side.start))
+    off = 0.0
+    for degree in {side.curve.degree for side in sides}:
+        alike = [side for side in sides if side.curve.degree == degree]
+        table, starts = (
+            SplineTable.of([side.curve for side in alike]),
+            np.array([side.start for side in alike]),
+        )
+        which = np.repeat(np.arange(len(alike)), points.size)
+        place, velocity = table.motion(which, np.tile((points + 1) / 2, len(alike)))
+        swept = cross(place - starts[which], velocity).reshape(-1, points.size) @ weights / 4
+        off += float(np.abs(swept - table.swept_areas(starts)).sum())
+    return off
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":

@@ -8,8 +8,12 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.curves.arc_length import arc_lengths
 from elastica_cad.geometry.curves.curve_derivatives import cross, quotient
+from elastica_cad.geometry.curves.graph_areas import area_beside_graph
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
+
+LONG = 32
+"""Knots of a curve that is asked for its area by itself first: short ones come in thousands."""
 
 SAME_KNOT = 1e-12
 """Share of the domain within which a place is a knot: spans of rounding size are never made."""
@@ -106,6 +110,22 @@ class SplineTable:
         """Signed areas (n,) swept by the rays from `origin` to curves without weights, mm2, to rounding error.
 
         `origin` is one place (2,), or that of each curve (n, 2).
+        """
+        origins = np.broadcast_to(origin, (len(self.curves), 2))
+        areas = np.full(len(self.curves), np.nan)
+        for i, curve in enumerate(self.curves):
+            found = area_beside_graph(curve, origins[i]) if curve.knots.size > LONG else None
+            if found is not None:
+                areas[i] = found
+        others = np.isnan(areas).nonzero()[0]
+        if others.size:
+            rest = self if others.size == areas.size else self.chosen(others)
+            areas[others] = rest._integrated_areas(origins[others])
+        return areas
+
+    def _integrated_areas(self, origin: FloatArray) -> FloatArray:
+        """The same, of any curves.
+
         x y' - y x' is of degree 2 p - 1 at most, so p nodes of Gauss a span are exact.
         """
         x, weight = gauss_rule(self.degree)
@@ -115,8 +135,7 @@ class SplineTable:
         u = (start[:, None] - first[:, None] + half[:, None] * (1 + x)) / size[:, None]
         which = np.repeat(row, x.size)
         point, velocity = self.motion(which, u.ravel())
-        origin = origin[which] if origin.ndim > 1 else origin
-        shares = ((half / size)[:, None] * weight).ravel() * cross(point - origin, velocity)
+        shares = ((half / size)[:, None] * weight).ravel() * cross(point - origin[which], velocity)
         return np.asarray(0.5 * np.bincount(which, shares, minlength=len(self.curves)), dtype=float)
 
     def trimmed(self, start: FloatArray, end: FloatArray) -> list[PlaneCurve]:

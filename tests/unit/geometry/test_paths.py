@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip.flat_outline import graph
+from elastica_cad.geometry.curves.graph_areas import area_beside_graph
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path, move_paths
@@ -88,6 +90,21 @@ def test_area_under_splines_is_exact():
     assert -loop.area == pytest.approx(30 * (6 / 4 + 9), rel=1e-14)
     for curve in (wavy(), wavy(5), wavy(3, [1, 2, 0.5, 3, 1, 1.5])):
         assert Spline(curve).swept_area() == pytest.approx(green(curve), rel=1e-11)
+
+
+@pytest.mark.parametrize("backward", [False, True])
+def test_area_beside_a_long_graph_is_that_of_its_spans(backward):
+    """A long side is summed up over its control points; turned, it is no graph, and is integrated."""
+    knots = np.concatenate([[0] * 4, np.sort(np.random.default_rng(3).uniform(0, 200, 90)), [200] * 4])
+    side = graph(knots, 9 + np.sin(np.arange(94)), backward=backward)
+    origin = np.array([7.0, -3.0])
+    integrated = side._gauss_area(origin, np.unique(side.curve.knots), 4)
+    assert side.swept_area(origin) == pytest.approx(integrated, rel=1e-13)
+    move = turned(0.4, 3, -2)
+    there = (move @ [*origin, 1.0])[:2]
+    assert area_beside_graph(side.curve, origin) == side.swept_area(origin)
+    assert area_beside_graph(side.transformed(move).curve, there) is None
+    assert side.transformed(move).swept_area(there) == pytest.approx(integrated, rel=1e-12)
 
 
 def test_ellipse_is_exact_too():
