@@ -186,6 +186,22 @@ class Profile:
             scaled.__dict__["_function"] = self._function.scaled(factor)
         return scaled
 
+    def stretched(self, low: float, high: float) -> "Profile":
+        """The profile, not an even one, with its values stretched so that its extremes are these two.
+
+        Examples
+        --------
+        >>> ramp = Profile.interpolate([0.0, 10.0], [1.0, 3.0]).stretched(1.0, 2.0)
+        >>> ramp.extremes, float(ramp(5.0))
+        ((1.0, 2.0), 1.5)
+        """
+        (first, least), (second, most) = self._extreme_points
+        factor = (high - low) / (most - least)
+        stretched = Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
+        stretched.__dict__["_extreme_points"] = (first, low), (second, high)
+        stretched.__dict__["_function"] = self._function.stretched(least, low, factor)
+        return stretched
+
     @cached_property
     def _function(self) -> SplineFunction:
         return SplineFunction.of(self.knots, self.coefficients, self.degree)

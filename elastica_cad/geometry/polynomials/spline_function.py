@@ -42,6 +42,10 @@ class SplineFunction:
         """The function times `factor`."""
         return SplineFunction(self.spans, self.pieces * factor)
 
+    def stretched(self, fixed: float, now: float, factor: float) -> "SplineFunction":
+        """The function stretched by `factor` about the value `fixed`, which becomes `now`."""
+        return SplineFunction(self.spans, now + (self.pieces - fixed) * factor)
+
     def __call__(self, x: FloatArray, derivative: int = 0) -> FloatArray:
         """Values of the shape of x and of one coefficient; beyond the ends the last pieces go on."""
         spans, degree = self.spans, self.spans.degree

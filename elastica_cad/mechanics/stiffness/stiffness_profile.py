@@ -154,8 +154,7 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
     low, high = profile.extremes
     if high - low <= tolerance:
         return profile
-    stretched = exact[0] + (profile.coefficients - low) * ((exact[1] - exact[0]) / (high - low))
-    return Profile(profile.knots, stretched, profile.degree)
+    return profile.stretched(float(exact[0]), float(exact[1]))
 
 
 def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:

@@ -156,6 +156,19 @@ def test_scaled():
     assert profile.scaled(-1.0).extremes == pytest.approx(tuple(-e for e in reversed(profile.extremes)))
 
 
+def test_stretched_knows_its_extremes_and_values():
+    """What it takes over from the profile before is what it would find for itself."""
+    profile = Profile.fit(bump, 300.0)
+    profile(0.0)
+    stretched = profile.stretched(2.0, 7.0)
+    assert stretched.extremes == (2.0, 7.0)
+    assert stretched.extreme_places == profile.extreme_places
+    anew = Profile(stretched.knots, stretched.coefficients)
+    assert anew.extremes == pytest.approx((2.0, 7.0), rel=1e-14)
+    s = np.linspace(0, 300, 301)
+    np.testing.assert_allclose(stretched(s), anew(s), rtol=1e-14)
+
+
 @pytest.mark.parametrize(
     ("make", "words"),
     [
