@@ -86,8 +86,12 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     ends = np.cumsum(lengths)
     s = np.append(ends - lengths / 2, ends[-1])
     # rounding of a determinant: eps times the product of its columns' sizes, once its rows are scaled
-    scaled = Z / np.maximum(np.abs(Z).max(axis=2, keepdims=True), np.finfo(float).tiny)
-    bound = np.prod(np.abs(scaled).sum(axis=1), axis=1) * np.prod(np.abs(Z).max(axis=2), axis=1)
+    size = np.ascontiguousarray(
+        np.abs(Z).transpose(1, 2, 0)
+    )  # numpy reduces the last axis slowly where it is short
+    largest = size.max(axis=1)
+    scaled = size / np.maximum(largest, np.finfo(float).tiny)[:, None]
+    bound = np.prod(scaled.sum(axis=0), axis=0) * np.prod(largest, axis=0)
     return Determinant(s, _determinants(Z), 1e-15 * np.sqrt(n) * 16 * bound, fields, integrals)
 
 
