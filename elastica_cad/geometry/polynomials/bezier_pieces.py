@@ -103,18 +103,18 @@ def _spans(written: bytes, degree: int) -> Spans:
         return _one_span(knots[[0, -1]], degree)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     size = degree + 1
-    near = knots[span[:, None] + np.arange(1 - degree, degree + 1)]
-    ends = near[:, degree - 1 : degree + 1, None]
-    points = np.eye(size)[None, None]
+    # spans run along the last axis: numpy is slow where that is short
+    near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
+    ends = near[degree - 1 : degree + 1]
+    points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
-        low, high = near[:, level - 1 : degree], near[:, degree : degree + size - level]
+        low, high = near[level - 1 : degree], near[degree : degree + size - level]
         # argument `level` of the blossom is a of the first Bezier points, b of the others
-        shares = ((ends - low[:, None]) / (high - low)[:, None])[
-            :, (np.arange(size) >= level).astype(int), :, None
-        ]
-        points = points[:, :, :-1] * (1 - shares) + points[:, :, 1:] * shares
-    edges, first = np.append(ends[:, 0, 0], ends[-1, 1, 0]), span - degree
-    matrix = np.ascontiguousarray(points[:, :, 0])
+        shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
+        shares = shares.swapaxes(0, 1)[:, :, None]
+        points = points[:-1] * (1 - shares) + points[1:] * shares
+    edges, first = np.append(ends[0], ends[1, -1]), span - degree
+    matrix = np.ascontiguousarray(points[0].transpose(2, 0, 1))
     for shared in (edges, first, matrix):
         shared.setflags(write=False)
     return Spans(knots.size - size, edges, first, matrix)
