@@ -86,11 +86,14 @@ def _smoothed(segment: Segment) -> Segment:
     double = (counts == degree + 1 - SMOOTH) & (knots > first) & (knots < last)
     if not double.any():
         return segment
-    rows = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)
-    reach = np.minimum(np.diff(knots, prepend=first), np.diff(knots, append=last))
-    sides = [knots - 1e-6 * reach, knots + 1e-6 * reach]
+    rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), degree)
+    reach = np.minimum(np.diff(knots, prepend=first), np.diff(knots, append=last))[double]
+    sides = [knots[double] - 1e-6 * reach, knots[double] + 1e-6 * reach]
     jump = np.abs(rows(sides[1], SMOOTH) - rows(sides[0], SMOOTH)).max(axis=1)
-    counts = counts - (double & (jump * reach**2 < NO_JUMP))
+    slight = jump * reach**2 < NO_JUMP
+    if not slight.any():
+        return segment
+    counts[double] -= slight
     whole = np.repeat(knots, counts)
     sites = interpolation_sites(whole, degree)
     points = interpolated(sites, rows(sites), whole, degree)

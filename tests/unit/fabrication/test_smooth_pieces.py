@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from elastica_cad.fabrication.solids import smooth_pieces
 from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -54,6 +55,17 @@ def test_nothing_moves():
         if isinstance(piece, Spline):
             x, y = piece.at(np.linspace(0, 1, 50)).T
             assert np.abs(np.abs(y) - strip.width(x) / 2).max() < 1e-9
+
+
+def test_sides_without_slight_jumps_are_cut_and_not_fitted_anew(monkeypatch):
+    strip = strip_of([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)], degree=4)
+    assert min(continuity for _, continuity in strip.width.breaks) == 1
+
+    def fitted(*_):
+        raise AssertionError("a side is fitted anew")
+
+    monkeypatch.setattr(smooth_pieces, "interpolated", fitted)
+    assert len(in_smooth_pieces(strip.outline).segments) > len(strip.outline.segments)
 
 
 def test_a_ramp_becomes_a_step():
