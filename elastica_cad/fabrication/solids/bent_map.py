@@ -29,6 +29,7 @@ PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the e
 LEAST_SPANS = 3  # of an edge: kernels walk from knot to knot, and fillets of one or two spans break off
 MOST_PARTS = 4  # that a span is cut into at a time
 SPARE = 1.1  # parts for every one that the error asks for
+GENTLE = 0.5  # of the curvature at which faces fold over: up to there a bound of it will do
 FIRST_TURN = 0.2  # rad, of the spans that are tried first
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -108,6 +109,16 @@ class BentMap:
         s = np.linspace(edges[:-1], edges[1:], 9).ravel()
         along, turn = np.split(self._spline(s, 1), 2, axis=1)
         return s, -(turn * along).sum(axis=1) / (along**2).sum(axis=1)
+
+    @property
+    def most_curvature(self) -> float:
+        """What |curvature| does not exceed, nearly: a spline lies within the hull of its control points.
+
+        The centre line runs at a pace of 1, but for the error of the fit, so the normal's pace is the curvature.
+        """
+        pace = np.diff(self.coefficients[:, 2:], axis=0).T
+        pace *= DEGREE / (self.knots[DEGREE + 1 : -1] - self.knots[1 : -DEGREE - 1])
+        return float(np.hypot(*pace).max())
 
     @cached_property
     def _smoothness(self) -> tuple[FloatArray, IntArray]:
@@ -190,6 +201,8 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
 
 def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
     for bent in maps:
+        if bent.most_curvature * reach < GENTLE:
+            continue
         s, kappa = bent.curvature
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:
