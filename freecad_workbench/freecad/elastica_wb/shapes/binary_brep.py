@@ -57,7 +57,8 @@ def brep_bytes(boundary: Boundary) -> bytes:
     """A closed boundary as a solid, an open one as a shell."""
     tables = _Tables()
     vertices = [
-        tables.shape(_VERTEX, pack("<4dB", VERTEX_TOLERANCE_MM, *point, 0)) for point in boundary.vertices
+        tables.shape(_VERTEX, pack("<4dB", VERTEX_TOLERANCE_MM, *point, 0))
+        for point in boundary.vertices.tolist()
     ]
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
@@ -66,8 +67,8 @@ def brep_bytes(boundary: Boundary) -> bytes:
             edge, turn = boundary.edges[use.edge], trace_turn(face.surface)
             number = _added(tables.traces, _trace(use.trace, turn))
             limits = edge.first, edge.last
-            ends = _trace_ends(use.trace, *limits) @ turn.T
-            traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends.ravel().tolist()))
+            ends = [x for place in _trace_ends(use.trace, *limits) for x in _turned(turn, place)]
+            traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends))
     edges = [
         tables.edge(edge, (vertices[edge.start], vertices[edge.end]), rows)
         for edge, rows in zip(boundary.edges, traces, strict=True)
@@ -167,15 +168,24 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
         return _spline(curve.knots, curve.degree, curve.control_points)
     segment, frame = curve.segment, curve.frame
     if isinstance(segment, Line):
-        return bytes([_LINE]) + _reals(frame.point(segment.start), frame.direction(_along(segment)))
+        return _straight(segment, frame)
     if isinstance(segment, Arc):
         center = Frame(frame.point(segment.center), frame.x_axis, frame.y_axis)
         return bytes([_CIRCLE]) + _axes(center) + _reals([segment.radius])
     return _placed(segment.curve, frame.point(segment.curve.control_points))
 
 
-def _along(line: Line) -> FloatArray:
-    return (line.end - line.start) / line.length
+def _straight(line: Line, frame: Frame) -> bytes:
+    """A line in space: most edges are, so its numbers are plain ones, not arrays."""
+    axes = list(zip(frame.x_axis.tolist(), frame.y_axis.tolist(), strict=True))
+    (x, y), (dx, dy) = line.start.tolist(), _along(line)
+    start = [at + (x * u + y * v) for at, (u, v) in zip(frame.origin.tolist(), axes, strict=True)]
+    return pack("<B6d", _LINE, *start, *[dx * u + dy * v for u, v in axes])
+
+
+def _along(line: Line) -> tuple[float, float]:
+    (x, y), (to_x, to_y), size = line.start.tolist(), line.end.tolist(), line.length
+    return (to_x - x) / size, (to_y - y) / size
 
 
 def _placed(curve: PlaneCurve, points: FloatArray) -> bytes:
@@ -197,19 +207,26 @@ def _surface(surface: Surface) -> bytes:
 
 def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
     if isinstance(trace, StraightTrace):
-        return bytes([_LINE]) + _reals(turn @ trace.origin, turn @ trace.direction)
+        return pack("<B4d", _LINE, *_turned(turn, trace.origin), *_turned(turn, trace.direction))
     if isinstance(trace, Line):
-        return bytes([_LINE]) + _reals(turn @ trace.start, turn @ _along(trace))
+        return pack("<B4d", _LINE, *_turned(turn, trace.start.tolist()), *_turned(turn, _along(trace)))
     if isinstance(trace, Arc):
         return bytes([_CIRCLE]) + _reals(turn @ trace.center, *turn.T, [trace.radius])
     return _placed(trace.curve, trace.curve.control_points @ turn.T)
 
 
-def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> FloatArray:
-    """Where an edge begins and where it ends, (2, 2)."""
+def _turned(turn: FloatArray, place: Sequence[float]) -> tuple[float, float]:
+    (a, b), (c, d) = turn.tolist()
+    x, y = place
+    return a * x + b * y, c * x + d * y
+
+
+def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> Sequence[Sequence[float]]:
+    """Where an edge begins and where it ends."""
     if isinstance(trace, StraightTrace):
         (x, y), (dx, dy) = trace.origin, trace.direction
-        return np.array([(x + first * dx, y + first * dy), (x + last * dx, y + last * dy)])
+        return (x + first * dx, y + first * dy), (x + last * dx, y + last * dy)
     if isinstance(trace, Spline) and (first, last) == trace.curve.domain:
-        return np.array([trace.start, trace.end])
-    return on_segment(trace, np.array((first, last)))
+        return trace.start.tolist(), trace.end.tolist()
+    ends: list[list[float]] = on_segment(trace, np.array((first, last))).tolist()
+    return ends
