@@ -1,6 +1,6 @@
 """The boundary of a bent strip: faces, edges and vertices of its pieces, sheets and walls."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from math import hypot
 from typing import TypeAlias
@@ -77,12 +77,10 @@ class BoundaryMaker:
             for corner, rows in zip(fresh, _points(shape, self.corners[fresh], self.heights), strict=True):
                 self.at_corner[corner] = len(self.vertices)
                 self.vertices += list(rows)
-        for piece in pieces:
-            if piece.number in self.at_piece:
-                continue
+        new = {piece.number: piece for piece in pieces if piece.number not in self.at_piece}
+        for piece, curves in zip(new.values(), _curves(shape, [*new.values()], self.heights), strict=True):
             self.at_piece[piece.number] = len(self.edges)
             start, end = (self.at_corner[i] for i in _ends(piece))
-            curves = _curves(shape, piece, self.heights)
             self.edges += [
                 Edge(curve, piece.first, piece.last, start + level, end + level)
                 for level, curve in enumerate(curves)
@@ -132,7 +130,7 @@ class BoundaryMaker:
     def _wall(self, piece: Piece, shape: Map, low: Edge, high: Edge) -> Surface:
         segment, up = piece.segment, self.heights[0]
         straight = isinstance(segment, Line)
-        if isinstance(shape, BentMap) and not (straight and segment.start[0] == segment.end[0]):
+        if isinstance(shape, BentMap) and not _is_across(segment):
             if straight and segment.start[1] == segment.end[1]:
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=float(segment.start[1]))
@@ -209,11 +207,24 @@ def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArra
     return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)
 
 
-def _curves(shape: Map, piece: Piece, heights: Sequence[float]) -> Sequence[SpaceCurve | PlacedSegment]:
-    """The piece's segment in space at every height."""
-    segment = piece.segment
+def _curves(
+    shape: Map, pieces: Sequence[Piece], heights: Sequence[float]
+) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
+    """The segment of each piece in space at every height."""
     if isinstance(shape, BentMap):
-        if not (isinstance(segment, Line) and segment.start[0] == segment.end[0]):
-            return shape.curves(segment, piece.first, piece.last, heights)
-        shape = shape.frame_at(float(segment.start[0]))
-    return [PlacedSegment(segment, shape.shifted(z=up)) for up in heights]
+        along = [(p.segment, p.first, p.last) for p in pieces if not _is_across(p.segment)]
+        curves = iter(shape.curves(along, heights))
+    for segment in (piece.segment for piece in pieces):
+        if not isinstance(shape, BentMap):
+            place = shape
+        elif _is_across(segment):
+            place = shape.frame_at(float(segment.start[0]))
+        else:
+            yield next(curves)
+            continue
+        yield [PlacedSegment(segment, place.shifted(z=up)) for up in heights]
+
+
+def _is_across(segment: Segment) -> bool:
+    """Is it a line straight across, which stays one on a bent strip?"""
+    return isinstance(segment, Line) and bool(segment.start[0] == segment.end[0])

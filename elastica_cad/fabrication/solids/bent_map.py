@@ -1,6 +1,6 @@
 """From the flat pattern into space: centre line and normal of a bent strip as one spline of arc length."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -11,11 +11,11 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.solids.boundary_records import SpaceCurve, SpaceSurface
+from elastica_cad.fabrication.solids.even_sides import EvenSide
 from elastica_cad.fabrication.solids.pattern_strips import on_segment
-from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.paths.segments import Segment
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
 from elastica_cad.geometry.running_sums import numbers_in_groups, turns_along
@@ -72,26 +72,55 @@ class BentMap:
         return self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
 
     def curves(
-        self, segment: Segment, first: float, last: float, heights: Sequence[float]
-    ) -> list[SpaceCurve]:
-        """What becomes of a flat segment, at several heights in one basis.
+        self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
+    ) -> list[list[SpaceCurve]]:
+        """What becomes of flat segments between two parameters, of each at several heights in one basis.
 
         Exact where x runs evenly along the segment (long sides, lines); others are fitted to 5e-8 mm.
         """
-        even = pace(segment)
+        found: dict[int, list[SpaceCurve]] = {}
+        alike: dict[tuple[float, ...], list[list[EvenSide]]] = {}
+        for i, part in enumerate(parts):
+            side = EvenSide.of(i, *part)
+            if side is None:
+                found[i] = self._fitted_curves(*part, heights)
+                continue
+            groups = alike.setdefault(side.key, [])
+            home = next((group for group in groups if side.is_over(group[0])), None)
+            groups.append([side]) if home is None else home.append(side)
+        for group in (group for groups in alike.values() for group in groups):
+            found |= self._even_curves(group, heights)
+        return [found[i] for i in range(len(parts))]
 
+    def _fitted_curves(
+        self, segment: Segment, first: float, last: float, heights: Sequence[float]
+    ) -> list[SpaceCurve]:
         def values(t: FloatArray) -> FloatArray:
             return self.points(on_segment(segment, t), heights).reshape(len(t), -1)
 
-        if even is None:
-            spans = np.linspace(first, last, 9)
-            knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
-            degree = DEGREE
-        else:
-            knots, degree = self._common_knots(segment, even, first, last)
-            sites = interpolation_sites(knots, degree)
-            rows = interpolated(sites, values(sites), knots, degree)
-        return [SpaceCurve(knots, rows[:, 3 * k : 3 * k + 3], degree) for k in range(len(heights))]
+        spans = np.linspace(first, last, 9)
+        knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
+        return [SpaceCurve(knots, rows[:, 3 * k : 3 * k + 3], DEGREE) for k in range(len(heights))]
+
+    def _even_curves(
+        self, sides: Sequence[EvenSide], heights: Sequence[float]
+    ) -> Iterator[tuple[int, list[SpaceCurve]]]:
+        """The curves of sides over the same x, by their numbers: across the strip alone they differ."""
+        first = sides[0]
+        knots, degree = self._common_knots(first)
+        sites = interpolation_sites(knots, degree)
+        flat = [on_segment(side.segment, side.beside(sites, first)) for side in sides[1:]]
+        flat.insert(0, on_segment(first.segment, sites))
+        across = [one[:, 1:] - flat[0][:, 1:] for one in flat[1:]]
+        values = self.points(flat[0], heights).reshape(len(sites), -1)
+        rows = interpolated(sites, np.hstack([values, *across]), knots, degree)
+        size = 3 * len(heights)
+        levels = [rows[:, k : k + 3] for k in range(0, size, 3)]
+        yield first.number, [SpaceCurve(knots, level, degree) for level in levels]
+        for side, apart in zip(sides[1:], rows[:, size:].T, strict=True):
+            own, aside = side.knots_beside(knots, degree, first), apart[:, None] * self.frame.z_axis
+            moved = [side.control_points(level + aside, first) for level in levels]
+            yield side.number, [SpaceCurve(own, points, degree) for points in moved]
 
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
         """The bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
@@ -135,19 +164,14 @@ class BentMap:
     def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
         return np.asarray(self._rows(s, derivative), dtype=float)
 
-    def _common_knots(
-        self, segment: Segment, even: tuple[float, float], first: float, last: float
-    ) -> tuple[FloatArray, int]:
-        """Knots in the segment's parameter in which both its shape and the map are splines."""
-        offset, speed = even
+    def _common_knots(self, side: EvenSide) -> tuple[FloatArray, int]:
+        """Knots in a side's parameter in which both its shape and the map are splines."""
+        first, last = side.limits
         t, continuity = self._smoothness
-        t, degree = (t - offset) / speed, DEGREE
-        if isinstance(segment, Spline):
-            own = segment.curve
-            degree = max(degree, own.degree)
-            knots, counts = knot_runs(own.knots)
-            t = np.concatenate([t, knots])
-            continuity = np.concatenate([continuity, own.degree - counts])
+        t, degree = (t - side.offset) / side.speed, max(DEGREE, side.degree)
+        if side.knots.size:
+            t = np.concatenate([t, side.knots])
+            continuity = np.concatenate([continuity, side.continuity])
         near = 1e-9 * (last - first)
         order = np.argsort(t)
         order = order[(t[order] > first + near) & (t[order] < last - near)]

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.solids import bent_map
 from elastica_cad.fabrication.solids.bent_map import bent_maps
 from elastica_cad.fabrication.solids.boundary_records import (
     CylinderSurface,
@@ -14,12 +15,14 @@ from elastica_cad.fabrication.solids.boundary_records import (
 )
 from elastica_cad.fabrication.solids.pattern_strips import cut_across, on_segment
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
+from elastica_cad.fabrication.strip.flat_outline import long_sides
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line
+from elastica_cad.geometry.polynomials.spline_function import interpolated
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -40,6 +43,35 @@ def test_the_bound_of_the_curvature_holds(name):
     for bent in bent_maps(optimal_rod(CURVES[name]), PLACE, 0.4):
         largest = np.abs(bent.curvature[1]).max()
         assert largest * (1 - 1e-6) <= bent.most_curvature <= 1.2 * largest
+
+
+def test_both_long_sides_are_bent_at_one_go(monkeypatch):
+    """They have the same knots along the strip; sides of other widths at the same places go along."""
+    asked = []
+
+    def counted(*given):
+        asked.append(given[1].shape[1])
+        return interpolated(*given)
+
+    monkeypatch.setattr(bent_map, "interpolated", counted)
+    rod = optimal_rod(CURVES["arch"])
+    (bent,) = bent_maps(rod, PLACE, 0.4)
+    low, high = long_sides(Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=24.0).width)
+    asked.clear()
+    sides = [low[0], high[0].reversed(), Line((0, 5), (rod.length, 7))]
+    for side, curves in zip(
+        sides, bent.curves([(one, *limits(one)) for one in sides], (-0.4, 0.4)), strict=True
+    ):
+        t = np.linspace(*limits(side), 57)
+        exact = bent.points(on_segment(side, t), (-0.4, 0.4))
+        for level, curve in enumerate(curves):
+            found = de_boor(curve.knots, curve.control_points, curve.degree, t)
+            assert np.abs(found - exact[:, level]).max() < 1e-11
+    assert asked == [7, 6]
+
+
+def limits(segment):
+    return (0.0, segment.length) if isinstance(segment, Line) else segment.curve.domain
 
 
 def de_boor(knots, points, degree, t):
