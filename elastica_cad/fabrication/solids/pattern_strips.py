@@ -95,7 +95,7 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
     InputError
         The loops cross or touch each other on a station.
     """
-    cutter = _Cutter(np.asarray(stations, dtype=float))
+    cutter = _Cutter(list(map(float, stations)))
     cutter.add(outline, backward=outline.area < 0)
     cutter.rim = cutter.count
     for hole in holes:
@@ -107,7 +107,7 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 class _Cutter:
     """Collects loops, then closes each region along the seams."""
 
-    stations: FloatArray
+    stations: list[float]
     points: list[FloatArray] = field(default_factory=list)
     loops: dict[int, list[list[Piece]]] = field(default_factory=dict)
     chains: dict[int, list[list[Piece]]] = field(default_factory=dict)
@@ -165,7 +165,7 @@ class _Cutter:
             a, b = segment.curve.domain
         else:
             a, b = 0.0, segment.length
-        cuts = sorted({t for x in self.stations for t in _crossings(segment, float(x)) if a < t < b})
+        cuts = sorted({t for x in self.stations for t in _crossings(segment, x) if a < t < b})
         if alone and not cuts:
             cuts = [(a + b) / 2]
         ranges = list(zip([a, *cuts], [*cuts, b], strict=True))
@@ -174,16 +174,18 @@ class _Cutter:
 
     def _interval(self, piece: Piece) -> int:
         """Which interval a piece lies in; one along a station belongs to the side on its left."""
-        segment = piece.segment
+        segment, stations = piece.segment, self.stations
         if isinstance(segment, Spline):
             x = segment.curve.control_points[:, 0]
-            low, high = np.searchsorted(self.stations, [x.min(), x.max()])
+            low, high = (bisect_left(stations, float(end)) for end in (x.min(), x.max()))
             if low == high:
-                return int(low)
-        middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
-        stations = self.stations.tolist()
-        if isinstance(segment, Line):
-            rises = (segment.end[1] > segment.start[1]) == piece.forward
+                return low
+        if not isinstance(segment, Line):
+            middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
+        else:
+            (x, y), (to_x, to_y) = segment.start.tolist(), segment.end.tolist()
+            middle = x + (to_x - x) * (piece.first + piece.last) / 2 / segment.length
+            rises = (to_y > y) == piece.forward
             for k, station in enumerate(stations):
                 if abs(station - middle) < ON_SEAM:
                     return k + (0 if rises else 1)
@@ -273,7 +275,7 @@ def _corner(segment: Segment, t: float) -> FloatArray:
 def _crossings(segment: Segment, x: float) -> list[float]:
     """Parameters strictly inside a segment where it passes from one side of the line at x to the other."""
     if isinstance(segment, Line):
-        a, b = segment.start[0] - x, segment.end[0] - x
+        a, b = float(segment.start[0]) - x, float(segment.end[0]) - x
         apart = min(abs(a), abs(b)) > ON_SEAM and a * b < 0
         return [segment.length * a / (a - b)] if apart else []
     if isinstance(segment, Arc):
