@@ -1,6 +1,8 @@
 """Loops of a flat pattern with an edge of its own for every smooth piece, as the tools of CAD kernels need them."""
 
-from itertools import pairwise
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice, pairwise
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -10,7 +12,7 @@ from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
-from elastica_cad.geometry.paths.trim import clamp_ends, trim_curves
+from elastica_cad.geometry.paths.trim import clamp_ends, trim_parts
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
 
@@ -50,7 +52,12 @@ def in_smooth_pieces(path: Path) -> Path:
         if not any(_kinks(segment).size for segment in path.segments):
             return path
         ramp = RAMP * _reach(path)
-        pieces = [piece for segment in path.segments for piece in _pieces(_smoothed(segment), ramp)]
+        smooth = [_smoothed(segment) for segment in path.segments]
+        cuts = [_cut(segment, ramp) for segment in smooth]
+        parts = iter(trim_parts([(cut.curve, ends) for cut in cuts if cut is not None for ends in cut.kept]))
+        pieces: list[Segment] = []
+        for segment, cut in zip(smooth, cuts, strict=True):
+            pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
         _smooth[path] = Path(pieces, path.closed)
     return _smooth[path]
 
@@ -101,42 +108,53 @@ def _smoothed(segment: Segment) -> Segment:
     return Spline(PlaneCurve.of_sound(whole, points, degree, None))
 
 
-def _joints(curve: PlaneCurve, ramp: float) -> list[tuple[float, float, float]]:
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    """A spline, the ranges of its parameter that are kept, and those that the pieces made of them are over."""
+
+    curve: PlaneCurve
+    kept: list[tuple[float, float]]
+    over: list[tuple[float, float]] | None
+
+    def pieces(self, parts: Sequence[PlaneCurve]) -> list[Segment]:
+        """The trimmed parts, of a graph with lines across in place of ramps."""
+        if self.over is None:
+            return [Spline(part) for part in parts]
+        parts = [_extended(part, *ends) for part, ends in zip(parts, self.over, strict=True)]
+        pieces: list[Segment] = [Spline(parts[0])]
+        for part in parts[1:]:
+            meeting = pieces[-1].end
+            step = float(np.hypot(*(part.control_points[0] - meeting)))
+            if step > NO_STEP:
+                pieces += [Line(meeting, part.control_points[0]), Spline(part)]
+            else:
+                met = np.vstack([meeting, part.control_points[1:]])
+                pieces.append(Spline(PlaneCurve.of_sound(part.knots, met, part.degree, part.weights)))
+        return pieces
+
+
+def _cut(segment: Segment, ramp: float) -> _Cut | None:
+    """Where a segment is cut into its smooth parts; None where it has no kink."""
+    kinks = _kinks(segment).tolist()
+    if not isinstance(segment, Spline) or not kinks:
+        return None
+    curve = clamp_ends(segment.curve)
+    first, last = curve.domain
+    if pace(segment) is None:
+        return _Cut(curve, list(pairwise([first, *kinks, last])), None)
+    joints = [(first, first, first), *_joints(curve, kinks, ramp), (last, last, last)]
+    kept = [(low, high) for (_, _, low), (_, high, _) in pairwise(joints)]
+    return _Cut(curve, kept, [(a, b) for (a, _, _), (b, _, _) in pairwise(joints)])
+
+
+def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
     """Where the smooth parts of a graph meet, and where the part before ends and the part after begins."""
-    kinks = _kinks(Spline(curve)).tolist()
-    joints: list[tuple[float, float, float]] = []
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
         while kinks and (kinks[0] - last) * speed < ramp:
             last = kinks.pop(0)
-        joints.append(((first + last) / 2, first, last))
-    return joints
-
-
-def _pieces(segment: Segment, ramp: float) -> list[Segment]:
-    """The smooth parts of a segment, with lines across in place of ramps."""
-    kinks = _kinks(segment)
-    if not isinstance(segment, Spline) or not kinks.size:
-        return [segment]
-    curve = clamp_ends(segment.curve)
-    first, last = curve.domain
-    if pace(segment) is None:
-        return [Spline(part) for part in trim_curves(curve, pairwise([first, *kinks.tolist(), last]))]
-    joints = [(first, first, first), *_joints(curve, ramp), (last, last, last)]
-    ends = [((a, b), (low, high)) for (a, _, low), (b, high, _) in pairwise(joints)]
-    cut = trim_curves(curve, [smooth for _, smooth in ends])
-    parts = [_extended(part, a, b) for part, ((a, b), _) in zip(cut, ends, strict=True)]
-    pieces: list[Segment] = [Spline(parts[0])]
-    for part in parts[1:]:
-        meeting = pieces[-1].end
-        step = float(np.hypot(*(part.control_points[0] - meeting)))
-        if step > NO_STEP:
-            pieces += [Line(meeting, part.control_points[0]), Spline(part)]
-        else:
-            met = np.vstack([meeting, part.control_points[1:]])
-            pieces.append(Spline(PlaneCurve.of_sound(part.knots, met, part.degree, part.weights)))
-    return pieces
+        yield (first + last) / 2, first, last
 
 
 def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:

@@ -1,6 +1,6 @@
 """Pieces of segments, cut exactly."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -35,13 +35,18 @@ def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
 
 def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
     """The part of a curve between two parameters as a clamped curve of its own."""
-    return trim_curves(curve, [(t0, t1)])[0]
+    return trim_parts([(curve, (t0, t1))])[0]
 
 
-def trim_curves(curve: PlaneCurve, ends: Iterable[tuple[float, float]]) -> list[PlaneCurve]:
-    """The parts of a curve between pairs of parameters as clamped curves of their own, cut at one go."""
-    start, end = np.array(list(ends)).T
-    return SplineTable.of([curve] * start.size).trimmed(start, end)
+def trim_parts(parts: Sequence[tuple[PlaneCurve, tuple[float, float]]]) -> list[PlaneCurve]:
+    """Curves, each between two of its parameters, as clamped curves of their own; those of a degree at one go."""
+    trimmed: dict[int, PlaneCurve] = {}
+    for degree in {curve.degree for curve, _ in parts}:
+        which = [i for i, (curve, _) in enumerate(parts) if curve.degree == degree]
+        start, end = np.array([parts[i][1] for i in which]).T
+        made = SplineTable.of([parts[i][0] for i in which]).trimmed(start, end)
+        trimmed |= zip(which, made, strict=True)
+    return [trimmed[i] for i in range(len(parts))]
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
@@ -57,4 +62,5 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     places = [low, *(corner.t for corner in curve.tangent_breaks), high]
     if len(places) == 2:
         return (curve,)
-    return tuple(part.drawn_as(curve.provenance) for part in trim_curves(curve, pairwise(places)))
+    parts = trim_parts([(curve, ends) for ends in pairwise(places)])
+    return tuple(part.drawn_as(curve.provenance) for part in parts)
