@@ -242,8 +242,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
     scale = curve.length / rod.length
 
     def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        t = curve.parameter(np.minimum(np.maximum(s * scale, 0.0), curve.length))
-        position, velocity = curve.position_and_velocity(t)
+        position, velocity = curve.position_and_velocity(curve.parameter(s * scale))
         return position, velocity / np.hypot(velocity[:, 0], velocity[:, 1])[:, None]
 
     breaks = [(b.s / scale, _smoothness(curve, b.t, b.continuity)) for b in curve.breaks]
@@ -282,9 +281,12 @@ def _fitted(
     """Knots and coefficients of a degree-5 spline through `function`, spans divided to meet `tolerance`."""
     from scipy.interpolate import BSpline
 
+    places, repeats = [*smooth], [min(max(DEGREE - continuity, 1), DEGREE) for continuity in smooth.values()]
     while True:
-        counts = [min(max(DEGREE - smooth.get(e, DEGREE - 1), 1), DEGREE) for e in edges[1:-1].tolist()]
-        knots = np.repeat(edges, [DEGREE + 1, *counts, DEGREE + 1])
+        counts = np.ones(edges.size, dtype=int)
+        counts[np.searchsorted(edges, places)] = repeats
+        counts[[0, -1]] = DEGREE + 1
+        knots = np.repeat(edges, counts)
         sites = interpolation_sites(knots, DEGREE)
         probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
         values = function(np.concatenate([sites, probes]))
@@ -292,7 +294,7 @@ def _fitted(
         excess = (
             np.abs(BSpline.construct_fast(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
         )
-        excess = excess.max(axis=1).reshape(-1, PROBES.size).max(axis=1)
+        excess = excess.reshape(edges.size - 1, -1).max(axis=1)
         bad = excess > 1
         if not bad.any():
             return knots, rows

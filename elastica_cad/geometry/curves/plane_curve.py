@@ -116,7 +116,9 @@ class PlaneCurve(NurbsCurve):
         slack = 1e-9 * self.length
         if s.size and not (np.all(s >= -slack) and np.all(s <= self.length + slack)):
             raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
-        return self._arc_length.parameter_at(np.clip(s.ravel(), 0.0, self.length)).reshape(s.shape)
+        return self._arc_length.parameter_at(np.minimum(np.maximum(s.ravel(), 0.0), self.length)).reshape(
+            s.shape
+        )
 
     @property
     def smooth_panels(self) -> FloatArray:
