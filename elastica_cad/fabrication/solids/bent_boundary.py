@@ -24,7 +24,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     Surface,
 )
 from elastica_cad.fabrication.solids.pattern_strips import Piece, Region
-from elastica_cad.fabrication.strip.flat_outline import graph
+from elastica_cad.fabrication.strip.flat_outline import graphs
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
@@ -118,12 +118,9 @@ class BoundaryMaker:
         start, end = (self._post(i, shape) for i in _ends(piece))
         traces: list[StraightTrace | Segment | None] = [None] * 4
         if not isinstance(surface, PlaneSurface):
-            traces = [
-                _along(surface, 0.0),
-                StraightTrace((piece.last, 0.0), (0.0, 1.0)),
-                _along(surface, height),
-                StraightTrace((piece.first, 0.0), (0.0, 1.0)),
-            ]
+            below, above = _along(surface, (0.0, height))
+            ends = (StraightTrace((t, 0.0), (0.0, 1.0)) for t in (piece.last, piece.first))
+            traces = [below, next(ends), above, next(ends)]
         uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
         self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
 
@@ -170,23 +167,23 @@ class BoundaryMaker:
             height = hypot(*rise.tolist())
             across = shape.frame.z_axis if isinstance(shape, BentMap) else shape.y_axis
             upright = Frame.of_sound(self.vertices[low], rise / height, across)
-            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), upright)
+            line = PlacedSegment(Line.of_sound(np.zeros(2), np.array([height, 0.0])), upright)
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
         return self.posts[corner]
 
 
-def _along(wall: Surface, height: float) -> StraightTrace | Segment:
-    """The trace of a wall's edge at a height.
+def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
+    """The traces of a wall's edges at these heights.
 
-    On a spline it has the spline's knots: kernels measure a face from knot to knot of its traces, and miss what
+    On a spline they have the spline's knots: kernels measure a face from knot to knot of its traces, and miss what
     bends between.
     """
     if not isinstance(wall, SpaceSurface):
-        return StraightTrace((0.0, height), (1.0, 0.0))
+        return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]
     edges, _ = knot_runs(wall.knots[0])
     knots = np.concatenate([edges[:1], edges[:1], edges, edges[-1:], edges[-1:]])
-    return graph(knots, np.full(edges.size + 1, height), degree=2)
+    return graphs(knots, np.repeat(heights, edges.size + 1).reshape(len(heights), -1), degree=2)
 
 
 def _across(segment: Segment) -> tuple[float, float]:
