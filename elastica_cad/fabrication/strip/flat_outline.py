@@ -11,7 +11,7 @@ from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Line, Segment, Spline
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
 
 Ends = tuple[Tab, Tab]
@@ -37,8 +37,7 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
     start, end = _end_widths(width)
     near_tab, far_tab = (_flush(tab, at) for tab, at in zip(ends, (start, end), strict=True))
-    far = [segment.transformed(_frame(width.length, 1)) for segment in far_tab.corners(end)]
-    near = [segment.transformed(_frame(0.0, -1)) for segment in near_tab.corners(start)]
+    far, near = _placed(far_tab.corners(end), width.length, 1), _placed(near_tab.corners(start), 0.0, -1)
     return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
 
 
@@ -170,7 +169,20 @@ def _flush(tab: Tab, width: float) -> Tab:
 
 
 def _end_widths(width: Profile) -> tuple[float, float]:
-    return float(width(0.0)), float(width(width.length))
+    return float(width.coefficients[0]), float(width.coefficients[-1])  # clamped
+
+
+def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
+    """A tab's rim in the frame of the strip, as `_frame` has it."""
+    placed: list[Line | Arc] = []
+    for segment in rim:
+        if isinstance(segment, Line):
+            ends = direction * np.array([segment.start, segment.end]) + (x, 0.0)
+            ends.setflags(write=False)
+            placed.append(Line.of_sound(*ends))
+        else:
+            placed.append(segment.transformed(_frame(x, direction)))
+    return placed
 
 
 def _frame(x: float, direction: int) -> FloatArray:
