@@ -132,11 +132,13 @@ class RationalPieces:
         difference = spans.matrix @ near[..., : self._dimension]
         series = np.zeros((len(near), degree + 1, _ORDERS, self._dimension))
         factor = np.ones(len(near))
-        for k in range(min(degree, _ORDERS - 1) + 1):
-            if k:
-                difference = difference[:, 1:] - difference[:, :-1]
-                factor = factor * (degree - k + 1) / spans.widths
-            series[:, :, k] = _raised(degree, k) @ difference * factor[:, None, None]
+        # where knots all but meet derivatives are beyond all numbers: such curves are refused by who asks for those
+        with np.errstate(over="ignore", invalid="ignore"):
+            for k in range(min(degree, _ORDERS - 1) + 1):
+                if k:
+                    difference = difference[:, 1:] - difference[:, :-1]
+                    factor = factor * (degree - k + 1) / spans.widths
+                series[:, :, k] = _raised(degree, k) @ difference * factor[:, None, None]
         return series.reshape(len(near), degree + 1, -1)
 
     @cached_property
