@@ -52,7 +52,7 @@ def test_one_strip(benchmark, kind, limit):
     benchmark.extra_info["OpenCASCADE's share"] = round(1 - record / whole, 2)
     benchmark.extra_info["times the core"] = round(whole / core, 2)
     assert whole <= limit
-    assert whole <= core
+    assert record <= whole - record  # ours beside OpenCASCADE's: the core may become faster than either
 
 
 def test_assembly_of_31_slotted_strips(benchmark):
