@@ -97,11 +97,9 @@ def solve_quadratic(
     >>> float(solve_quadratic(program).x[0].round(8))
     3.0
     """
-    if not program.gradient.size:
-        return _without_unknowns(program)
     fixed = program.upper - program.lower < 1e-14 * (1 + np.abs(program.lower))
     if fixed.all():
-        return _without_unknowns(program, at=program.lower)
+        return _without_unknowns(program)
     start = None
     if near is not None and (near.x.size, near.row_multipliers.size) == (
         program.gradient.size,
@@ -359,9 +357,9 @@ def _largest(values: FloatArray) -> float:
     return float(np.abs(values).max()) if values.size else 0.0
 
 
-def _without_unknowns(program: QuadraticProgram, at: FloatArray | None = None) -> QuadraticSolution:
-    """Nothing to choose: rows that are broken cost their price; every unknown is given, or there is none."""
-    x = np.zeros(0) if at is None else at
+def _without_unknowns(program: QuadraticProgram) -> QuadraticSolution:
+    """Nothing to choose, as every unknown is given or there is none: rows that are broken cost their price."""
+    x = program.lower
     gap = program.right - program.rows @ x
     broken = np.where(program.one_sided, gap > 0, np.sign(gap))
     y = program.price * broken
