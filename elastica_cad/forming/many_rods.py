@@ -1,7 +1,9 @@
 """Nearest rods of whole models, on one processor or on many."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import Executor, Future
+from itertools import islice
+from queue import SimpleQueue
 from typing import Any, NamedTuple
 
 from elastica_cad.errors import ElasticaError, InputError
@@ -15,6 +17,9 @@ from elastica_cad.mechanics.loads.supports import Supports
 
 AHEAD = 64
 """Curves with an executor at a time: enough for a dozen workers, and little to keep in memory."""
+
+_SHARES = 16
+"""In so many shares they are given to workers, once there are more than that."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -146,30 +151,42 @@ def _in_order_of_completion(
     if executor is None:
         yield from ((i, _attempted(task)) for i, task in waiting)
         return
-    running: dict[Future[NearestRod], tuple[int, _Task]] = {}
+    running: dict[Future[list[NearestRod]], list[tuple[int, _Task]]] = {}
+    finished: SimpleQueue[Future[list[NearestRod]]] = SimpleQueue()
+    begun = away = 0
     try:
-        more = True
-        while more or running:
-            while more and len(running) < ahead:
-                following = next(waiting, None)
-                if following is None:
-                    more = False
+        while True:
+            while away + (size := _share(begun, ahead)) <= ahead:
+                share = list(islice(waiting, size))
+                if not share:
                     break
+                begun += len(share)
                 try:
-                    running[executor.submit(_attempted, following[1])] = following
+                    future = executor.submit(_answers, [task for _, task in share])
                 except Exception as error:  # an executor that is shut down or broken may raise anything
-                    yield following[0], _lost(following[1], error)
-            done = wait(running, return_when=FIRST_COMPLETED).done if running else ()
-            for future in done:
-                i, task = running.pop(future)
-                try:
-                    near = future.result()
-                except Exception as error:  # so does a worker that died
-                    near = _lost(task, error)
-                yield i, near
+                    yield from ((i, _lost(task, error)) for i, task in share)
+                    continue
+                running[future] = share
+                away += len(share)
+                future.add_done_callback(finished.put)
+            if not running:
+                return
+            future = finished.get()
+            share = running.pop(future)
+            away -= len(share)
+            try:
+                answers = future.result()
+            except Exception as error:  # so does a worker that died
+                answers = [_lost(task, error) for _, task in share]
+            yield from ((i, near) for (i, _), near in zip(share, answers, strict=True))
     finally:
         for future in running:
             future.cancel()
+
+
+def _share(begun: int, ahead: int) -> int:
+    """Curves that a worker is given at once: one while there may be few, then several, as each way costs time."""
+    return 1 if begun < ahead else max(1, ahead // _SHARES)
 
 
 class _Task(NamedTuple):
@@ -181,6 +198,11 @@ class _Task(NamedTuple):
     gravity: Gravity | None
     supports: Supports | None
     options: dict[str, Any]
+
+
+def _answers(tasks: list[_Task]) -> list[NearestRod]:
+    """What a worker gives back."""
+    return [_attempted(task) for task in tasks]
 
 
 def _attempted(task: _Task) -> NearestRod:

@@ -1,9 +1,9 @@
 """Plane NURBS curves as numbers: how they are made, checked, evaluated and mapped."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 
@@ -62,6 +62,10 @@ class NurbsCurve:
         drawn = self.provenance
         shown, rounding = (in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
         refuse_standstill(self._pieces, self.control_points, shown, rounding)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The numbers alone: what was computed from them is larger by far, and soon had again."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @classmethod
     def of_sound(

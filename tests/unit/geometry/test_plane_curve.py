@@ -1,3 +1,4 @@
+import pickle
 from itertools import pairwise
 
 import numpy as np
@@ -319,3 +320,15 @@ def test_parameters_large_beside_their_domain(shift):
     shifted = PlaneCurve(np.asarray(curve.knots) + shift, POINTS, 4)
     assert shifted.length == pytest.approx(curve.length, rel=1e-10)
     assert shifted.smooth_panels.size < 4 * curve.smooth_panels.size
+
+
+def test_a_curve_travels_as_its_numbers():
+    """What was computed from it stays behind: an answer sent by a worker would be three times as large."""
+    curve = PlaneCurve.spline(POINTS, degree=3)
+    fresh = pickle.dumps(curve)
+    sampled = curve.sample(7)
+    assert curve.survey.s.size > 7
+    assert pickle.dumps(curve) == fresh
+    again = pickle.loads(fresh)
+    assert pickle.dumps(again) == fresh
+    np.testing.assert_array_equal(again.sample(7).position, sampled.position)
