@@ -29,8 +29,10 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """The derivatives of `forming.nearest.rod_map.StripGrid.sensitivities`."""
 
-    def weighted_gram(self, A: FloatArray, weights: FloatArray, product: FloatArray, /) -> None:
-        """A^T W A of `forming.optimizer.dense_solves.weighted_gram`."""
+    def weighted_gram(
+        self, J: FloatArray, added: FloatArray, weights: FloatArray, product: FloatArray, /
+    ) -> None:
+        """That of `forming.optimizer.dense_solves.weighted_gram`."""
 
     def largest_distance(self, points: FloatArray, chain: FloatArray, bounds: FloatArray, /) -> float:
         """That of `forming.nearest.curve_distance`; `bounds` (n,) is room."""

@@ -51,7 +51,8 @@ void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *p
 
 void sensitivities(const RodAt *rod, double *angles, double *moments, double *position);
 
-void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *A, const double *weights, double *product);
+void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const double *added, const double *weights,
+                   double *product);
 
 /* The largest distance of points (count, 2) from a chain (nodes, 2) that runs beside them; `bounds` is room. */
 double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes, const double *chain, double *bounds);

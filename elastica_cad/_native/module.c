@@ -87,21 +87,22 @@ done:
 
 static PyObject *py_weighted_gram(PyObject *module, PyObject *arguments)
 {
-    PyObject *matrix, *shares, *out, *answer = NULL;
-    if (!PyArg_ParseTuple(arguments, "OOO", &matrix, &shares, &out))
+    PyObject *matrix, *column, *shares, *out, *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOOO", &matrix, &column, &shares, &out))
         return NULL;
     Borrowed arrays = {.count = 0};
-    const double *A, *weights;
+    const double *J, *added, *weights;
     double *product;
     const Py_ssize_t rows = array_size(shares), entries = array_size(matrix);
-    if (rows < 1 || entries < 0)
-        return refused("there is no row to weigh");
+    if (rows < 1 || entries < rows)
+        return refused("there is no row to weigh, or no column");
     const Py_ssize_t columns = entries / rows;
-    BORROW(A, matrix, rows * columns, "A");
+    BORROW(J, matrix, rows * columns, "J");
+    BORROW(added, column, rows, "added");
     BORROW(weights, shares, rows, "weights");
     BORROW_OUT(product, out, columns * columns, "product");
     Py_BEGIN_ALLOW_THREADS
-    weighted_gram(rows, columns, A, weights, product);
+    weighted_gram(rows, columns, J, added, weights, product);
     Py_END_ALLOW_THREADS
     answer = Py_NewRef(Py_None);
 done:

@@ -87,26 +87,38 @@ WIDE void sensitivities(const RodAt *rod, double *angles, double *moments, doubl
     }
 }
 
-WIDE void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *A, const double *weights, double *product)
+WIDE void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const double *added, const double *weights,
+                        double *product)
 {
+    const Py_ssize_t last = columns - 1;
     for (Py_ssize_t j = 0; j < columns * columns; j++)
         product[j] = 0.0;
     Py_ssize_t i = 0;
     for (; i + 4 <= rows; i += 4) { /* four rows at a time: each sum is fetched and stored a quarter as often */
-        const double *restrict a = A + i * columns, *restrict b = a + columns;
+        const double *restrict a = J + i * columns, *restrict b = a + columns;
         const double *restrict c = b + columns, *restrict d = c + columns;
-        for (Py_ssize_t j = 0; j < columns; j++) {
+        for (Py_ssize_t j = 0; j < last; j++) {
             const double p = weights[i] * a[j], q = weights[i + 1] * b[j];
             const double r = weights[i + 2] * c[j], s = weights[i + 3] * d[j];
             double *restrict sums = product + j * columns;
             for (Py_ssize_t k = 0; k <= j; k++)
                 sums[k] += (p * a[k] + q * b[k]) + (r * c[k] + s * d[k]);
         }
+        const double e = a[last] + added[i], f = b[last] + added[i + 1];
+        const double g = c[last] + added[i + 2], h = d[last] + added[i + 3];
+        const double p = weights[i] * e, q = weights[i + 1] * f, r = weights[i + 2] * g, s = weights[i + 3] * h;
+        double *restrict sums = product + last * columns;
+        for (Py_ssize_t k = 0; k < last; k++)
+            sums[k] += (p * a[k] + q * b[k]) + (r * c[k] + s * d[k]);
+        sums[last] += (p * e + q * f) + (r * g + s * h);
     }
     for (; i < rows; i++)
         for (Py_ssize_t j = 0; j < columns; j++)
-            for (Py_ssize_t k = 0; k <= j; k++)
-                product[j * columns + k] += weights[i] * A[i * columns + j] * A[i * columns + k];
+            for (Py_ssize_t k = 0; k <= j; k++) {
+                const double *row = J + i * columns;
+                const double by_j = row[j] + (j == last ? added[i] : 0.0), by_k = row[k] + (k == last ? added[i] : 0.0);
+                product[j * columns + k] += weights[i] * by_j * by_k;
+            }
     for (Py_ssize_t j = 0; j < columns; j++)
         for (Py_ssize_t k = 0; k < j; k++)
             product[k * columns + j] = product[j * columns + k];

@@ -96,9 +96,10 @@ def test_sensitivities(both, seed, closing):
 @pytest.mark.parametrize("rows", [1, 3, 4, 402])
 def test_weighted_gram(both, rows):
     rng = np.random.default_rng(rows)
-    A, weights = rng.normal(size=(rows, 27)), rng.uniform(0, 1, rows)
-    compiled, plain = both(dense_solves, lambda: dense_solves.weighted_gram(A, weights))
+    J, added, weights = rng.normal(size=(rows, 27)), rng.normal(size=rows), rng.uniform(0, 1, rows)
+    compiled, plain = both(dense_solves, lambda: dense_solves.weighted_gram(J, added, weights))
     assert distance(compiled, plain) < CLOSE
+    A = J + np.outer(added, np.eye(27)[-1])
     assert distance(compiled, A.T @ np.diag(weights) @ A) < CLOSE
 
 

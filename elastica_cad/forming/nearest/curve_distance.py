@@ -1,6 +1,7 @@
 """How far a rod is from the target curve: three measures and their local models for the optimiser."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -50,7 +51,11 @@ class MeanDistance:
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Gauss-Newton: J^T W J and J^T W r."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
-        return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2), rod.z.size)
+        return _least_squares(J, (rod.position - self.targets).ravel(), self._shares_of_coordinates)
+
+    @cached_property
+    def _shares_of_coordinates(self) -> FloatArray:
+        return np.repeat(self.shares, 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +81,7 @@ class ClosestDistance:
         """Gauss-Newton across the target; along it a node slides freely."""
         off, normal = offsets(self.target, rod)
         return _least_squares(
-            _across(normal, sensitivities), (off * normal).sum(axis=1), self.shares, rod.z.size
+            _across(normal, sensitivities), (off * normal).sum(axis=1), self.shares
         )
 
 
@@ -148,12 +153,10 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
     return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
 
 
-def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray, p: int) -> LocalModel:
-    """Model of half the mean square of r + J d, weighted by `shares` (k,); a closing column of J belongs to r."""
-    joined = np.empty((J.shape[0], p + 1))
-    joined[:, : J.shape[1]] = J
-    joined[:, p] = r if J.shape[1] == p else joined[:, p] + r
-    product = weighted_gram(joined, shares)
+def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
+    """Model of half the mean square of r + J d, weighted by `shares` (k,); the closing column of J belongs to r."""
+    p = J.shape[1] - 1
+    product = weighted_gram(J, r, shares)
     return LocalModel(
         0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
     )

@@ -316,7 +316,9 @@ def _inflection_line(
 
 def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
     """Weights along the curve at the nodes, mean 1."""
-    values = values_along(1.0 if weights is None else weights, np.linspace(0, 1, nodes), size, "weights")
+    if weights is None:
+        return np.ones(nodes)
+    values = values_along(weights, np.linspace(0, 1, nodes), size, "weights")
     if np.any(values < 0) or not values.any():
         raise InputError("weights along the curve must be 0 or more, and not all 0")
     return np.asarray(values / values.mean())

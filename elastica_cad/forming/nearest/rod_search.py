@@ -103,7 +103,7 @@ def find_rod(
     return NearestRod(
         found=rod_of(outcome.point), target=curve, deviation=deviation,
         status=judge_search(outcome.violation, deviation, target, outcome.settled),
-        mean_deviation=_mean_distance(task, outcome) * target.size,
+        mean_deviation=_mean_distance(found.task, outcome) * target.size,
         binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation, iterations=steps,
         limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import hypot
 
 import numpy as np
 
@@ -78,10 +79,11 @@ class TargetCurve:
     def _directions(self) -> FloatArray:
         return np.column_stack([np.cos(self.angle), np.sin(self.angle)])
 
-    @property
+    @cached_property
     def diagonal(self) -> float:
         """Diagonal of the bounding box, in lengths."""
-        return float(np.hypot(*np.ptp(self.position, axis=0)))
+        x, y = self.position.T
+        return hypot(x.max() - x.min(), y.max() - y.min())
 
 
 def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray]:

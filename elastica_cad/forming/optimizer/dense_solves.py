@@ -29,12 +29,14 @@ def gram(A: FloatArray) -> FloatArray:
     return total
 
 
-def weighted_gram(A: FloatArray, weights: FloatArray) -> FloatArray:
-    """A^T W A of a contiguous matrix (k, p) and weights (k,), 0 or more."""
+def weighted_gram(J: FloatArray, added: FloatArray, weights: FloatArray) -> FloatArray:
+    """A^T W A of A, a contiguous matrix J (k, p) with `added` (k,) in its last column; weights (k,) are 0 or more."""
     if kernels is None:
+        A = J.copy()
+        A[:, -1] += added
         return gram(A * np.sqrt(weights)[:, None])
-    product = np.empty((A.shape[1],) * 2)
-    kernels.weighted_gram(A, weights, product)
+    product = np.empty((J.shape[1],) * 2)
+    kernels.weighted_gram(J, added, weights, product)
     return product
 
 

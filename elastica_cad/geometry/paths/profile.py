@@ -135,6 +135,11 @@ class Profile:
         return low, high
 
     @property
+    def is_positive(self) -> bool:
+        """Is the value above 0 everywhere? Between positive coefficients it is."""
+        return bool(self.coefficients.min() > 0) or self.extremes[0] > 0
+
+    @property
     def extreme_places(self) -> tuple[float, float]:
         """Arc lengths, mm, of the smallest and of the largest value."""
         (first, _), (second, _) = self._extreme_points

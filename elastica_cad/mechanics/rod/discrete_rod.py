@@ -29,10 +29,12 @@ def tangents(angles: FloatArray) -> FloatArray:
 
 def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
     """Voronoi lengths w (n+1,): half the sum of the incident edge lengths, mm."""
-    lengths = np.broadcast_to(np.asarray(edge_length, dtype=float), (edges,))
+    half = np.empty(edges)
+    half[:] = edge_length
+    half /= 2
     w = np.zeros(edges + 1)
-    w[:-1] += lengths / 2
-    w[1:] += lengths / 2
+    w[:-1] = half
+    w[1:] += half
     return w
 
 

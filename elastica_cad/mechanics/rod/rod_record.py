@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from math import isclose
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -104,15 +105,16 @@ class Rod:
             "moment": (n,), "force": (n, 2),
         }.items():  # fmt: skip
             array = np.array(getattr(self, name), dtype=float)
-            if array.shape != shape or not np.all(np.isfinite(array)):
+            if array.shape != shape or not np.isfinite(array).all():
                 raise InputError(f"rod {name} must be finite with shape {shape}, got {array.shape}")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
-        if np.size(self.natural_curvature) not in (1, n) or not np.all(np.isfinite(self.natural_curvature)):
+        rest = np.asarray(self.natural_curvature, dtype=float)
+        if rest.size not in (1, n) or not np.isfinite(rest).all():
             raise InputError(
                 f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm"
             )
-        if np.any(self.stiffness <= 0):
+        if (self.stiffness <= 0).any():
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(
                 f"rod stiffness is not positive at {at:.6g} mm: every cross-section needs some width"
@@ -176,8 +178,7 @@ class Rod:
             raise InputError(f"start must be two numbers, mm, got {start!r}")
         require_positive(length, "rod length")
         profile, n = _profile_of(stiffness, length, samples)
-        lowest, _ = profile.extremes
-        if lowest <= 0:
+        if not profile.is_positive:
             raise InputError("rod stiffness must be positive everywhere along the rod")
         s = np.linspace(0.0, length, n)
         K = profile(s)
@@ -340,7 +341,7 @@ class Rod:
 def _profile_of(stiffness: "ArrayLike | Profile", length: float, samples: int | None) -> tuple[Profile, int]:
     """A profile over [0, length] and the number of nodes it asks for."""
     if isinstance(stiffness, Profile):
-        if not np.isclose(stiffness.length, length, rtol=1e-9):
+        if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
             raise InputError(
                 f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
             )

@@ -121,7 +121,7 @@ def ask_distances(kernels, rng, case):
     if case % 21 == 0:
         points[0] = np.inf
     kernels.largest_distance(points, chain, np.empty(count))
-    kernels.weighted_gram(chain, rng.random(nodes), np.empty((2, 2)))
+    kernels.weighted_gram(chain, rng.random(nodes), rng.random(nodes), np.empty((2, 2)))
 
 
 def refused_arrays(kernels):
