@@ -11,7 +11,7 @@ from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.nearest.constraints.constraint import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
-from elastica_cad.forming.nearest.target_curve import TargetCurve, hermite
+from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps, hermite
 from elastica_cad.forming.optimizer.dense_solves import gram, weighted_gram
 from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
 
@@ -136,7 +136,7 @@ def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray
 
 def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
     n = rod.position.shape[0] - 1
-    feet = target.feet(rod.position, np.linspace(0, 1, n + 1))
+    feet = target.feet(rod.position, even_steps(n + 1))
     position, direction = target.at(feet)
     off = rod.position - position
     normal = np.column_stack([-direction[:, 1], direction[:, 0]])
@@ -182,7 +182,7 @@ def _through(nodes: FloatArray, count: int) -> FloatArray:
     diagonal[[0, -1]] = 1.0
     above[0] = 2.0
     *_, slopes, _ = lapack().dgtsv(above[::-1], diagonal, above, right)
-    return hermite(nodes, slopes, np.linspace(0, 1, count))[0]
+    return hermite(nodes, slopes, even_steps(count))[0]
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:

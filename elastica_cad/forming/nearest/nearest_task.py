@@ -18,7 +18,7 @@ from elastica_cad.forming.nearest.curve_distance import (
 )
 from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
 from elastica_cad.forming.nearest.stiffness_basis import StiffnessBasis
-from elastica_cad.forming.nearest.target_curve import TargetCurve
+from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps
 from elastica_cad.forming.section_scale import SectionScale
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -237,7 +237,7 @@ class NearestTask:
     @cached_property
     def mean_distance(self) -> MeanDistance:
         """Arc length against arc length."""
-        targets, _ = self.target.at(np.linspace(0, 1, self.nodes))
+        targets, _ = self.target.at(even_steps(self.nodes))
         return MeanDistance(targets, self._shares)
 
     @property
@@ -249,7 +249,7 @@ class NearestTask:
 
 def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
     """kappa - kappa_0 (nodes,) of the target itself, 1/mm."""
-    kappa = np.interp(np.linspace(0, 1, nodes), np.linspace(0, 1, target.curvature.size), target.curvature)
+    kappa = np.interp(even_steps(nodes), even_steps(target.curvature.size), target.curvature)
     return np.asarray((kappa - _nodal_rest(rest, nodes, target.size)) / target.size)
 
 
@@ -318,7 +318,7 @@ def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
     """Weights along the curve at the nodes, mean 1."""
     if weights is None:
         return np.ones(nodes)
-    values = values_along(weights, np.linspace(0, 1, nodes), size, "weights")
+    values = values_along(weights, even_steps(nodes), size, "weights")
     if np.any(values < 0) or not values.any():
         raise InputError("weights along the curve must be 0 or more, and not all 0")
     return np.asarray(values / values.mean())

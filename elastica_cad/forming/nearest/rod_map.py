@@ -303,11 +303,12 @@ class StripGrid:
         u = self.unknowns
         length = float(z[u.length])
         K = self.basis @ z[u.stiffness]
+        force = np.empty((self.edges + 2, 2))
         if not self.heavy:
-            return K, np.tile(z[u.force], (self.edges + 2, 1)), length
+            force[:] = z[u.force]
+            return K, force, length
         weight = K if self.weight is None else self.weight(K)[0]
         load = (-length * self.shares * weight)[:, None] * self.e
-        force = np.empty((self.edges + 2, 2))
         force[0] = z[u.force]
         force[1:-1] = edge_forces(z[u.force] + load[0], load)
         force[-1] = force[-2] + load[-1]

@@ -1,7 +1,7 @@
 """The drawn curve as a table in units of its own length, fast to look up and to drop perpendiculars on."""
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import hypot
 
 import numpy as np
@@ -51,7 +51,7 @@ class TargetCurve:
 
     def angles(self, s: FloatArray) -> FloatArray:
         """Angles (n,) at arc lengths s (n,) in 0..1."""
-        return np.interp(s, np.linspace(0, 1, self.angle.size), self.angle)
+        return np.interp(s, even_steps(self.angle.size), self.angle)
 
     def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:
         """Arc lengths (n,) of the nearest points within a window about `near` (n,)."""
@@ -84,6 +84,14 @@ class TargetCurve:
         """Diagonal of the bounding box, in lengths."""
         x, y = self.position.T
         return hypot(x.max() - x.min(), y.max() - y.min())
+
+
+@lru_cache(maxsize=16)
+def even_steps(count: int) -> FloatArray:
+    """0..1 in equal steps (count,), read-only: every search asks for the same few."""
+    steps = np.linspace(0, 1, count)
+    steps.flags.writeable = False
+    return steps
 
 
 def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray]:

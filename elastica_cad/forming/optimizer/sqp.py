@@ -224,7 +224,7 @@ def _solve_step(
     s = program.scale
     p = z.size
     hessian = model.hessian * np.outer(s, s)
-    hessian[np.diag_indices(p)] += damping
+    hessian.flat[:: p + 1] += damping
     lower = np.maximum((program.lower - z) / s, -radius)
     upper = np.minimum((program.upper - z) / s, radius)
     jacobian, value = rows.jacobian * s, rows.value
@@ -250,7 +250,7 @@ def _solve_step(
 
 def _damping(here: Iterate[Point], most: float, share: float) -> float:
     """Against long steps that change nothing: less and less as the objective comes down."""
-    most *= float(np.diag(here.local.model.hessian).max())
+    most *= float(here.local.model.hessian.diagonal().max())
     if here.local.model.peaks.size or not np.isfinite(share):
         return most
     return min(most, max(share * here.program.objective(here.local.point), 1e-16))
