@@ -16,6 +16,9 @@ from elastica_cad.mechanics.material.sheet import Sheet
 SLACK_MM = 1e-9
 """Rounding that a piece as large as its row may have."""
 
+_TIE_DECIMALS = 6
+"""Of mm: pieces whose sizes differ by less lie in the order they are given in, however they were rounded."""
+
 LEAST_GAP_MM = 0.01
 """Between loops as the tool runs: those that touch are refused where the kerf is taken off."""
 
@@ -171,7 +174,7 @@ def _nested_group(
             continue
         places = _packed(boxes, pieces, room)
         count = max(place.sheet for place in places)
-        last = max(place.y + place.box.wide for place in places if place.sheet == count) * room[0]
+        last = _rounded(max(place.y + place.box.wide for place in places if place.sheet == count) * room[0])
         if best is None or (count, last) < best[0]:
             best = ((count, last), upright, places)
     if best is None:
@@ -204,18 +207,18 @@ def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], u
         long, wide = (y, x) if turned != upright else (x, y)
         if long <= room[0] + SLACK_MM and wide <= room[1] + SLACK_MM:
             found.append(_Box(index, long, wide, turned))
-    return sorted(found, key=lambda box: box.wide)
+    return sorted(found, key=lambda box: _rounded(box.wide))
 
 
 def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
     """Best fit by falling width: a box goes into the row that it fills best, else into a new one."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
-    queue.sort(key=lambda ways: (-ways[0].wide, -ways[0].long))
+    queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     sheets: list[list[_Row]] = []
     places: list[_Place] = []
     for ways in queue:
         fits = [
-            (row.wide - box.wide, room[0] - row.taken - box.long, number, k, box)
+            (_rounded(row.wide - box.wide), _rounded(room[0] - row.taken - box.long), number, k, box)
             for number, rows in enumerate(sheets)
             for k, row in enumerate(rows)
             for box in ways
@@ -235,6 +238,11 @@ def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float,
         places.append(_Place(box, number, row.taken, row.start))
         row.taken += box.long
     return places
+
+
+def _rounded(size: float) -> float:
+    """The size by which pieces are compared."""
+    return round(size, _TIE_DECIMALS)
 
 
 def _ends(rows: Sequence[_Row]) -> float:

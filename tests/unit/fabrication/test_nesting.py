@@ -51,6 +51,20 @@ def assert_margin_kept(nest, margin):
     assert np.all(high <= np.array(nest.sheet_size) - margin + 1e-6)
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_pieces_alike_but_for_rounding_lie_in_the_order_given(seed):
+    """Sizes come from optimisations: their last digits differ from machine to machine."""
+
+    def laid(rounding):
+        pieces = [
+            plate(f"p{i}", *(np.array([(80, 60), (50, 60), (120, 30)][i % 3]) + rounding[i]))
+            for i in range(12)
+        ]
+        return [nest.pieces for nest in nest_pieces(pieces, sheet_size=(260.0, 200.0), margin=3.0)]
+
+    assert laid(np.random.default_rng(seed).uniform(-1e-11, 1e-11, (12, 2))) == laid(np.zeros((12, 2)))
+
+
 @pytest.mark.parametrize("margin", [0.0, 1.5, 6.0])
 @pytest.mark.parametrize("seed", range(4))
 def test_margin_is_kept_and_nothing_is_lost(margin, seed):
