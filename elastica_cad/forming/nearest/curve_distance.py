@@ -80,9 +80,7 @@ class ClosestDistance:
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Gauss-Newton across the target; along it a node slides freely."""
         off, normal = offsets(self.target, rod)
-        return _least_squares(
-            _across(normal, sensitivities), (off * normal).sum(axis=1), self.shares
-        )
+        return _least_squares(_across(normal, sensitivities), (off * normal).sum(axis=1), self.shares)
 
 
 @dataclass(frozen=True, eq=False)

@@ -107,25 +107,14 @@ def _with_line(
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
     check = replace(check, line=line, off_line=off_line)
-    largest = float(np.abs(distance).max())
-    if largest > tolerance * check.length:
-        return _refused(check, _off_line_reason(check, normal, tolerance * check.length))
-    if (largest > 1e-10 * check.length or ends_keep_bend(check, natural_curvature)) and check.realizable:
-        # what moves inflections would open a closed curve
-        if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
-            return _refused(check, _off_line_reason(check, normal, 0.0))
-        try:
-            moved = _projected(check.curve, check.zeros, line, natural_curvature)
-            again = examine_curvature(moved, supports, natural_curvature)
-            if ends_keep_bend(again, natural_curvature):
-                # an inflection came to lie at an end
-                moved = _projected(moved, again.zeros, line, natural_curvature)
-                again = examine_curvature(moved, supports, natural_curvature)
-        except NotConvergedError:
-            return _refused(check, _off_line_reason(check, normal, 0.0))
-        check = replace(
-            again, line=line, off_line=off_line, moved=check.moved + largest_move(check.curve, moved)
-        )
+    largest, allowed = float(np.abs(distance).max()), tolerance * check.length
+    far = largest > allowed
+    near = largest > 1e-10 * check.length or ends_keep_bend(check, natural_curvature)
+    if far or (near and check.realizable):
+        moved = None if far else _moved_onto(line, check, supports, natural_curvature)
+        if moved is None:
+            return _refused(check, _off_line_reason(check, normal, allowed if far else 0.0))
+        check = moved
     meetings = _line_meetings(check.curve, line, check.zeros)
     if not meetings:
         return _off_the_border(check, natural_curvature)
@@ -150,13 +139,26 @@ def _with_line(
     return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
 
 
-def _projected(
-    curve: PlaneCurve, zeros: Sequence[CurvatureZero], line: InflectionLine, natural_curvature: float
-) -> PlaneCurve:
+def _moved_onto(
+    line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
+) -> EquilibriumCheck | None:
+    """What is found of the curve once its inflections are moved onto the line; None where they cannot be."""
+    if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:  # which moving would open
+        return None
     # loaded for the few curves that need it
     from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
 
-    return project_inflections(curve, zeros, line, natural_curvature)
+    found = check
+    for _ in range(2):  # once more where an inflection came to lie at an end
+        try:
+            moved = project_inflections(found.curve, found.zeros, line, natural_curvature)
+        except NotConvergedError:
+            return None
+        found = examine_curvature(moved, supports, natural_curvature)
+        if not ends_keep_bend(found, natural_curvature):
+            break
+    move = check.moved + largest_move(check.curve, found.curve)
+    return replace(found, line=line, off_line=check.off_line, moved=move)
 
 
 def _off_the_border(
