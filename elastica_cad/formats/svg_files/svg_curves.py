@@ -80,6 +80,11 @@ _OF_AFFINITY = (
     "(Document Setup), set 96 and export it anew, or say --unit pt for 72"
 )
 
+_WITHOUT_UNIT = (
+    "its size has no unit, so its pixels are taken as 96 to the inch, as browsers do; where its numbers are "
+    "millimetres, say --unit mm"
+)
+
 _OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
 
 
@@ -98,7 +103,7 @@ def _program(file: Path, root: ElementTree.Element) -> tuple[str, float]:
     version = re.match(r"0\.(\d+)", root.get(_INKSCAPE, ""))
     if version and int(version[1][:2]) < 92 and not (sized and root.get("viewBox")):
         return _OF_INKSCAPE, 25.4 / 90
-    return "", _PX
+    return "" if sized or root.get(_INKSCAPE) else _WITHOUT_UNIT, _PX
 
 
 def _scale(root: ElementTree.Element) -> FloatArray:

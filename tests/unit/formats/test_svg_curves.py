@@ -456,3 +456,26 @@ def test_a_packed_drawing_is_unpacked(tmp_path):
     (tmp_path / "large.svgz").write_bytes(gzip.compress(bytes(2**20), 9) * 257)
     with pytest.raises(InputError, match="more than 256 MB once unpacked"):
         read_curves(tmp_path / "large.svgz")
+
+
+@pytest.mark.parametrize(
+    ("size", "told"),
+    [
+        ("", True),
+        ('width="300" height="200"', True),
+        ('width="300px" height="200px"', True),
+        ('width="100%"', True),
+        ('width="300mm" height="200mm"', False),
+    ],
+)
+def test_a_size_without_a_unit_is_told(tmp_path, size, told):
+    """A script's drawing in millimetres would be cut at a quarter of its size, within what is usual for a strip."""
+    file = tmp_path / "arch.svg"
+    file.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="0 0 300 200">'
+        '<path d="M 10,150 A 140,140 0 0 1 290,150"/></svg>'
+    )
+    found = read_curves(file)
+    assert found[0].length == pytest.approx(140 * np.pi * (25.4 / 96 if told else 1))
+    assert ["no unit" in note and "--unit mm" in note for note in found.notes] == [True] * told
+    assert not read_curves(file, unit="mm").notes
