@@ -30,7 +30,10 @@ def gram(A: FloatArray) -> FloatArray:
 
 
 def weighted_gram(J: FloatArray, added: FloatArray, weights: FloatArray) -> FloatArray:
-    """A^T W A of A, a contiguous matrix J (k, p) with `added` (k,) in its last column; weights (k,) are 0 or more."""
+    """A^T W A of A, which is J (k, p) with `added` (k,) in its last column; weights (k,) are 0 or more.
+
+    J is contiguous.
+    """
     if kernels is None:
         A = J.copy()
         A[:, -1] += added
