@@ -25,7 +25,7 @@ class Distance(Protocol):
         """The number to be minimised, in lengths of the target or their squares."""
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Gauss-Newton model in the steps of the unknowns."""
+        """Gauss-Newton model in the steps of the unknowns; the derivatives come with their closing column."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,9 +108,8 @@ class LargestDistance:
         signed, far = self._peaks(rod)
         p = rod.z.size
         across = _across(normal, sensitivities)
-        slopes, at = self.factors[far, None] * across[far], signed[far]
-        if slopes.shape[1] > p:
-            at = at + slopes[:, p]  # a node near the target may change sides
+        slopes = self.factors[far, None] * across[far]
+        at = signed[far] + slopes[:, p]  # a node near the target may change sides
         rows = np.sign(at)[:, None] * slopes[:, :p]
         # the mean-square curvature only decides what the peaks leave open
         return LocalModel(0.0, 1e-3 / signed.size * gram(across[:, :p]), np.zeros(p), np.abs(at), rows)
