@@ -54,7 +54,8 @@ void sensitivities(const RodAt *rod, double *angles, double *moments, double *po
 void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const double *added, const double *weights,
                    double *product);
 
-/* The largest distance of points (count, 2) from a chain (nodes, 2) that runs beside them; `bounds` is room. */
+/* The largest distance of points (count, 2) from a chain (nodes, 2) that runs beside them, NaN where a place is; `bounds`
+   is room. */
 double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes, const double *chain, double *bounds);
 
 /* The guess that settled, counted from 1; 0 where none did, -1 without memory. */

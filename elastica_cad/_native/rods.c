@@ -158,6 +158,8 @@ double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes
             if (k == before)
                 break;
         }
+        if (isnan(bounds[i])) /* no comparison would ever choose it */
+            return NAN;
     }
     for (;;) { /* a bound that no chord lowers is the largest distance */
         Py_ssize_t farthest = 0;

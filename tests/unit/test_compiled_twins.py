@@ -115,6 +115,15 @@ def test_largest_distance(both, seed):
     assert distance(compiled, plain) < CLOSE
 
 
+@pytest.mark.parametrize("lost", ["points", "chain"])
+def test_a_distance_of_numbers_that_are_none_is_none(lost):
+    """A rod that winds up has NaN from there on: what is left of it may not be told as near."""
+    chain = np.column_stack([np.linspace(0, 1, 50), np.zeros(50)])
+    asked = {"points": chain + 0.01, "chain": chain.copy()}
+    asked[lost][20:] = np.nan
+    assert np.isnan(_native.kernels.largest_distance(asked["points"], asked["chain"], np.empty(50)))
+
+
 def program(seed):
     """A strictly convex program with equalities and limits, some broken at their price, some unknowns given."""
     rng = np.random.default_rng(seed)
