@@ -119,7 +119,7 @@ WIDE int active_sets(const Quadratic *q, double *at_low, double *at_high, double
                 int most_guesses, int patience, double *x, double *y, double *low, double *high)
 {
     const Py_ssize_t n = q->unknowns, m = q->rows, most = n + m;
-    double *work = malloc((size_t)(most * most + 2 * most + n + 1) * sizeof(double));
+    double *work = malloc((size_t)(most * most + 2 * most + 1) * sizeof(double));
     Py_ssize_t *free_at = malloc((size_t)(most + 1) * sizeof(Py_ssize_t));
     if (work == NULL || free_at == NULL) {
         free(work);

@@ -9,7 +9,7 @@ double *borrow(Borrowed *borrowed, PyObject *object, Py_ssize_t size, int writab
     if (PyObject_GetBuffer(object, view, flags) != 0)
         return NULL;
     borrowed->count++;
-    if (view->format == NULL || view->format[0] != 'd' || view->format[1] != '\0' || view->len != size * 8) {
+    if (view->format == NULL || view->format[0] != 'd' || view->format[1] != '\0' || view->len / 8 != size) {
         PyErr_Format(PyExc_ValueError, "%s must be %zd contiguous float64 numbers", name, size);
         return NULL;
     }

@@ -126,7 +126,7 @@ WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double
 {
     const Py_ssize_t n = q->unknowns, m = q->rows, half = n + m, count = 2 * half;
     const double *H = q->hessian, *A = q->A;
-    const Py_ssize_t room = n * n + m * n + m * m + 7 * count + 8 * half + 4 * n + 4 * m;
+    const Py_ssize_t room = n * n + m * n + m * m + 7 * count + 6 * half;
     double *work = malloc((size_t)room * sizeof(double));
     if (work == NULL)
         return -1;
