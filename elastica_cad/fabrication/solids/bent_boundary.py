@@ -119,8 +119,8 @@ class BoundaryMaker:
         traces: list[StraightTrace | Segment | None] = [None] * 4
         if not isinstance(surface, PlaneSurface):
             below, above = _along(surface, (0.0, height))
-            ends = (StraightTrace((t, 0.0), (0.0, 1.0)) for t in (piece.last, piece.first))
-            traces = [below, next(ends), above, next(ends)]
+            last, first = (StraightTrace((t, 0.0), (0.0, 1.0)) for t in (piece.last, piece.first))
+            traces = [below, last, above, first]
         uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
         self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any
 
 import numpy as np
@@ -87,8 +87,10 @@ class BentMap:
                 continue
             groups = alike.setdefault(side.key, [])
             home = next((group for group in groups if side.is_over(group[0])), None)
-            groups.append([side]) if home is None else home.append(side)
-        for group in (group for groups in alike.values() for group in groups):
+            if home is None:
+                groups.append(home := [])
+            home.append(side)
+        for group in chain.from_iterable(alike.values()):
             found |= self._even_curves(group, heights)
         return [found[i] for i in range(len(parts))]
 
@@ -109,10 +111,9 @@ class BentMap:
         first = sides[0]
         knots, degree = self._common_knots(first)
         sites = interpolation_sites(knots, degree)
-        flat = [on_segment(side.segment, side.beside(sites, first)) for side in sides[1:]]
-        flat.insert(0, on_segment(first.segment, sites))
-        across = [one[:, 1:] - flat[0][:, 1:] for one in flat[1:]]
-        values = self.points(flat[0], heights).reshape(len(sites), -1)
+        flat = on_segment(first.segment, sites)
+        across = [(on_segment(one.segment, one.beside(sites, first)) - flat)[:, 1:] for one in sides[1:]]
+        values = self.points(flat, heights).reshape(len(sites), -1)
         rows = interpolated(sites, np.hstack([values, *across]), knots, degree)
         size = 3 * len(heights)
         levels = [rows[:, k : k + 3] for k in range(0, size, 3)]

@@ -68,12 +68,10 @@ class EvenSide:
     def is_over(self, other: "EvenSide") -> bool:
         """Does it run over the same x with the same knots as another of its key?"""
         way = self._way(other)
-        off = np.abs(
-            self.beside(np.append(other.knots[::way], other.limits[::way]), other) - self._places
-        ).max()
-        return bool(off <= SAME_PLACE * (self.limits[1] - self.limits[0])) and np.array_equal(
-            self.continuity, other.continuity[::way]
-        )
+        there = self.beside(np.append(other.knots[::way], other.limits[::way]), other)
+        off = np.abs(there - np.append(self.knots, self.limits)).max()
+        same = off <= SAME_PLACE * (self.limits[1] - self.limits[0])
+        return bool(same) and np.array_equal(self.continuity, other.continuity[::way])
 
     def knots_beside(self, knots: FloatArray, degree: int, other: "EvenSide") -> FloatArray:
         """The clamped knots of another side over the same x, in its own parameter."""
@@ -87,7 +85,3 @@ class EvenSide:
 
     def _way(self, other: "EvenSide") -> int:
         return 1 if self.speed * other.speed > 0 else -1
-
-    @property
-    def _places(self) -> FloatArray:
-        return np.append(self.knots, self.limits)

@@ -150,10 +150,8 @@ def _misread_area(sides: Sequence[Spline]) -> float:
     off = 0.0
     for degree in {side.curve.degree for side in sides}:
         alike = [side for side in sides if side.curve.degree == degree]
-        table, starts = (
-            SplineTable.of([side.curve for side in alike]),
-            np.array([side.start for side in alike]),
-        )
+        table = SplineTable.of([side.curve for side in alike])
+        starts = np.array([side.start for side in alike])
         which = np.repeat(np.arange(len(alike)), points.size)
         place, velocity = table.motion(which, np.tile((points + 1) / 2, len(alike)))
         swept = cross(place - starts[which], velocity).reshape(-1, points.size) @ weights / 4
