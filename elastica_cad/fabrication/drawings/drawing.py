@@ -13,7 +13,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.paths.path import Path, move_paths
 from elastica_cad.geometry.paths.point_distance import distances
-from elastica_cad.geometry.paths.segments import is_similarity, transform_points
+from elastica_cad.geometry.paths.segments import is_similarity, similarity_of, transform_points
 from elastica_cad.mechanics.material.sheet_keys import printable
 
 CUT_OUTER = "CUT_OUTER"
@@ -121,11 +121,7 @@ class Drawing:
         moved = move_paths(drawn, m) if even and drawn else [path.transformed(m) for path in drawn]
         paths = [LayeredPath(item.layer, path) for item, path in zip(self.paths, moved, strict=True)]
         if even and np.linalg.det(m[:2, :2]) > 0:
-            turn, scale = (
-                float(np.arctan2(m[1, 0], m[0, 0])),
-                float(np.hypot(m[0, 0], m[1, 0]) / abs(m[2, 2])),
-            )
-            turn += np.pi if m[2, 2] < 0 else 0.0
+            scale, turn, _ = similarity_of(m)
             texts = []
             for text in self.texts:
                 x, y = transform_points(m, text.position)

@@ -368,7 +368,8 @@ def is_similarity(matrix: ArrayLike) -> bool:
 def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
     """By what a 3x3 similarity scales, by which angle (rad) it turns, and 1.0, or -1.0 where it mirrors before."""
     (a, b, _), (c, d, _), (_, _, last) = matrix.tolist()
-    return hypot(a, c) / abs(last), atan2(c, a), 1.0 if a * d > b * c else -1.0
+    way = 1.0 if last > 0 else -1.0
+    return hypot(a, c) / abs(last), atan2(way * c, way * a), 1.0 if a * d > b * c else -1.0
 
 
 def _beyond_sine(x: float) -> float:

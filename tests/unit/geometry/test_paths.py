@@ -163,6 +163,13 @@ def test_many_paths_are_moved_as_each_by_itself(matrix):
         assert box is path.bounds
 
 
+def test_a_matrix_counts_over_its_last_number():
+    """Also where that is negative: this one moves nothing."""
+    path = Path([Arc((1.0, 2.0), 3.0, 0.3, 1.2)])
+    moved = path.transformed(-np.eye(3))
+    np.testing.assert_allclose(moved.points(0.01), path.points(0.01), atol=1e-12)
+
+
 def test_a_path_moved_far_away_is_checked_again():
     speck = Path([Spline(PlaneCurve.line((0, 0), (1e-4, 0)))])
     with pytest.raises(InputError):
