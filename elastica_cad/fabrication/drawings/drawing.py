@@ -118,7 +118,7 @@ class Drawing:
         m = np.asarray(matrix, dtype=float)
         even = is_similarity(m)
         drawn = [item.path for item in self.paths]
-        moved = move_paths(drawn, m) if even and drawn else [path.transformed(m) for path in drawn]
+        moved = move_paths(drawn, m) if even else [path.transformed(m) for path in drawn]
         paths = [LayeredPath(item.layer, path) for item, path in zip(self.paths, moved, strict=True)]
         if even and np.linalg.det(m[:2, :2]) > 0:
             scale, turn, _ = similarity_of(m)

@@ -121,7 +121,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
         shifts += [(x + c * advance, y + s * advance)] * len(_glyph(character))
         advance += _glyphs()[character][0] + _GAP
     turned = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    return move_paths(strokes, turned, np.array(shifts)) if strokes else ()
+    return move_paths(strokes, turned, np.array(shifts))
 
 
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:

@@ -161,16 +161,13 @@ class Path:
         hulls = np.concatenate([spline.curve.control_points for spline in splines])
         begins = np.cumsum([0, *(len(spline.curve.control_points) for spline in splines[:-1])])
         least, most = np.minimum.reduceat(hulls, begins), np.maximum.reduceat(hulls, begins)
-        while (
-            True
-        ):  # a spline lies within the hull of its control points: the one that reaches out farthest is asked
-            beyond = np.maximum(low - least, most - high).max(axis=1)
+        # a spline lies within the hull of its control points: the one that reaches out farthest is asked
+        while (beyond := np.maximum(low - least, most - high).max(axis=1)).max() > 0:
             k = int(beyond.argmax())
-            if not beyond[k] > 0:
-                return np.array([low, high])
             box = splines[k].bounds
             low, high = np.minimum(low, box[0]), np.maximum(high, box[1])
             least[k], most[k] = low, high
+        return np.array([low, high])
 
     def reversed(self) -> "Path":
         """The path run the other way."""
@@ -232,6 +229,8 @@ def move_paths(
     >>> [path.bounds.tolist() for path in moved]
     [[[0.0, 0.0], [2.0, 2.0]], [[5.0, 0.0], [7.0, 2.0]]]
     """
+    if not paths:
+        return ()
     counts = [len(path.segments) for path in paths]
     shifts = np.broadcast_to(matrix[:2, 2], (len(paths), 2)) if shifts is None else shifts
     segments = [segment for path in paths for segment in path.segments]
@@ -254,14 +253,11 @@ def move_paths(
 def _move_segments(segments: Sequence[Segment], matrix: FloatArray, shifts: FloatArray) -> list[Segment]:
     """The segments moved by a 3x3 similarity and shifts (n, 2), each as its own `transformed` has it."""
     moved: list[Segment] = list(segments)
-    lines = [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Line)]
-    if lines:
+    if lines := [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Line)]:
         _move_lines(moved, lines, matrix, shifts)
-    arcs = [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Arc)]
-    if arcs:
+    if arcs := [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Arc)]:
         _move_arcs(moved, arcs, matrix, shifts)
-    curves = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
-    if curves:
+    if curves := [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]:
         _move_splines(moved, curves, matrix, shifts)
     return moved
 
