@@ -239,9 +239,8 @@ def _leans(
 def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
     """The slots of a plate, each moved within it by what its tab's holder is to be shifted and turned."""
     slots = list(plate.slots)
-    for k, walls in slot_walls(plate).items():
-        tab = slots[k].tab
-        if tab is not None and (lean := leans.get(tab_key(tab))) is not None:
+    for k, tab, walls in slot_walls(plate):
+        if (lean := leans.get(tab_key(tab))) is not None:
             slots[k] = _moved_slot(slots[k], tab, walls, plate, lean)
     return tuple(slots)
 

@@ -28,28 +28,28 @@ def _seat_between(walls: FloatArray, tab: PlacedTab, plate: Slotted) -> TabSeat:
     return TabSeat(left, right, tab.thickness, f"slot of {plate.name}")
 
 
-def slot_walls(plate: Slotted) -> dict[int, FloatArray]:
-    """Both walls of each slot that a tab goes through, by its place among the slots, the first corners' wall first.
+def slot_walls(plate: Slotted) -> list[tuple[int, PlacedTab, FloatArray]]:
+    """Where each slot that a tab goes through is among the slots, its tab, and its walls, the first corners' first.
 
-    Places (2, n, 2) into the tab and to its left, where lines down the walls meet the plane of the strip's curve.
+    Walls are places (2, n, 2) into the tab and to its left, where lines down them meet the plane of the curve.
     """
-    through = {k: slot.tab for k, slot in enumerate(plate.slots) if slot.tab is not None}
+    through = [(k, slot.tab) for k, slot in enumerate(plate.slots) if slot.tab is not None]
     if not through:
-        return {}
+        return []
     depths = np.linspace(0.0, -plate.sheet.thickness, WALL_PLACES)
     corners = np.empty((len(through), 4, depths.size, 3))
-    corners[..., :2] = np.array([plate.slots[k].corners for k in through])[:, :, None]
+    corners[..., :2] = np.array([plate.slots[k].corners for k, _ in through])[:, :, None]
     corners[..., 2] = depths
-    origins, axes = (
-        np.array([getattr(tab.frame, name) for tab in through.values()]) for name in ("origin", "axes")
-    )
+    frames = [tab.frame for _, tab in through]
+    origins, axes = np.array([frame.origin for frame in frames]), np.array([frame.axes for frame in frames])
     # along the tab, across it and off the strip's upper side
     local = (plate.frame.point(corners) - origins[:, None, None]) @ np.swapaxes(axes, 1, 2)[:, None]
     begin, finish = local[:, [0, 3]], local[:, [1, 2]]
     u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
     met = begin + u[..., None] * (finish - begin)
     # the tab's z axis is off the strip's upper side, which lies to the right of the curve
-    return dict(zip(through, met[..., [0, 2]] * (1.0, -1.0), strict=True))
+    walls = met[..., [0, 2]] * (1.0, -1.0)
+    return [(*which, own) for which, own in zip(through, walls, strict=True)]
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
@@ -71,10 +71,8 @@ def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
     for plate in plates_of(holders):
-        for k, walls in slot_walls(plate).items():
-            tab = plate.slots[k].tab
-            if tab is not None:
-                yield tab, _seat_between(walls, tab, plate)
+        for _, tab, walls in slot_walls(plate):
+            yield tab, _seat_between(walls, tab, plate)
 
 
 def plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
