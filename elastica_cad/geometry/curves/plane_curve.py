@@ -116,9 +116,8 @@ class PlaneCurve(NurbsCurve):
         slack = 1e-9 * self.length
         if s.size and not (np.all(s >= -slack) and np.all(s <= self.length + slack)):
             raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
-        return self._arc_length.parameter_at(np.minimum(np.maximum(s.ravel(), 0.0), self.length)).reshape(
-            s.shape
-        )
+        inside = np.minimum(np.maximum(s.ravel(), 0.0), self.length)
+        return self._arc_length.parameter_at(inside).reshape(s.shape)
 
     @property
     def smooth_panels(self) -> FloatArray:

@@ -77,11 +77,7 @@ def total_length(paths: Sequence[Path]) -> float:
         for rows, table in _tables([spline.curve for spline in plain]):
             known.update(zip((id(plain[i]) for i in rows), table.lengths.tolist(), strict=True))
         for path in unknown:
-            parts = [known.get(id(segment)) for segment in path.segments]
-            vars(path)["length"] = sum(
-                segment.length if part is None else part
-                for segment, part in zip(path.segments, parts, strict=True)
-            )
+            vars(path)["length"] = sum(known.get(id(one)) or one.length for one in path.segments)
     return sum(path.length for path in paths)
 
 
