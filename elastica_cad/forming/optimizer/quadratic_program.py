@@ -1,7 +1,7 @@
 """Small dense convex quadratic programs whose rows may be broken at a price."""
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 import numpy as np
 
@@ -129,13 +129,8 @@ def _by_interior_points(program: QuadraticProgram, accuracy: float) -> Quadratic
 def _plain(program: QuadraticProgram, fixed: BoolArray) -> _Plain:
     """The program as compiled code takes it."""
     p = program
-    H, A, r, one_sided = _numbers(p.hessian), _numbers(p.rows), _numbers(p.right), _numbers(p.one_sided)
-    lower, upper, given = _numbers(p.lower), _numbers(p.upper), _numbers(fixed)
-    return H, _numbers(p.gradient), lower, upper, A, r, _numbers(p.price), one_sided, given
-
-
-def _numbers(values: FloatArray | BoolArray) -> FloatArray:
-    return np.ascontiguousarray(values, dtype=float)
+    numbers = p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.price, p.one_sided, fixed
+    return cast(_Plain, tuple(np.ascontiguousarray(values, dtype=float) for values in numbers))
 
 
 def _empty_solution(program: QuadraticProgram) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
@@ -255,8 +250,7 @@ def _by_active_sets(
     bound = start or _Binding(none, none, ~program.one_sided, np.zeros(program.right.size))
     if kernels is not None and fixed.size + int(np.count_nonzero(bound.met)) <= _MOST_COMPILED:
         return _guess_compiled(kernels, program, fixed, bound)
-    most = _MOST_GUESSES if start is None else _MOST_GUESSES_NEAR
-    return _guess_in_python(program, fixed, bound, most, start is not None)
+    return _guess_in_python(program, fixed, bound, near=start is not None)
 
 
 def _guess_compiled(
@@ -272,12 +266,12 @@ def _guess_compiled(
 
 
 def _guess_in_python(
-    program: QuadraticProgram, fixed: BoolArray, bound: _Binding, most: int, from_start: bool
+    program: QuadraticProgram, fixed: BoolArray, bound: _Binding, *, near: bool
 ) -> QuadraticSolution | None:
     H, g, A, r = program.hessian, program.gradient, program.rows, program.right
     lower, upper, price, one_sided = program.lower, program.upper, program.price, program.one_sided
     changed = int(np.count_nonzero(~fixed))
-    for guess in range(most):
+    for guess in range(_MOST_GUESSES_NEAR if near else _MOST_GUESSES):
         at_lower = bound.low | fixed
         free = ~(at_lower | bound.high)
         x, y = np.where(at_lower, lower, np.where(bound.high, upper, 0.0)), bound.broken * price
@@ -307,7 +301,7 @@ def _guess_in_python(
             low = np.where(bound.low, pull, np.where(fixed, np.maximum(pull, 0), 0.0))
             high = np.where(bound.high, -pull, np.where(fixed, np.maximum(-pull, 0), 0.0))
             return QuadraticSolution(x, y, low, high, True, guess + 1)
-        if not from_start and 2 * changed > before:
+        if not near and 2 * changed > before:
             return None
         bound = following
     return None
