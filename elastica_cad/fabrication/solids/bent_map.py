@@ -16,7 +16,7 @@ from elastica_cad.fabrication.solids.pattern_strips import on_segment
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.knot_runs import clamped_knots, knot_runs
 from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
 from elastica_cad.geometry.running_sums import numbers_in_groups, turns_along
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -282,12 +282,8 @@ def _fitted(
     """Knots and coefficients of a degree-5 spline through `function`, spans divided to meet `tolerance`."""
     from scipy.interpolate import BSpline
 
-    places, repeats = [*smooth], [min(max(DEGREE - continuity, 1), DEGREE) for continuity in smooth.values()]
     while True:
-        counts = np.ones(edges.size, dtype=int)
-        counts[np.searchsorted(edges, places)] = repeats
-        counts[[0, -1]] = DEGREE + 1
-        knots = np.repeat(edges, counts)
+        knots = clamped_knots(edges, smooth, DEGREE)
         sites = interpolation_sites(knots, DEGREE)
         probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
         values = function(np.concatenate([sites, probes]))

@@ -11,6 +11,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
+from elastica_cad.geometry.polynomials.knot_runs import clamped_knots
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
@@ -69,12 +70,7 @@ def adaptive_spline(
     places, inner, probing = _places(degree)
     samples = _sampled(function, edges[:-1], edges[1:], places)
     while True:
-        counts = np.ones(edges.size, dtype=int)
-        counts[np.searchsorted(edges, list(order))] = [
-            min(max(degree - continuity, 1), degree + 1) for continuity in order.values()
-        ]
-        counts[[0, -1]] = degree + 1
-        repeated = edges.repeat(counts)
+        repeated = clamped_knots(edges, order, degree)
         spans = bezier_spans(repeated, degree)
         coefficients = _least_squares(spans, samples[:, : sites.size], inner, weight)
         error = _largest_errors(spans, coefficients, samples[:, sites.size :], probing)

@@ -1,5 +1,7 @@
 """Knots of a spline: their multiplicities, and where along them its coefficients stand."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
@@ -19,6 +21,21 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     first = rises.nonzero()[0]  # of every run, and the end of the last one
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
+
+
+def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: int) -> FloatArray:
+    """Knots (m,) of a spline over the spans between edges (k,), as smooth at some of these as `continuity` says.
+
+    Examples
+    --------
+    >>> clamped_knots(np.array([0.0, 1.0, 2.0]), {1.0: 0}, 2).tolist()
+    [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0]
+    """
+    counts = np.ones(edges.size, dtype=int)
+    repeats = [min(max(degree - order, 1), degree + 1) for order in continuity.values()]
+    counts[np.searchsorted(edges, list(continuity))] = repeats
+    counts[[0, -1]] = degree + 1
+    return edges.repeat(counts)
 
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:
