@@ -3,7 +3,6 @@
 
 """Words and pictures of the workbench: translation, icons, panels."""
 
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -33,8 +32,8 @@ def icon(name: str) -> str:
     return str(RESOURCES / "icons" / f"{name}.svg")
 
 
-def load_panel(name: str, furnish: Callable[[Any], None] = lambda _: None) -> Any:
-    """A widget from its .ui file, furnished further.
+def load_panel(name: str) -> Any:
+    """A widget from its .ui file.
 
     PySide may take the Python face of a deleted widget for a new one at the same address (FreeCAD 1.0 on
     Python 3.13 does); such a form is put aside, where it keeps its addresses, and the file is loaded anew.
@@ -43,7 +42,7 @@ def load_panel(name: str, furnish: Callable[[Any], None] = lambda _: None) -> An
 
     for _ in range(TRIES):
         form = Gui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
-        if _sound(form) and _furnished(form, furnish):
+        if _sound(form):
             break
         _aside.append(form)
     return form
@@ -59,15 +58,6 @@ def quantities_of(name: str) -> dict[str, float]:
             given = widget.findtext("property[@name='rawValue']/double")
             found[widget.get("name", "")] = float(given or 0.0)
     return found
-
-
-def _furnished(form: Any, furnish: Callable[[Any], None]) -> bool:
-    """A face of another class has not the methods that are asked of it."""
-    try:
-        furnish(form)
-    except (AttributeError, RuntimeError, TypeError):
-        return False
-    return True
 
 
 def _sound(form: Any) -> bool:
