@@ -3,6 +3,7 @@
 
 """What the panels of the features show, and how."""
 
+from collections.abc import Callable
 from typing import Any
 
 from freecad.elastica_wb.curves.plane_sections import FAMILIES
@@ -20,7 +21,7 @@ from freecad.elastica_wb.features.flat import FlatFeature
 from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip import shown_strip
-from freecad.elastica_wb.features.strip_properties import PROPERTIES
+from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
@@ -68,40 +69,13 @@ def _flat_footnote(obj: Any) -> str:
     return "\n".join(told_blanks([(obj.Strip.Label, shown_strip(obj.Strip))]))
 
 
-def _is_plain(obj: Any) -> bool:
-    return bool(obj.Style == "Plain")
-
-
-def _is_even(obj: Any) -> bool:
-    return bool(obj.Style != "Plain")
-
-
-def _is_perforated(obj: Any) -> bool:
-    return bool(obj.Style == "Perforated")
-
-
-def _is_laminated(obj: Any) -> bool:
-    return bool(obj.Style == "Laminated")
-
-
-def _is_nearest(obj: Any) -> bool:
-    return bool(obj.Follow == "Nearest")
+def _where(name: str, *values: object) -> Callable[[Any], bool]:
+    """Has a property one of these values?"""
+    return lambda obj: getattr(obj, name) in values
 
 
 def _has_tabs(obj: Any) -> bool:
     return bool(obj.StartTab.Value or obj.EndTab.Value)
-
-
-def _is_interlocked(obj: Any) -> bool:
-    return bool(obj.Interlock)
-
-
-def _is_along(obj: Any) -> bool:
-    return bool(obj.Family == FAMILIES[2])
-
-
-def _is_radial(obj: Any) -> bool:
-    return bool(obj.Family == FAMILIES[1])
 
 
 STRIP = Layout(
@@ -158,15 +132,16 @@ STRIP = Layout(
     ),
     PROPERTIES,
     {
-        "MaxWidth": _is_plain,
-        "OuterWidth": _is_even,
-        "Columns": _is_perforated,
-        "Rows": _is_perforated,
-        "Backing": _is_laminated,
+        "MaxWidth": _where("Style", "Plain"),
+        "OuterWidth": _where("Style", *STYLES[1:]),
+        "Columns": _where("Style", "Perforated"),
+        "Rows": _where("Style", "Perforated"),
+        "Backing": _where("Style", "Laminated"),
         "TabRadius": _has_tabs,
         "TabHole": _has_tabs,
         **dict.fromkeys(
-            ("RatioLimit", "MarginLimit", "StrainLimit", "KeepTangents", "KeepLength"), _is_nearest
+            ("RatioLimit", "MarginLimit", "StrainLimit", "KeepTangents", "KeepLength"),
+            _where("Follow", "Nearest"),
         ),
     },
     "Curve",
@@ -190,7 +165,7 @@ MODEL = Layout(
         ),
     ),
     ModelFeature.properties,
-    dict.fromkeys(("Clearance", "Fit", "Relief"), _is_interlocked),
+    dict.fromkeys(("Clearance", "Fit", "Relief"), _where("Interlock", True)),
     told=lambda obj: ((translate("Elastica", "Joints"), str(obj.Joints)),),
     footnote=lambda obj: "\n".join(obj.Overlaps),
 )
@@ -334,9 +309,9 @@ SECTION = Layout(
     ),
     SectionFeature.properties,
     {
-        "Axis": lambda obj: not _is_along(obj),
-        "Path": _is_along,
-        **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _is_radial),
+        "Axis": _where("Family", *FAMILIES[:2]),
+        "Path": _where("Family", FAMILIES[2]),
+        **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _where("Family", FAMILIES[1])),
     },
     "Path",
     lambda obj: ((translate("Elastica", "Curves"), str(obj.Curves)),),
