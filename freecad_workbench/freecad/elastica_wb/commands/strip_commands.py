@@ -9,11 +9,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb import make_strip
 from freecad.elastica_wb.commands.command import Command, answers, show_panel
-from freecad.elastica_wb.commands.selection import (
-    chosen_curves,
-    chosen_strips,
-    is_curve_chosen,
-)
+from freecad.elastica_wb.commands.curve_commands import CurveCommand
+from freecad.elastica_wb.commands.selection import chosen_curves, chosen_strips
 from freecad.elastica_wb.features import flat
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
@@ -34,7 +31,7 @@ class OnStrips(Command):
         return answers(chosen_strips)
 
 
-class StripCommand(Command):
+class StripCommand(CurveCommand):
     """The bent strip on the curve and its flat twin, then the panel to choose sheet and widths."""
 
     name = "Elastica_Strip"
@@ -44,11 +41,6 @@ class StripCommand(Command):
         "Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one",
     )
     shortcut = "Y, S"
-    in_sketch = True
-
-    def has_subject(self) -> bool:
-        """A curve is selected, or its sketch is open."""
-        return App.ActiveDocument is not None and is_curve_chosen()
 
     def run(self) -> None:
         """One strip for every selected curve; the panel of the last one stays open."""
