@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -158,7 +158,26 @@ class PolynomialLaw(MaterialLaw):
 
 
 @dataclass(frozen=True)
-class PlasticLaw(MaterialLaw):
+class _YieldingLaw(MaterialLaw):
+    """What plastic laws share: a curvature where they begin to yield, and how much of it stays."""
+
+    curvature_limit: float
+
+    def __post_init__(self) -> None:
+        require_positive(self.curvature_limit, "the law's curvature limit", "1/mm")
+
+    @classmethod
+    def of(cls, sheet: Sheet) -> Self:
+        """The law whose skin yields at the sheet's largest strain, so at its least cold-bend radius."""
+        return cls(1 / sheet.least_radius)
+
+    def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """What is left when the moment is taken away (n,), 1/mm: unloading follows Hooke's law."""
+        return np.asarray(np.asarray(curvature, dtype=float) - self.effective_curvature(curvature))
+
+
+@dataclass(frozen=True)
+class PlasticLaw(_YieldingLaw):
     """The paper's ideal plasticity: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
 
     It is not injective beyond the limit, where the moment says nothing about the curvature any more: the
@@ -175,16 +194,6 @@ class PlasticLaw(MaterialLaw):
     >>> PlasticLaw(0.05).effective_curvature([0.02, -0.08]).tolist()
     [0.02, -0.05]
     """
-
-    curvature_limit: float
-
-    def __post_init__(self) -> None:
-        require_positive(self.curvature_limit, "the law's curvature limit", "1/mm")
-
-    @classmethod
-    def of(cls, sheet: Sheet) -> "PlasticLaw":
-        """The law whose limit is the sheet's least cold-bend radius."""
-        return cls(1 / sheet.least_radius)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
@@ -214,13 +223,9 @@ class PlasticLaw(MaterialLaw):
     def require_design(self, largest_curvature: float) -> None:
         """See `MaterialLaw`; every curvature will do, as in the paper."""
 
-    def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """What is left when the moment is taken away (n,), 1/mm: the excess beyond the limit."""
-        return np.asarray(np.asarray(curvature, dtype=float) - self.effective_curvature(curvature))
-
 
 @dataclass(frozen=True)
-class ElasticPlasticLaw(MaterialLaw):
+class ElasticPlasticLaw(_YieldingLaw):
     """A rectangular section whose fibres yield one after the other from the skin inwards.
 
     m = kappa up to kappa_lim, then kappa_lim (3 - (kappa_lim/kappa)^2) / 2, towards 1.5 kappa_lim: injective,
@@ -237,16 +242,6 @@ class ElasticPlasticLaw(MaterialLaw):
     >>> ElasticPlasticLaw(0.05).effective_curvature([0.02, 0.1]).round(6).tolist()
     [0.02, 0.06875]
     """
-
-    curvature_limit: float
-
-    def __post_init__(self) -> None:
-        require_positive(self.curvature_limit, "the law's curvature limit", "1/mm")
-
-    @classmethod
-    def of(cls, sheet: Sheet) -> "ElasticPlasticLaw":
-        """The law whose skin yields at the sheet's largest strain."""
-        return cls(1 / sheet.least_radius)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
@@ -275,10 +270,6 @@ class ElasticPlasticLaw(MaterialLaw):
     def kinks(self) -> tuple[tuple[float, int], ...]:
         """See `MaterialLaw`."""
         return ((self.curvature_limit, 1),)
-
-    def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """What is left when the moment is taken away (n,), 1/mm: unloading follows Hooke's law."""
-        return np.asarray(np.asarray(curvature, dtype=float) - self.effective_curvature(curvature))
 
     def _core(self, kappa: FloatArray) -> FloatArray:
         """Part of the thickness that is still elastic."""
