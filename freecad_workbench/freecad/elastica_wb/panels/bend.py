@@ -93,12 +93,6 @@ class BendPanel(Panel):
             if getattr(self.feature, name).Value != value:
                 record_value(self.feature, name, value)
 
-    def closed(self) -> None:
-        """Take the preview off the view."""
-        if self.preview is not None:
-            self.preview.remove()
-            self.preview = None
-
     def _bent(self, share: float, guess: Rod) -> Rod:
         return moved(self.rest, {name: share * self.value(name) for name in MOVES}, guess)
 

@@ -119,7 +119,10 @@ class Panel:
         """The user said OK; raise to stay open."""
 
     def closed(self) -> None:
-        """Take previews away."""
+        """Take the preview off the view."""
+        if self.preview is not None:
+            self.preview.remove()
+            self.preview = None
 
     def let_go(self) -> None:
         """The document is about to be closed: keep nothing of it."""

@@ -43,7 +43,6 @@ class ProjectivePanel(Panel):
         self.corners = box_around(self.drawn)
         self.handles: FloatArray = self.corners
         self.lost = lost_constraints(sketch)
-        self.preview = None
         view = active_view()
         if view is not None:
             self.preview = Preview(view, sketch.getGlobalPlacement())
@@ -97,12 +96,6 @@ class ProjectivePanel(Panel):
         self.pull()
         if self.curve is not self.drawn:
             recorded(curve_into, self.sketch, evened(self.curve))
-
-    def closed(self) -> None:
-        """Take the preview off the view."""
-        if self.preview is not None:
-            self.preview.remove()
-            self.preview = None
 
     def _spec(self) -> StripSpec:
         sheet = sheet_called(preferences.default_sheet())
