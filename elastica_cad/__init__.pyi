@@ -28,20 +28,10 @@ from elastica_cad.fabrication.strip.styles import Plain as Plain
 from elastica_cad.fabrication.strip.tabs import Hole as Hole, Tab as Tab
 from elastica_cad.files import read_curves as read_curves, save as save
 from elastica_cad.formats.curve_files.write_curves import write_curves as write_curves
-from elastica_cad.forming.limits import (
-    Box as Box,
-    HalfPlane as HalfPlane,
-    Keep as Keep,
-    Limits as Limits,
-)
+from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
 from elastica_cad.forming.many_rods import nearest_rods as nearest_rods
-from elastica_cad.forming.nearest.nearest_record import (
-    NearestRod as NearestRod,
-    Status as Status,
-)
-from elastica_cad.forming.nearest.nearest_rod import (
-    nearest_rod as nearest_rod,
-)
+from elastica_cad.forming.nearest.nearest_record import NearestRod as NearestRod, Status as Status
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod as nearest_rod
 from elastica_cad.forming.revolution.meridian import (
     meridian as meridian,
     meridian_through as meridian_through,
@@ -65,9 +55,7 @@ from elastica_cad.mechanics.material.sheet import (
 from elastica_cad.mechanics.rod.rod_record import Rod as Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability as Stability, stability as stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod as optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import (
-    check_equilibrium as check_equilibrium,
-)
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium as check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,

@@ -19,10 +19,7 @@ from elastica_cad.fabrication.drawings.lettering import (
     text_width as text_width,
 )
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color as sheet_color
-from elastica_cad.fabrication.holders.base_plate import (
-    BasePlate as BasePlate,
-    base_plate as base_plate,
-)
+from elastica_cad.fabrication.holders.base_plate import BasePlate as BasePlate, base_plate as base_plate
 from elastica_cad.fabrication.holders.end_fixtures import (
     EndFixture as EndFixture,
     end_fixtures as end_fixtures,
@@ -40,10 +37,7 @@ from elastica_cad.fabrication.holders.slotted_frame import (
     SlottedFrame as SlottedFrame,
     slotted_frame as slotted_frame,
 )
-from elastica_cad.fabrication.holders.tab_seats import (
-    held_shapes as held_shapes,
-    tab_seats as tab_seats,
-)
+from elastica_cad.fabrication.holders.tab_seats import held_shapes as held_shapes, tab_seats as tab_seats
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
 from elastica_cad.fabrication.holding.reactions import Reactions as Reactions
 from elastica_cad.fabrication.holding.rest_in_seats import EndPose as EndPose

@@ -1,25 +1,12 @@
 from elastica_cad.forming.nearest.nearest_record import Binding as Binding
-from elastica_cad.forming.leaf_ends import (
-    LeafedRod as LeafedRod,
-    lay_leaves as lay_leaves,
-)
-from elastica_cad.forming.limits import (
-    Box as Box,
-    HalfPlane as HalfPlane,
-    Keep as Keep,
-    Limits as Limits,
-)
+from elastica_cad.forming.leaf_ends import LeafedRod as LeafedRod, lay_leaves as lay_leaves
+from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
 from elastica_cad.forming.many_rods import (
     nearest_rods as nearest_rods,
     stream_nearest_rods as stream_nearest_rods,
 )
-from elastica_cad.forming.nearest.nearest_record import (
-    NearestRod as NearestRod,
-    Status as Status,
-)
-from elastica_cad.forming.nearest.nearest_rod import (
-    nearest_rod as nearest_rod,
-)
+from elastica_cad.forming.nearest.nearest_record import NearestRod as NearestRod, Status as Status
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod as nearest_rod
 from elastica_cad.forming.plane_sections.cutting_planes import (
     parallel_planes as parallel_planes,
     planes_along as planes_along,
