@@ -8,10 +8,7 @@ import build123d as bd
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.strip_on_path import (
-    StripOptions,
-    section_requests,
-)
+from elastica_cad.kernel.strip_on_path import StripOptions, section_requests
 from elastica_cad.mechanics.material.sheet import Sheet
 
 if TYPE_CHECKING:

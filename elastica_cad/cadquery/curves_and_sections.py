@@ -10,10 +10,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.strip_on_path import (
-    StripOptions,
-    section_requests,
-)
+from elastica_cad.kernel.strip_on_path import StripOptions, section_requests
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity

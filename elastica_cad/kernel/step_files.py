@@ -18,11 +18,7 @@ from elastica_cad.fabrication.model.assembly import Holder, assembly_parts, bent
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets, frame_beside
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.curve_files.drawn_file import (
-    DrawnCurve,
-    DrawnFile,
-    list_things,
-)
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, list_things
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import check_size
 from elastica_cad.formats.curve_files.placed_curve import place_chain

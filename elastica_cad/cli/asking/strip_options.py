@@ -8,12 +8,7 @@ from typing import Any, cast
 import click
 
 from elastica_cad.cli.asking.lengths import LENGTH, POINT, SPACE_POINT
-from elastica_cad.cli.asking.options import (
-    asked_sheet,
-    join_options,
-    sheet_options,
-    smooth_option,
-)
+from elastica_cad.cli.asking.options import asked_sheet, join_options, sheet_options, smooth_option
 from elastica_cad.cli.asking.support_options import support_options
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.asked_gravity import AskedGravity
