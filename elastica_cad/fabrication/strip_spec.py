@@ -10,12 +10,7 @@ import numpy as np
 from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_positive, several
 from elastica_cad.errors import InputError, refuse_unknown
-from elastica_cad.fabrication.asked_gravity import (
-    AskedGravity,
-    hung_weight,
-    lightened,
-    pull_in_plane,
-)
+from elastica_cad.fabrication.asked_gravity import AskedGravity, hung_weight, lightened, pull_in_plane
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
@@ -166,14 +161,7 @@ class StripSpec(EqualByValue):
         require_style(self.style)
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
-            check_law(
-                self.law,
-                self.material,
-                self.style,
-                self.ends,
-                self.slots,
-                sized=sized,
-            )
+            check_law(self.law, self.material, self.style, self.ends, self.slots, sized=sized)
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH)
         ends, slots = pair_of_tabs(self.ends), several("slots", self.slots, Slot, "Slot")

@@ -8,13 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, refuse_options_unlike
-from elastica_cad.fabrication.holders.base_plate import (
-    BasePlate,
-    TabSlot,
-    base_plate,
-    plate_with,
-    tab_slot,
-)
+from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base_plate, plate_with, tab_slot
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import Key, slot_walls, tab_key, tab_seats

@@ -25,9 +25,6 @@ class Reactions:
     def __str__(self) -> str:
         start, end = (
             f"{np.hypot(x, y):.4g} N, ({x:.4g}, {y:.4g}), and {moment:.4g} N mm"
-            for (x, y), moment in (
-                (self.start_force, self.start_moment),
-                (self.end_force, self.end_moment),
-            )
+            for (x, y), moment in ((self.start_force, self.start_moment), (self.end_force, self.end_moment))
         )
         return f"the start is held by {start}; the end by {end}"

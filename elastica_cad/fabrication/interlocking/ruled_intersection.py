@@ -252,10 +252,7 @@ def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, Fl
         return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
     found = bracketed_zeros(
-        lambda x: heights.along(strip, x)[1],
-        s[turns],
-        s[turns + 1],
-        values=(slope[turns], slope[turns + 1]),
+        lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1], values=(slope[turns], slope[turns + 1])
     )
     top = heights.along(strip, found)[0]
     stretches = []

@@ -10,13 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import (
-    CUT_INNER,
-    CUT_OUTER,
-    MARK,
-    Drawing,
-    LayeredPath,
-)
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.mating_marks import end_numbers, label_off_cuts, mating_marks

@@ -205,12 +205,7 @@ def _thin_places(outline: Path, holes: tuple[Path, ...], least: float) -> tuple[
 
 
 def _told(
-    name: str,
-    places: Sequence[ThinPlace],
-    least: float,
-    sheet: Sheet,
-    cure: str,
-    loops: Sequence[str] = (),
+    name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str, loops: Sequence[str] = ()
 ) -> Iterator[Fault]:
     for k, place in enumerate(places[:MOST_TOLD]):
         rest = len(places) - MOST_TOLD

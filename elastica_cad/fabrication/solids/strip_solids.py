@@ -12,9 +12,7 @@ from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.bent_boundary import BoundaryMaker, Map
 from elastica_cad.fabrication.solids.bent_map import BentMap, bent_maps
-from elastica_cad.fabrication.solids.boundary_records import (
-    Boundary,
-)
+from elastica_cad.fabrication.solids.boundary_records import Boundary
 from elastica_cad.fabrication.solids.joint_places import centred_thickness, joint_places, turned, with_faces
 from elastica_cad.fabrication.solids.pattern_strips import CutPattern, cut_across
 from elastica_cad.fabrication.solids.round_solids import RoundSolid

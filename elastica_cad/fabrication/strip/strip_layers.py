@@ -8,13 +8,7 @@ from operator import is_
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.fabrication.drawings.drawing import (
-    CUT_INNER,
-    CUT_OUTER,
-    MARK,
-    Drawing,
-    LayeredPath,
-)
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
 from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, label_on_tabs, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
