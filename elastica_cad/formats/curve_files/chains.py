@@ -10,12 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.edges import Edge, Run, reverse_run
-from elastica_cad.formats.curve_files.number_gate import (
-    MOST_PIECES,
-    check_count,
-    check_size,
-    check_tolerance,
-)
+from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_size, check_tolerance
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
