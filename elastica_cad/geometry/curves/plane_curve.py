@@ -19,11 +19,7 @@ from elastica_cad.geometry.curves.continuity import (
     agreeing_orders,
     knot_orders,
 )
-from elastica_cad.geometry.curves.curve_derivatives import (
-    curvature,
-    curvature_slope,
-    norm,
-)
+from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope, norm
 from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections

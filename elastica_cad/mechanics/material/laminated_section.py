@@ -198,9 +198,7 @@ class LaminatedSection:
         if not (np.isfinite(least_backing) and least_backing >= 0):
             raise InputError(f"least backing width is {least_backing}: it can't be negative, in mm")
         return ScaleRange.of(
-            self._stiffness(w1, np.minimum(least_backing, w1)),
-            self._stiffness(w1, w1),
-            stiffness,
+            self._stiffness(w1, np.minimum(least_backing, w1)), self._stiffness(w1, w1), stiffness
         )
 
     def thickness_ratio(

@@ -12,11 +12,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.banded_matrices import (
-    RANK_TOLERANCE,
-    constrained_inertia,
-    lowest_weighted,
-)
+from elastica_cad.mechanics.rod.banded_matrices import RANK_TOLERANCE, constrained_inertia, lowest_weighted
 
 
 def tangents(angles: FloatArray) -> FloatArray:

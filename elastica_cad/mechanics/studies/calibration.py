@@ -142,10 +142,7 @@ def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
     require_positive(overhang, "overhang", "mm")
     require_positive(elasto_gravity_length, "elasto-gravity length", "mm")
     strip = Rod.straight(
-        overhang,
-        samples=_NODES,
-        gravity=Gravity(elasto_gravity_length),
-        supports=Supports("clamped", "free"),
+        overhang, samples=_NODES, gravity=Gravity(elasto_gravity_length), supports=Supports("clamped", "free")
     )
     return float(-bend(strip).position[-1, 1])
 

@@ -234,10 +234,7 @@ def _line_meetings(
 
 
 def _widest_place(
-    excess: ExcessCurvature,
-    line: InflectionLine,
-    zeros: Sequence[CurvatureZero],
-    spare: float,
+    excess: ExcessCurvature, line: InflectionLine, zeros: Sequence[CurvatureZero], spare: float
 ) -> float | None:
     """Where (mm) the stiffness would exceed the least by `_WIDEST_RATIO`; None where it need not.
 
