@@ -8,11 +8,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.commands.command import Command, answers, edit_new, show_panel
-from freecad.elastica_wb.commands.selection import (
-    chosen_curves,
-    chosen_sketch,
-    is_curve_chosen,
-)
+from freecad.elastica_wb.commands.selection import chosen_curves, chosen_sketch, is_curve_chosen
 from freecad.elastica_wb.curves.plane_sections import chosen_bodies, is_path
 from freecad.elastica_wb.features import curves
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
