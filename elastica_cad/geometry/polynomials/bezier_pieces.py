@@ -86,16 +86,6 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
     return _short_spans(written, degree) if knots.size <= _SHORT else _long_spans(written, degree)
 
 
-@lru_cache(maxsize=_KEPT)
-def _long_spans(written: bytes, degree: int) -> Spans:
-    return _spans(written, degree)
-
-
-@lru_cache(maxsize=_KEPT_SHORT)
-def _short_spans(written: bytes, degree: int) -> Spans:
-    return _spans(written, degree)
-
-
 def _spans(written: bytes, degree: int) -> Spans:
     """The spans of knots as bytes; they are shared, so read-only."""
     knots = np.frombuffer(written)
@@ -118,6 +108,9 @@ def _spans(written: bytes, degree: int) -> Spans:
     for shared in (edges, first, matrix):
         shared.setflags(write=False)
     return Spans(knots.size - size, edges, first, matrix)
+
+
+_long_spans, _short_spans = lru_cache(maxsize=_KEPT)(_spans), lru_cache(maxsize=_KEPT_SHORT)(_spans)
 
 
 def _one_span(edges: FloatArray, degree: int) -> Spans:
