@@ -5,7 +5,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import FreeCAD as App
@@ -164,11 +164,8 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
     mesh = _mesh(source)
     if mesh is not None:
         frames = [frame for _, frame in planes]
-        found = list(
-            in_background(
-                QT_TRANSLATE_NOOP("Elastica", "Cutting the mesh"), _mesh_sections, mesh, frames, family.half
-            )
-        )
+        cut = partial(mesh_sections, *mesh, frames, half=family.half)
+        found = list(in_background(QT_TRANSLATE_NOOP("Elastica", "Cutting the mesh"), cut))
     else:
         shape, found = _shape(source), []
         for i, (_, frame) in enumerate(planes):
@@ -261,12 +258,6 @@ def _meshed(obj: Any) -> Any:
 def _has_triangles(obj: Any) -> bool:
     source = _meshed(obj)
     return source is not None and source.Mesh.CountFacets > 0
-
-
-def _mesh_sections(
-    mesh: tuple[FloatArray, Any], frames: Sequence[Frame], half: bool
-) -> tuple[PlaneSection, ...]:
-    return mesh_sections(*mesh, frames, half=half)
 
 
 def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> PlaneSection:

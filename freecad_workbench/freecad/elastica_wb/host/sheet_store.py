@@ -84,9 +84,7 @@ def sheet_called(name: str, kept: str = "") -> Sheet:
     )
 
 
-@lru_cache(maxsize=64)
-def _built_in(name: str) -> Sheet:
-    return Sheet.named(name)
+_built_in = lru_cache(maxsize=64)(Sheet.named)
 
 
 @lru_cache(maxsize=64)

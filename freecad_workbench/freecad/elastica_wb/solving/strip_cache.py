@@ -144,6 +144,4 @@ def _strip(spec: StripSpec) -> Strip:
         raise
 
 
-@growing_cache
-def _stability(rod: Rod) -> Stability:
-    return stability(rod)
+_stability = growing_cache(stability)
