@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
+from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine, inner_turns
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.point_distance import distances
@@ -173,9 +173,7 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 
 def _unfitted(line: SectionLine, tolerance: float) -> str:
     """Why no smooth curve follows a line: its sharpest corner, or nothing if it has none."""
-    step = np.diff(line.points, axis=0)
-    cross = step[:-1, 0] * step[1:, 1] - step[:-1, 1] * step[1:, 0]
-    turned = np.abs(np.arctan2(cross, (step[:-1] * step[1:]).sum(axis=1)))
+    turned = inner_turns(line.points)
     worst = int(turned.argmax())
     if turned[worst] < SHARP_TURN_RAD:
         return ""

@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.curve_derivatives import cross, dot
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
 
@@ -94,10 +95,7 @@ class SectionLine:
         if not 0 < turn < np.pi:
             raise InputError(f"corners turn by an angle between 0 and pi rad, not {turn!r}")
         points = np.concatenate([self.points, self.points[1:2]]) if self.is_closed else self.points
-        step = np.diff(points, axis=0)
-        cross = step[:-1, 0] * step[1:, 1] - step[:-1, 1] * step[1:, 0]
-        turned = np.abs(np.arctan2(cross, (step[:-1] * step[1:]).sum(axis=1)))
-        corners = 1.0 + np.flatnonzero(turned > turn)
+        corners = 1.0 + np.flatnonzero(inner_turns(points) > turn)
         if self.is_closed:
             corners %= len(self.points) - 1
         return self._split(np.sort(corners)) if corners.size else (self,)
@@ -160,6 +158,12 @@ class PlaneSection:
             reason = self.reports[0] if self.reports else f"{self.name} has {len(self.lines)} lines"
             raise InputError(f"{reason}: choose from its lines")
         return self.lines[0]
+
+
+def inner_turns(points: FloatArray) -> FloatArray:
+    """By how much, rad, a polyline (n, 2) turns at each of its points but the first and the last (n - 2,)."""
+    step = np.diff(points, axis=0)
+    return np.abs(np.arctan2(cross(step[:-1], step[1:]), dot(step[:-1], step[1:])))
 
 
 def collect_section(
