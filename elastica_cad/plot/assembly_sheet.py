@@ -19,7 +19,7 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.plot.canvas import INK, paint_polygons
-from elastica_cad.plot.model_pictures import look_from, rule_strip
+from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
 ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # of the eye
@@ -126,8 +126,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
     toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
-    right = np.array([-np.sin(np.radians(AZIMUTH_DEG)), np.cos(np.radians(AZIMUTH_DEG)), 0.0])
-    screen = np.column_stack([right, np.cross(toward, right)])
+    screen = screen_of(ELEVATION_DEG, AZIMUTH_DEG)
     figure = _page(f"{model.name}: {len(model.placed)} strips, taken apart")
     axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
     shown: list[tuple[FloatArray, FloatArray]] = []

@@ -131,8 +131,7 @@ def _seen(
     What lies on the eye's side of a face is painted after all that lies on its other side.
     """
     toward = look_from(elevation, azimuth)
-    right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
-    plane = patches @ np.column_stack([right, np.cross(toward, right)])
+    plane = patches @ screen_of(elevation, azimuth)
     middle = patches.mean(axis=1)
     before = [_height(middle, face) * np.sign(face.z_axis @ toward) > ON_PLANE_MM for face in faces]
     order = np.lexsort([middle @ toward, *before])
@@ -180,6 +179,12 @@ def look_from(elevation: float, azimuth: float) -> FloatArray:
     """Unit vector from the scene to the eye."""
     e, a = np.radians([elevation, azimuth])
     return np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+
+
+def screen_of(elevation: float, azimuth: float) -> FloatArray:
+    """Unit vectors to the right and upwards in the picture, as columns (3, 2)."""
+    right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
+    return np.column_stack([right, np.cross(look_from(elevation, azimuth), right)])
 
 
 def _lit(patches: FloatArray) -> FloatArray:
