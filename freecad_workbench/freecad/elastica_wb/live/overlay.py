@@ -10,6 +10,7 @@ import numpy as np
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.live.curve_picture import Picture
 from freecad.elastica_wb.live.verdict import Verdict
+from freecad.elastica_wb.preview.handles import plane_node
 from pivy import coin
 
 from elastica_cad._types import FloatArray
@@ -43,10 +44,7 @@ class Overlay:
         pick.style = coin.SoPickStyle.UNPICKABLE
         depth = coin.SoDepthBuffer()
         depth.test = False
-        place = coin.SoMatrixTransform()
-        rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
-        place.matrix.setValue(*rows.ravel().tolist())
-        for node in (pick, plain, depth, place):
+        for node in (pick, plain, depth, plane_node(placement)):
             self.root.addChild(node)
         self._comb = self._lines(COLORS["comb"], 1.0)
         self._width = self._lines(COLORS["width"], 2.0)
