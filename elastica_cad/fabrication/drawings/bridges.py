@@ -8,6 +8,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
+from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Segment, Spline, place
 from elastica_cad.geometry.paths.trim import trim_segment
@@ -149,5 +150,4 @@ def _part(segment: Segment, a: float, b: float) -> Segment:
 
 
 def _turn(before: Segment, after: Segment) -> float:
-    s, t = before.tangent_at(1.0), after.tangent_at(0.0)
-    return abs(float(np.arctan2(s[0] * t[1] - s[1] * t[0], s @ t)))
+    return abs(float(turn_between(before.tangent_at(1.0), after.tangent_at(0.0))))

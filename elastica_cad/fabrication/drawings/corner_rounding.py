@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross, norm
+from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.many_segments import ManySegments
 from elastica_cad.geometry.paths.path import Path
@@ -164,7 +165,7 @@ def _corners(
     """Arcs where sides (n,) turn into those behind them, at the end of one or over a gap."""
     s = many.motion(before, np.ones(before.size))[1]
     t = many.motion(after, np.zeros(after.size))[1]
-    turn = _turn(s, t)
+    turn = turn_between(s, t)
     sharp = (np.abs(turn) >= SMOOTH_RAD) | gaps
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
     side = (radius * np.sign(turn))[:, None]
@@ -183,11 +184,9 @@ def _corners(
         # the sides bend so little that their tangents serve for the Jacobian
         v, w, gap = near[1][apart], far[1][apart], gap[apart]
         open_ = open_[apart]
-        determinant = v[:, 1] * w[:, 0] - v[:, 0] * w[:, 1]
+        determinant = cross(w, v)
         determinant[determinant == 0] = PARALLEL
-        step = np.column_stack(
-            [gap[:, 0] * w[:, 1] - gap[:, 1] * w[:, 0], gap[:, 0] * v[:, 1] - gap[:, 1] * v[:, 0]]
-        )
+        step = np.column_stack([cross(gap, w), cross(gap, v)])
         asked = x[open_] + step / determinant[:, None]
         outside = (asked < 0) | (asked > 1)
         turned_back[open_] += outside.any(axis=1)
@@ -199,17 +198,12 @@ def _corners(
             break
     x[open_] = -1.0, 2.0
     start, leaving, end, entering = ends
-    bulges = np.tan(_turn(leaving, entering) / 4)
+    bulges = np.tan(turn_between(leaving, entering) / 4)
     arcs = [
         Arc.from_bulge(a, b, float(bulge)) if fit else None
         for a, b, bulge, fit in zip(start, end, bulges, fits, strict=True)
     ]
     return _Corners(before, after, x[:, 0], x[:, 1], arcs)
-
-
-def _turn(s: FloatArray, t: FloatArray) -> FloatArray:
-    """Angles (n,) from directions s to directions t (n, 2)."""
-    return np.asarray(np.arctan2(cross(s, t), (s * t).sum(axis=1)))
 
 
 def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:

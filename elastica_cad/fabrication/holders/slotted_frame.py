@@ -24,6 +24,7 @@ from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.prisms import convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import self_crossing
@@ -366,8 +367,7 @@ def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: 
 
 
 def _anticlockwise(loop: FloatArray) -> FloatArray:
-    p, q = loop, np.roll(loop, -1, axis=0)
-    return loop if np.sum(p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]) > 0 else loop[::-1]
+    return loop if cross(loop, np.roll(loop, -1, axis=0)).sum() > 0 else loop[::-1]
 
 
 def _with_tongue(

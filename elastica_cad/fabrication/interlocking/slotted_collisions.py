@@ -16,6 +16,7 @@ from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
 from elastica_cad.fabrication.slots.slot import slot_cut
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_about
+from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.paths.segments import Line, Segment
 
 SHARED_MM = 0.05
@@ -202,7 +203,7 @@ def _within(
     beyond = np.abs(((points[:, :2] - place) * tangent).sum(axis=1))
     ends = np.minimum(foot, strip.length - foot) - beyond
     depth = np.minimum(slab.thickness / 2 - away, strip.half_width(foot) - np.abs(points[:, 2]))
-    alike = np.abs(normals[:, 1] * tangent[:, 0] - normals[:, 0] * tangent[:, 1])
+    alike = np.abs(cross(tangent, normals))
     return foot, np.minimum(depth, ends), np.arccos(np.minimum(alike, 1.0))
 
 

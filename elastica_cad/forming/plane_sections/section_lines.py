@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.curve_derivatives import cross, dot
+from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
 
@@ -163,7 +163,7 @@ class PlaneSection:
 def inner_turns(points: FloatArray) -> FloatArray:
     """By how much, rad, a polyline (n, 2) turns at each of its points but the first and the last (n - 2,)."""
     step = np.diff(points, axis=0)
-    return np.abs(np.arctan2(cross(step[:-1], step[1:]), dot(step[:-1], step[1:])))
+    return np.abs(turn_between(step[:-1], step[1:]))
 
 
 def collect_section(

@@ -12,6 +12,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
@@ -104,7 +105,7 @@ class SmoothJoints:
         """How far, mm, the control point before a joint lies off the tangent behind it."""
         points, at = curve.control_points, self.at
         before, after = points[at] - points[at - 1], points[at + 1] - points[at]
-        residual = (before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]) / self.size
+        residual = cross(before, after) / self.size
         rows, row = np.zeros((at.size, *points.shape)), np.arange(at.size)
         by_before = np.column_stack([after[:, 1], -after[:, 0]]) / self.size[:, None]
         by_after = np.column_stack([-before[:, 1], before[:, 0]]) / self.size[:, None]

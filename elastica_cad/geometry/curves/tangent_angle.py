@@ -35,7 +35,7 @@ class TangentAngle:
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
         """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
         cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
-        return np.asarray(self.angle[cone] + _signed_angle(self.axis[cone], velocity), dtype=float)
+        return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
 
 
 def hodograph(bezier: FloatArray) -> FloatArray:
@@ -75,9 +75,9 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     first, last = _unit(cones.hodographs[:, 0]), _unit(cones.hodographs[:, -1])
     axis = _unit(first + last)
     # the velocity runs between its coefficients
-    off_axis = _signed_angle(axis[:, None], cones.hodographs)
+    off_axis = turn_between(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
-    across = _signed_angle(last[:-1], first[1:])
+    across = turn_between(last[:-1], first[1:])
     angle = np.empty(len(axis))
     angle[0] = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
     angle[1:] = to_end[:-1] + across - to_start[1:]
@@ -128,7 +128,7 @@ def _unit(v: FloatArray) -> FloatArray:
     return np.asarray(v / np.where(length > 0, length, 1.0))
 
 
-def _signed_angle(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Angle from u to v in (-pi, pi], rows of (n, 2)."""
+def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
     cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
     return np.asarray(np.arctan2(cross, u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1]))

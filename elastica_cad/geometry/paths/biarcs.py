@@ -4,6 +4,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.paths.chords import require_tolerance_mm
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_cubics import smooth_stretches
@@ -128,6 +129,5 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
 
 def _arc(p: FloatArray, q: FloatArray, tangent: FloatArray, end: float) -> Segment:
     """The arc from p to q that has `tangent` at p (end = 1) or at q (end = -1)."""
-    chord = q - p
-    half_turn = end * float(np.arctan2(tangent[0] * chord[1] - tangent[1] * chord[0], tangent @ chord))
+    half_turn = end * float(turn_between(tangent, q - p))
     return segment_from_bulge(p, q, float(np.tan(half_turn / 2)))

@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.paths.chords import require_tolerance_mm
 from elastica_cad.geometry.paths.path import JOIN, Path
 from elastica_cad.geometry.paths.path_cubics import cubic_through, smooth_stretches
@@ -133,7 +134,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
 def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
     """The arc about a corner that opens up on the offset side; None where it closes or is no corner."""
     s, t = before.tangent_at(1.0), after.tangent_at(0.0)
-    turn = float(np.arctan2(s[0] * t[1] - s[1] * t[0], s @ t))
+    turn = float(turn_between(s, t))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
         return None
     normal = left_of(s) * np.sign(left)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from elastica_cad._types import FloatArray
+from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.paths.chords import chords
 from elastica_cad.geometry.paths.segments import Line, Segment
 
@@ -113,9 +114,7 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
 
 def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
     """Twice the area of the triangles a b c: on which side of a b the points c lie."""
-    return np.asarray(
-        (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]), dtype=float
-    )
+    return cross(b - a, c - a)
 
 
 def _line_parameters(
@@ -123,11 +122,9 @@ def _line_parameters(
 ) -> tuple[FloatArray, FloatArray]:
     """Where the lines a b and c d (n, 2 each) meet, as fractions of a b and of c d; nan where parallel."""
     p, q, gap = b - a, d - c, c - a
-    det = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
+    det = cross(p, q)
     det = np.where(np.abs(det) > 1e-14 * np.hypot(*p.T) * np.hypot(*q.T), det, np.nan)
-    return (gap[:, 0] * q[:, 1] - gap[:, 1] * q[:, 0]) / det, (
-        gap[:, 0] * p[:, 1] - gap[:, 1] * p[:, 0]
-    ) / det
+    return cross(gap, q) / det, cross(gap, p) / det
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
