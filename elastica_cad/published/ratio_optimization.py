@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 from enum import Enum
 
-import numpy as np
-
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
+from elastica_cad.mechanics.loads.arguments import require_ratio
 from elastica_cad.published.control_points import Bounds, RouteStep, move_within
 
 
@@ -94,10 +93,7 @@ def optimize_ratio(
     >>> found.ratio <= 1.2, found.status.name
     (True, 'REACHED')
     """
-    if not (np.isfinite(target) and target >= 1):
-        raise InputError(
-            f"target ratio is {target}: max K / min K cannot be below 1; plain strips allow 2 to 4"
-        )
+    require_ratio(target, "target ratio")
     if max_steps < 1:
         raise InputError(f"max_steps is {max_steps}: allow at least one step")
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)

@@ -9,6 +9,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
+from elastica_cad.mechanics.loads.arguments import require_ratio
 from elastica_cad.published.control_points import Bounds, Route, RouteStep, move_within
 
 
@@ -108,8 +109,7 @@ def recover_stability(
     >>> recover_stability(arch).status.name
     'STABLE'
     """
-    if not (np.isfinite(R_max) and R_max >= 1):
-        raise InputError(f"R_max is {R_max}: max K / min K cannot be below 1; plain strips allow 2 to 4")
+    require_ratio(R_max, "R_max")
     if not np.isfinite(margin):
         raise InputError(f"margin is {margin}: it must be a number; 0 is the border of stability, try 5")
     if max_steps < 1:

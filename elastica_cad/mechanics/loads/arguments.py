@@ -42,6 +42,12 @@ def require_tolerance(tolerance: object) -> None:
         )
 
 
+def require_ratio(ratio: object, name: str) -> None:
+    """Refuse a bound of max K / min K below 1, or one that is no number."""
+    if not (is_number(ratio) and ratio >= 1):
+        raise InputError(f"{name} is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4")
+
+
 def whole_number(value: object, name: str, least: int) -> int:
     """A count of at least `least`; fractions, texts and truth values are none."""
     if not is_whole(value) or value < least:

@@ -135,8 +135,9 @@ def test_supports_of_the_ends():
 
 def test_bad_input():
     touching = PlaneCurve(np.repeat([0.0, 1.0], 5), [(0, 40), (25, -40), (50, 40), (75, -40), (100, 40)], 4)
-    with pytest.raises(InputError, match="ratio"):
-        split(touching, ratio=0.5)
+    for ratio in (0.5, np.nan, "2"):
+        with pytest.raises(InputError, match="ratio"):
+            split(touching, ratio=ratio)
     with pytest.raises(InputError, match="arc length"):
         split(touching, places=[1000.0])
     with pytest.raises(NotRealizable, match="Supports do not help at"):
