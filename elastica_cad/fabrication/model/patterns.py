@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed
 
@@ -13,11 +14,10 @@ def mirror(
     placed: Sequence[Placed], point: ArrayLike, normal: ArrayLike, *, keep: bool = True
 ) -> tuple[Placed, ...]:
     """The mirror images in the plane through `point` across `normal`, behind the strips themselves if kept."""
-    n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
-    size = float(np.linalg.norm(n))
-    if not (n.shape == p.shape == (3,) and np.isfinite(size) and size > 0):
+    n, p = _vector(normal), _vector(point)
+    if n is None or p is None or not n.any():
         raise InputError("a mirror needs a point and a normal of three numbers, the normal not zero")
-    n = n / size
+    n = n / np.linalg.norm(n)
     turn = np.eye(3) - 2 * np.outer(n, n)
     images = tuple(one.moved(turn, 2 * (p @ n) * n) for one in placed)
     return (*placed, *images) if keep else images
@@ -32,12 +32,15 @@ def rotate(
     step: float | None = None,
 ) -> tuple[Placed, ...]:
     """The strips `count` times about an axis, each `step` rad further; the full turn by `count` unless given."""
-    k, p = np.asarray(axis, dtype=float), np.asarray(point, dtype=float)
-    size = float(np.linalg.norm(k))
-    if count < 1 or not (np.isfinite(size) and size > 0):
+    k, p = _vector(axis), _vector(point)
+    if not (is_whole(count) and count >= 1) or k is None or not k.any():
         raise InputError("a rotation pattern needs a count of 1 or more and an axis that is not zero")
+    if p is None or not (step is None or is_number(step)):
+        raise InputError(
+            f"a rotation pattern turns about a point of three numbers by a step in rad, not {point!r} and {step!r}"
+        )
     angle = 2 * np.pi / count if step is None else float(step)
-    k = k / size
+    k = k / np.linalg.norm(k)
     cross = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
     copies = list(placed)
     for i in range(1, count):
@@ -48,7 +51,18 @@ def rotate(
 
 def repeat(placed: Sequence[Placed], count: int, step: ArrayLike) -> tuple[Placed, ...]:
     """The strips `count` times, the first where they are, each `step` (3,) mm further."""
-    if count < 1:
+    if not (is_whole(count) and count >= 1):
         raise InputError(f"a pattern repeats 1 time or more, not {count}")
-    d = np.asarray(step, dtype=float)
+    d = _vector(step)
+    if d is None:
+        raise InputError(f"a pattern repeats at a step of three numbers in mm, not {step!r}")
     return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)
+
+
+def _vector(values: ArrayLike) -> FloatArray | None:
+    """Three finite numbers (3,); None of anything else."""
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    return array if array.shape == (3,) and np.isfinite(array).all() else None

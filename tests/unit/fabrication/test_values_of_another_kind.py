@@ -111,6 +111,17 @@ SLIPS = {
     "'arch.dxf', not None": lambda: write_curves([ROD.curve], None),
     "'arch.dxf', not \\[": lambda: read_curves([1, 2]),
     "the model is a list: give a Model": lambda: save_model([STRIP], "out"),
+    "a mirror needs a point and a normal": lambda: Model([Placed(STRIP)]).mirrored((0, 0, 0), "z"),
+    "a rotation pattern needs a count of 1 or more": lambda: Model([Placed(STRIP)]).rotated("3"),
+    "an axis that is not zero": lambda: Model([Placed(STRIP)]).rotated(3, axis=1.0),
+    "a point of three numbers by a step in rad, not 5 and None": lambda: Model([Placed(STRIP)]).rotated(
+        3, point=5
+    ),
+    "by a step in rad, not .* and '1'": lambda: Model([Placed(STRIP)]).rotated(3, step="1"),
+    "a pattern repeats 1 time or more, not 2.5": lambda: Model([Placed(STRIP)]).repeated(2.5, (0, 0, 5)),
+    "a pattern repeats at a step of three numbers in mm, not 5": lambda: Model([Placed(STRIP)]).repeated(
+        2, 5
+    ),
 }
 
 
