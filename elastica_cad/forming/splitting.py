@@ -12,7 +12,12 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.trim import trim_curve
-from elastica_cad.mechanics.loads.arguments import require_curve, require_ratio, require_supports
+from elastica_cad.mechanics.loads.arguments import (
+    require_curve,
+    require_ratio,
+    require_supports,
+    require_tolerance,
+)
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -104,6 +109,7 @@ def split(
     """
     if ratio is not None:
         require_ratio(ratio, "ratio")
+    require_tolerance(tolerance)
     require_curve(curve)
     cut = _Cut(curve, ratio, require_supports(supports), _parameters(curve, places), tolerance)
     latest = _forwards(cut)

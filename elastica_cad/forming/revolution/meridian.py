@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.revolution.meridian_search import FoundMeridian, search_meridian
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -234,7 +235,7 @@ def _floor(start: float, length: float, ring: float | None) -> float:
     """The distance from the axis at which a meridian ends, mm."""
     if ring is None:
         return min(NARROW_SHARE * (start + length), start / 2)
-    if not 0 < ring < start:
+    if not (is_number(ring) and 0 < ring < start):
         raise InputError(f"ring={ring}: it must be positive and smaller than the start's {start:g} mm")
     return float(ring)
 
@@ -327,10 +328,14 @@ def _refuse_winding(p: FloatArray) -> None:
 
 
 def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: float) -> FloatArray:
-    b, start = np.asarray(b, dtype=float), np.asarray(start, dtype=float)
+    try:
+        b, start = np.asarray(b, dtype=float), np.asarray(start, dtype=float)
+        a, angle, length = float(a), float(angle), float(length)
+    except (TypeError, ValueError):
+        raise InputError("a meridian is made of numbers: a, angle and length, b and start") from None
     if b.shape != (2,) or start.shape != (2,):
         raise InputError("a meridian needs b and start as two numbers each")
-    numbers = np.array([float(a), *b, *start, float(angle), float(length)])
+    numbers = np.array([a, *b, *start, angle, length])
     if not np.all(np.isfinite(numbers)):
         raise InputError(f"the numbers of a meridian must be finite: {numbers.tolist()}")
     return numbers

@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
@@ -15,7 +16,7 @@ MOST_ROUNDS = 40
 
 def require_tolerance_mm(tolerance: float) -> float:
     """The tolerance, mm, refused unless it is positive and finite."""
-    if not (np.isfinite(tolerance) and tolerance > 0):
+    if not (is_number(tolerance) and tolerance > 0):
         raise InputError(f"the tolerance is {tolerance}: it must be positive, in mm")
     return float(tolerance)
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import is_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
@@ -319,7 +319,7 @@ class WidthLaw:
 
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
     require_positive(thickness, "thickness")
-    if not (np.isfinite(poisson_ratio) and 0 <= poisson_ratio < 1):
+    if not (is_number(poisson_ratio) and 0 <= poisson_ratio < 1):
         raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1")
     return float(thickness), float(poisson_ratio)
 

@@ -8,7 +8,7 @@ from typing import Any, Self
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import is_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -128,7 +128,7 @@ class PolynomialLaw(MaterialLaw):
 
     def __post_init__(self) -> None:
         for name in ("quadratic", "quartic"):
-            if not np.isfinite(getattr(self, name)):
+            if not is_number(getattr(self, name)):
                 raise InputError(f"{name} coefficient of the law is {getattr(self, name)}: it must be finite")
         require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 

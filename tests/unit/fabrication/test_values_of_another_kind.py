@@ -23,6 +23,8 @@ from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.many_rods import nearest_rods
+from elastica_cad.forming.revolution.meridian import meridian
+from elastica_cad.forming.splitting import split
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kit.kit_files import save_model
@@ -30,6 +32,8 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import End
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
+from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -111,6 +115,13 @@ SLIPS = {
     "'arch.dxf', not None": lambda: write_curves([ROD.curve], None),
     "'arch.dxf', not \\[": lambda: read_curves([1, 2]),
     "the model is a list: give a Model": lambda: save_model([STRIP], "out"),
+    "a meridian is made of numbers": lambda: meridian("x", (0, 0.03), (150, -11.5), 2.2, 300),
+    "a meridian is made of numbers: a": lambda: meridian(-1.5, "up", (150, -11.5), 2.2, 300),
+    "ring=2 mm: it must be positive": lambda: meridian(-1.5, (0, 0.03), (150, -11.5), 2.2, 300, ring="2 mm"),
+    "tolerance is '1e-4'": lambda: split(ROD.curve, tolerance="1e-4"),
+    "quadratic coefficient of the law is None": lambda: PolynomialLaw(None),
+    "Poisson's ratio is wood": lambda: anticlastic_factor(40, 0.01, thickness=0.5, poisson_ratio="wood"),
+    "the tolerance is 0.1 mm: it must be positive": lambda: STRIP.outline.points("0.1 mm"),
     "a mirror needs a point and a normal": lambda: Model([Placed(STRIP)]).mirrored((0, 0, 0), "z"),
     "a rotation pattern needs a count of 1 or more": lambda: Model([Placed(STRIP)]).rotated("3"),
     "an axis that is not zero": lambda: Model([Placed(STRIP)]).rotated(3, axis=1.0),
