@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.forming.optimizer.quadratic_program import (
@@ -223,7 +223,7 @@ class _SeatedEnd:
     def way(self) -> int:
         return 1 if self.index else -1
 
-    @property
+    @cached_property
     def pieces(self) -> int:
         return TAB_PIECES if np.isfinite(self.stiffness) else 0
 
@@ -244,11 +244,10 @@ class _SeatedEnd:
     @cached_property
     def sideways(self) -> FloatArray:
         """How far (k, m) each edge's gap closes for the angle of each piece, mm."""
-        into = np.concatenate([self.seat.left[:, 0], self.seat.right[:, 0]])
-        sense = np.concatenate([np.ones(len(self.seat.left)), -np.ones(len(self.seat.right))])
+        into, _, side = self.seat.edges
         begins = self.piece * np.arange(self.pieces)
         covered = np.clip(into[:, None] - begins, 0.0, self.piece)
-        return np.asarray(-self.way * sense[:, None] * covered)
+        return np.asarray(-self.way * side[:, None] * covered)
 
 
 @dataclass(frozen=True, eq=False)
@@ -259,13 +258,12 @@ class _Held:
     design: Rod
     seated: tuple[_SeatedEnd, ...]
 
-    @property
+    @cached_property
     def unknowns(self) -> int:
         return sum(2 + one.pieces for one in self.seated)
 
     def parts(self, q: FloatArray) -> list[tuple[_SeatedEnd, FloatArray]]:
-        edges = np.cumsum([2 + one.pieces for one in self.seated])[:-1]
-        return list(zip(self.seated, np.split(q, edges), strict=True))
+        return [(one, q[at : at + 2 + one.pieces]) for at, one in zip(self._begins, self.seated, strict=True)]
 
     def pose(self, part: FloatArray) -> tuple[float, float]:
         return float(part[0]), float(part[1]) / self.design.length
@@ -276,25 +274,26 @@ class _Held:
         angles = [float(design.angle[0]), float(design.angle[-1])]
         for one, part in self.parts(q):
             shift, turn = self.pose(part)
-            places[one.index] = places[one.index] + shift * self.left(one.index)
+            places[one.index] = places[one.index] + shift * self.lefts[one.index]
             angles[one.index] += turn
         held = [angle if end.angle else None for angle, end in zip(angles, design.supports.ends, strict=True)]
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
-    def left(self, index: int) -> FloatArray:
-        """Unit vector to the left of the design at an end."""
-        angle = self.design.angle[-index]
-        return np.array([-np.sin(angle), np.cos(angle)])
+    @cached_property
+    def lefts(self) -> FloatArray:
+        """Unit vectors (2, 2) to the left of the design at start and end."""
+        angles = self.design.angle[[0, -1]]
+        return np.column_stack([-np.sin(angles), np.cos(angles)])
 
     def reactions(self, rod: Rod) -> FloatArray:
         """What the holders do to the strip along shift and turn of each end, over B: 1/mm2."""
         found = []
         for one in self.seated:
             k, sign = -one.index, -1.0 if one.index else 1.0
-            found += [sign * rod.force[k] @ self.left(one.index), -sign * rod.moment[k] / self.design.length]
+            found += [sign * rod.force[k] @ self.lefts[one.index], -sign * rod.moment[k] / self.design.length]
         return np.array(found)
 
-    @property
+    @cached_property
     def poses(self) -> list[int]:
         """Indices in q of shifts and turns."""
         return [at + k for at in self._begins for k in (0, 1)]
@@ -309,7 +308,7 @@ class _Held:
     def without_room(self, q: FloatArray) -> str:
         """What to say of the tab that overlaps its holder most."""
         gaps = self.walls(q)[1]
-        sizes = [len(one.seat.left) + len(one.seat.right) for one in self.seated]
+        sizes = [one.seat.edges[0].size for one in self.seated]
         each = [float(part.min()) for part in np.split(gaps, np.cumsum(sizes)[:-1])]
         one, gap = min(zip(self.seated, each, strict=True), key=lambda pair: pair[1])
         end = "end" if one.index else "start"
@@ -334,9 +333,10 @@ class _Held:
         length, rows, room = self.design.length, [], []
         for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
             pose = self.pose(part)
-            block = np.zeros((len(one.seat.left) + len(one.seat.right), q.size))
-            block[:, at : at + 2] = one.seat.slopes(*pose, one.way) / (1.0, length)
             gaps = one.seat.gaps(*pose, one.way)
+            block = np.zeros((gaps.size, q.size))
+            block[:, at : at + 2] = one.seat.slopes(*pose, one.way)
+            block[:, at + 1] /= length
             if one.pieces:
                 block[:, self._tab(at, one)] = one.sideways / length
                 gaps = gaps + one.sideways @ part[2:] / length
@@ -357,14 +357,12 @@ class _Held:
         """The next step of sequential quadratic programming; `near` is the one before, for what touches."""
         length, poses = self.design.length, self.poses
         scale = float(np.abs(end_stiffness).max())
-        g, H = np.zeros(q.size), np.zeros((q.size, q.size))
+        g, H = np.zeros(q.size), self._bending.copy()
         g[poses] = self.reactions(rod)
-        H[np.ix_(poses, poses)] = end_stiffness
+        H[self._pose_block] = end_stiffness
         for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
-            if one.pieces:
-                tab = self._tab(at, one)
-                H[tab, tab] = one.bending / length**2
-                g[tab] = H[tab, tab] @ part[2:]
+            tab = self._tab(at, one)
+            g[tab] = H[tab, tab] @ part[2:]
         A, gaps = self.walls(q)
         bound = np.full(q.size, STEP_RAD * length)
         bound[poses[::2]] = STEP_SHARE * length
@@ -375,11 +373,25 @@ class _Held:
         )  # fmt: skip
         return solve_quadratic(program, near=near)
 
+    @cached_property
+    def _pose_block(self) -> tuple[IntArray, ...]:
+        """Where in the Hessian shifts and turns are."""
+        return np.ix_(self.poses, self.poses)
+
+    @cached_property
+    def _bending(self) -> FloatArray:
+        """Hessian (n, n) of the tabs' energy over B in q, 1/mm3."""
+        found = np.zeros((self.unknowns, self.unknowns))
+        for at, one in zip(self._begins, self.seated, strict=True):
+            if one.pieces:
+                found[self._tab(at, one), self._tab(at, one)] = one.bending / self.design.length**2
+        return found
+
     def _tab(self, at: int, one: _SeatedEnd) -> slice:
         """Where in q the angles of a tab's pieces are."""
         return slice(at + 2, at + 2 + one.pieces)
 
-    @property
+    @cached_property
     def _begins(self) -> list[int]:
         sizes = [2 + one.pieces for one in self.seated]
         return [sum(sizes[:k]) for k in range(len(sizes))]

@@ -1,6 +1,7 @@
 """Where a holder touches a tab, and how far the tab can turn in it."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -61,6 +62,12 @@ class TabSeat:
         half = np.full(into.size, thickness / 2 + play)
         return cls(np.column_stack([into, half]), np.column_stack([into, -half]), thickness, name)
 
+    @cached_property
+    def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Into and left of all edges, those of the left face first, and their faces' sides: 1 left, -1 right."""
+        into, left = np.concatenate([self.left, self.right]).T.copy()
+        return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
+
     @property
     def depth(self) -> float:
         """How far into the tab the holder reaches, mm."""
@@ -90,28 +97,22 @@ class TabSeat:
         anticlockwise; `way` is +1 at the end of the strip and -1 at its start, where the tab points backwards.
         """
         cos, sin = np.cos(turn), np.sin(turn)
-        (a, b), (c, d) = self.left.T, self.right.T
-        over = -way * a * sin + (b - shift) * cos
-        under = way * c * sin - (d - shift) * cos
-        return np.asarray(np.concatenate([over, under]) - self.thickness / 2)
+        into, left, side = self.edges
+        return np.asarray(side * (-way * into * sin + (left - shift) * cos) - self.thickness / 2)
 
     def slopes(self, shift: float, turn: float, way: int) -> FloatArray:
         """Derivatives (k, 2) of `gaps` by shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
-        (a, b), (c, d) = self.left.T, self.right.T
-        by_shift = np.concatenate([np.full(a.size, -cos), np.full(c.size, cos)])
-        by_turn = np.concatenate([-way * a * cos - (b - shift) * sin, way * c * cos + (d - shift) * sin])
-        return np.column_stack([by_shift, by_turn])
+        into, left, side = self.edges
+        return np.column_stack([-cos * side, side * (-way * into * cos - (left - shift) * sin)])
 
     def bends(self, shift: float, turn: float, way: int) -> FloatArray:
         """Second derivatives (k, 2, 2) of `gaps` by shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
-        (a, b), (c, d) = self.left.T, self.right.T
-        found = np.zeros((a.size + c.size, 2, 2))
-        found[:, 0, 1] = found[:, 1, 0] = np.concatenate([np.full(a.size, sin), np.full(c.size, -sin)])
-        found[:, 1, 1] = np.concatenate(
-            [way * a * sin - (b - shift) * cos, (d - shift) * cos - way * c * sin]
-        )
+        into, left, side = self.edges
+        found = np.zeros((side.size, 2, 2))
+        found[:, 0, 1] = found[:, 1, 0] = sin * side
+        found[:, 1, 1] = side * (way * into * sin - (left - shift) * cos)
         return found
 
     @property
