@@ -196,7 +196,7 @@ def _name_of_group(count: int, number: str) -> str:
 
 
 def _place(code: int, point: Sequence[float] | FloatArray, *, flat: bool = False) -> str:
-    x, y = map(float, point)
+    x, y = np.asarray(point, dtype=float).tolist()
     return f" {code}\n{x}\n {code + 10}\n{y}\n" + ("" if flat else f" {code + 20}\n0.0\n")
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from html import escape  # xml.sax.saxutils would load the network first
+from itertools import islice
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.formats.drawing_files.curve_style import check_curve_style, shape_path
 from elastica_cad.formats.drawing_files.layers import LayerChoice, style_layers
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment
 
 _MARGIN_MM = 1.0
 """About the drawing, so that a stroke on its border is seen."""
@@ -92,43 +93,34 @@ class _Sheet:
 
     def data(self, path: Path) -> str:
         """The d attribute of one path."""
-        parts = [f"M{self._points(path.start)}"]
-        for segment in path.segments:
-            parts.extend(self._segment(segment))
-        if path.closed:
-            # the closing line is drawn by Z
-            if isinstance(path.segments[-1], Line):
-                parts.pop()
-            parts.append("Z")
-        return "".join(parts)
+        runs = [("M", path.start), *[run for segment in path.segments for run in _runs(segment)]]
+        if path.closed and isinstance(path.segments[-1], Line):
+            runs.pop()  # the closing line is drawn by Z
+        places = np.concatenate([points.reshape(-1, 2) for _, points in runs])
+        placed = ((places - self.origin) * (1, -1)).tolist()
+        written = iter([f"{_number(x)},{_number(y)}" for x, y in placed])
+        parts = [command + " ".join(islice(written, points.size // 2)) for command, points in runs]
+        return "".join(parts) + ("Z" if path.closed else "")
 
-    def _segment(self, segment: Segment) -> list[str]:
-        if isinstance(segment, Line):
-            return [f"L{self._points(segment.end)}"]
-        if isinstance(segment, Arc):
-            return self._arc(segment)
-        return self._bezier(segment)
 
-    def _arc(self, arc: Arc) -> list[str]:
+def _runs(segment: Segment) -> list[tuple[str, FloatArray]]:
+    """Commands that go on along a segment, each with its points (..., 2)."""
+    if isinstance(segment, Line):
+        return [("L", segment.end)]
+    if isinstance(segment, Arc):
         # more than half a turn in two parts: a whole turn has no ends, and nearly one is badly conditioned
-        ends = arc.at(np.array([0.5, 1.0])) if abs(arc.sweep) > np.pi * (1 + 1e-9) else arc.end[None]
-        radius, flag = _number(arc.radius), "0" if arc.sweep > 0 else "1"
-        return [f"A{radius} {radius} 0 0 {flag} {self._points(end)}" for end in ends]
-
-    def _bezier(self, spline: Spline) -> list[str]:
-        curve = spline.curve
-        letter = {2: "Q", 3: "C"}[curve.degree]
-        if curve.knots.size == 2 * curve.degree + 2:  # clamped and of one piece, as sides of holes are
-            return [letter + self._points(curve.control_points[1:])]
-        pieces = [points[1:, :2] / points[1:, 2:] for _, _, points in curve.bezier_pieces()]
-        return [letter + self._points(points) for points in pieces]
-
-    def _points(self, points: FloatArray) -> str:
-        placed = (points.reshape(-1, 2) - self.origin) * (1, -1)
-        return " ".join([f"{_number(x)},{_number(y)}" for x, y in placed.tolist()])
+        halves = abs(segment.sweep) > np.pi * (1 + 1e-9)
+        ends = segment.at(np.array([0.5, 1.0])) if halves else segment.end[None]
+        radius, flag = _number(segment.radius), "0" if segment.sweep > 0 else "1"
+        return [(f"A{radius} {radius} 0 0 {flag} ", end) for end in ends]
+    curve = segment.curve
+    letter = {2: "Q", 3: "C"}[curve.degree]
+    if curve.knots.size == 2 * curve.degree + 2:  # clamped and of one piece, as sides of holes are
+        return [(letter, curve.control_points[1:])]
+    return [(letter, points[1:, :2] / points[1:, 2:]) for _, _, points in curve.bezier_pieces()]
 
 
 def _number(value: float) -> str:
     """A length to 1e-6 mm, as short as it goes."""
     text = f"{value:.6f}".rstrip("0").rstrip(".")
-    return "0" if text in ("-0", "") else text
+    return "0" if text == "-0" else text
