@@ -1,12 +1,13 @@
 """Where bent strips lie in each other's thickness: side by side their middle surfaces need not cross."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.fabrication.interlocking.interlock import SHALLOW_RAD, strip_thickness
-from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.fabrication.interlocking.ruled_strip import InPlane, RuledStrip
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_about
 
@@ -41,6 +42,12 @@ class Slab:
             return cls(replace(ruled, width=width), INSCRIBED * thinnest)
         return cls(ruled, strip_thickness(strip))
 
+    @cached_property
+    def rows(self) -> tuple[FloatArray, FloatArray]:
+        """Stations (n,) all along the strip, and the places (n, 2) of its curve there."""
+        stations = np.linspace(0.0, self.ruled.length, ROWS)
+        return stations, self.ruled.in_plane(stations)[0]
+
 
 def flush_overlap(first: Slab, second: Slab, least: float) -> tuple[float, float] | None:
     """Arc lengths of both, mm, where they lie in each other by more than `least` mm; None where they do not.
@@ -66,15 +73,17 @@ def _nearest(a: RuledStrip, b: RuledStrip, reach: float, inset: float) -> tuple[
     across = np.multiply.outer(a.half_width(s), ACROSS)
     middle, tangent = a.in_plane(s)
     points = b.frame.local(a.frame.point(middle)[:, None] + across[..., None] * a.axis)
-    low, high = box_about(b.in_plane(stations)[0]) + np.array([[-reach], [reach]])
+    curve = b.in_plane(stations)[0]
+    low, high = box_about(curve) + np.array([[-reach], [reach]])
     near = np.all((points[..., :2] > low) & (points[..., :2] < high), axis=2)
     near &= np.abs(points[..., 2]) < b.half_width(stations).max()
     row = np.nonzero(near)[0]
     points = points[near]
     if not row.size:
         return None
-    foot, distance = nearest_places(b, stations, points[:, :2])
-    normals = a.normal(tangent)[row], b.normal(b.in_plane(foot)[1])
+    foot, (places, tangents) = nearest_places(b, (stations, curve), points[:, :2])
+    distance = np.hypot(*(points[:, :2] - places).T)
+    normals = a.normal(tangent)[row], b.normal(tangents)
     facing = np.abs((normals[0] * normals[1]).sum(axis=1)) > np.cos(SHALLOW_RAD)
     on_it = (foot > inset) & (foot < b.length - inset) & (np.abs(points[:, 2]) < b.half_width(foot))
     distance = np.where(facing & on_it, distance, np.inf)
@@ -92,12 +101,15 @@ def _alike(strip: RuledStrip, other: RuledStrip, inset: float) -> FloatArray:
 
 
 def nearest_places(
-    strip: RuledStrip, stations: FloatArray, points: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Arc lengths (n,) of the places of the curve nearest to points (n, 2) of its plane, and how near."""
-    curve = strip.in_plane(stations)[0]
+    strip: RuledStrip, rows: tuple[FloatArray, FloatArray], points: FloatArray
+) -> tuple[FloatArray, InPlane]:
+    """Arc lengths (n,) of the places of the curve nearest to points (n, 2) of its plane, and its motion there.
+
+    Steps begin at the nearest of `rows`: stations and the places of the curve there.
+    """
+    stations, curve = rows
     s = stations[((curve**2).sum(axis=1) - 2 * points @ curve.T).argmin(axis=1)]
     for _ in range(FOOT_STEPS):
         place, tangent = strip.in_plane(s)
         s = np.clip(s + ((points - place) * tangent).sum(axis=1), 0.0, strip.length)
-    return s, np.hypot(*(points - strip.in_plane(s)[0]).T)
+    return s, strip.in_plane(s)

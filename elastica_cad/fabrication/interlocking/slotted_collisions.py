@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.interlocking.flush_strips import ROWS, Slab, nearest_places
+from elastica_cad.fabrication.interlocking.flush_strips import Slab, nearest_places
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
 from elastica_cad.fabrication.slots.slot import slot_cut
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -127,8 +127,7 @@ def _deepest(one: SlottedSlab, other: SlottedSlab, room: float, least: float) ->
     a, b, found = one.slab, other.slab, None
     inset = min(SHARED_MM / 2, a.thickness / 4, b.thickness / 4)
     wanted = least - inset
-    stations = np.linspace(0.0, b.ruled.length, ROWS)
-    box = box_about(b.ruled.in_plane(stations)[0]) + b.thickness * np.array([[-0.5], [0.5]])
+    box = box_about(b.rows[1]) + b.thickness * np.array([[-0.5], [0.5]])
     half, wide = (body.ruled.width.extremes[1] / 2 for body in (a, b))
     parts = _first_parts(a)
     while parts.size:
@@ -139,7 +138,7 @@ def _deepest(one: SlottedSlab, other: SlottedSlab, room: float, least: float) ->
         parts, s, across, local, normals, reach = (x[near] for x in (parts, s, across, local, normals, reach))
         if not parts.size:
             break
-        foot, depth, facing = _within(b, stations, local, normals)
+        foot, depth, facing = _within(b, local, normals)
         is_edge = (parts[:, 3] == 0) | (parts[:, 4] == 0)
         near = (depth + reach > wanted) & (is_edge | (facing < ALIKE_RAD + BEND * reach))
         parts, s, across, local, reach, foot, depth = (
@@ -193,14 +192,12 @@ def _places(
     return s, across, local, left @ turn[:, :2].T
 
 
-def _within(
-    slab: Slab, stations: FloatArray, points: FloatArray, normals: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _within(slab: Slab, points: FloatArray, normals: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Arc lengths (n,) beside which points (n, 3) of a strip's frame lie, how deep in it, and at what angle."""
     strip = slab.ruled
-    foot, away = nearest_places(strip, stations, points[:, :2])
-    place, tangent = strip.in_plane(foot)
-    beyond = np.abs(((points[:, :2] - place) * tangent).sum(axis=1))
+    foot, (place, tangent) = nearest_places(strip, slab.rows, points[:, :2])
+    gap = points[:, :2] - place
+    away, beyond = np.hypot(*gap.T), np.abs((gap * tangent).sum(axis=1))
     ends = np.minimum(foot, strip.length - foot) - beyond
     depth = np.minimum(slab.thickness / 2 - away, strip.half_width(foot) - np.abs(points[:, 2]))
     alike = np.abs(cross(tangent, normals))

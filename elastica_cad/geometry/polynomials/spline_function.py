@@ -51,17 +51,15 @@ class SplineFunction:
         spans, degree = self.spans, self.spans.degree
         if derivative > degree:
             return np.zeros((*x.shape, *self.pieces.shape[2:]))
-        index = np.searchsorted(spans.edges[1:-1], x, side="right")
-        width = spans.widths[index]
-        u = (x - spans.edges[index]) / width
-        factor = np.ones_like(width)
-        for k in range(derivative):
-            factor = factor * (degree - k) / width
+        index = spans.edges[1:-1].searchsorted(x, side="right")
+        width = spans.widths.take(index)
+        u = (x - spans.edges.take(index)) / width
         if self.pieces.ndim > 2:
-            u, factor = (np.reshape(one, x.shape + (1,) * (self.pieces.ndim - 2)) for one in (u, factor))
-        rows = [self.pieces[index, k] for k in range(degree + 1)]
-        for _ in range(derivative):
-            rows = [b - a for a, b in pairwise(rows)]
+            u, width = (np.reshape(one, x.shape + (1,) * (self.pieces.ndim - 2)) for one in (u, width))
+        rows = [self.pieces[:, k].take(index, axis=0) for k in range(degree + 1)]
+        factor: float | FloatArray = 1.0
+        for k in range(derivative):
+            rows, factor = [b - a for a, b in pairwise(rows)], factor * (degree - k) / width
         while len(rows) > 1:  # de Casteljau
             rows = [a + (b - a) * u for a, b in pairwise(rows)]
         return np.asarray(rows[0] * factor if derivative else rows[0])
