@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 from importlib.machinery import PathFinder
-from importlib.util import module_from_spec
+from importlib.util import find_spec, module_from_spec
 from pathlib import Path
 from typing import Any
 
@@ -46,10 +46,10 @@ def _alone(package: str, name: str, needed: str) -> Any | None:
 
     It stays out of `sys.modules`: scipy, imported later, loads its own.
     """
-    import scipy
-
+    scipy = find_spec("scipy")  # not imported either: it asks for the network's modules and more
+    places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(
-        f"scipy.{package}.{name}", [str(Path(path) / package) for path in scipy.__path__]
+        f"scipy.{package}.{name}", [str(Path(path) / package) for path in places or ()]
     )
     if spec is None or spec.loader is None:
         return None

@@ -3,6 +3,7 @@
 import re
 import sys
 from collections.abc import Callable, Iterable
+from functools import cache
 from pathlib import Path
 from reprlib import Repr
 from typing import Self
@@ -162,7 +163,11 @@ def refuse_options_unlike(asked: Iterable[str], function: Callable[..., object],
     UnknownOptionError
         There is one.
     """
+    refuse_unknown(asked, _keywords(function), what)
+
+
+@cache
+def _keywords(function: Callable[..., object]) -> tuple[str, ...]:
     from inspect import signature
 
-    known = [name for name, one in signature(function).parameters.items() if one.kind is one.KEYWORD_ONLY]
-    refuse_unknown(asked, known, what)
+    return tuple(name for name, one in signature(function).parameters.items() if one.kind is one.KEYWORD_ONLY)

@@ -1,4 +1,4 @@
-"""Running sums: lengths and turns up to points along them, and numbers within groups."""
+"""Numbers in order: running sums of lengths and turns, numbers within groups, each number once."""
 
 import numpy as np
 
@@ -36,3 +36,15 @@ def numbers_in_groups(counts: IntArray) -> IntArray:
     [0, 1, 0, 1, 2]
     """
     return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+
+
+def distinct(values: FloatArray) -> FloatArray:
+    """The values (n,) in order, each once. (numpy's `unique` loads its masked arrays first.)
+
+    Examples
+    --------
+    >>> distinct(np.array([2.0, 0.5, 2.0])).tolist()
+    [0.5, 2.0]
+    """
+    ordered = np.sort(values)
+    return np.asarray(ordered[np.append(True, ordered[1:] != ordered[:-1])])

@@ -14,7 +14,7 @@ from elastica_cad.fabrication.interlocking.ruled_intersection import (
     margins,
 )
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
-from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.geometry.running_sums import distinct, lengths_along
 
 NODE_PARTS = 4
 """Parts of each stretch between nodes, among which edges are bracketed."""
@@ -84,7 +84,7 @@ class Crossing:
     def course(self) -> tuple[FloatArray, FloatArray, CrossingPoints]:
         """Places x (n,) from 0 to 1, all nodes of the locus among them, lengths up to them, mm, and the points."""
         nodes = (self.locus.nodes - self.start) / (self.end - self.start)
-        x = np.union1d(np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)])
+        x = distinct(np.concatenate([np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)]]))
         points = self.at(x)
         return x, lengths_along(points.position), points
 
@@ -167,7 +167,7 @@ def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> li
         i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
         on_edge = q[(m == 0).any(axis=1)]
         edges = _edges(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
-        cuts = np.unique(np.concatenate([q[[0, -1]], on_edge, edges]))
+        cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
         inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
         runs += [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
     return runs

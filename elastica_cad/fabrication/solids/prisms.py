@@ -129,20 +129,20 @@ def convex_corners(points: FloatArray) -> FloatArray:
     >>> convex_corners(np.array([[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [1.0, 0.0], [1.0, 2.0]])).tolist()
     [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
     """
-    places = np.unique(np.asarray(points, dtype=float), axis=0).tolist()
+    places = sorted(set(zip(*np.asarray(points, dtype=float).T.tolist(), strict=True)))
     least = FLAT_SHARE * float(np.ptp(points, axis=0).max()) ** 2
     lower, upper = _right_turns_cut(places, least), _right_turns_cut(places[::-1], least)
     return np.array([*lower[:-1], *upper[:-1]], dtype=float)
 
 
-def _right_turns_cut(places: Sequence[list[float]], least: float) -> list[list[float]]:
+def _right_turns_cut(places: Sequence[tuple[float, float]], least: float) -> list[tuple[float, float]]:
     """The chain from the first to the last of sorted places that turns to the left alone."""
-    chain: list[list[float]] = []
+    chain: list[tuple[float, float]] = []
     for x, y in places:
         while len(chain) > 1:
             (a, b), (c, d) = chain[-2:]
             if (c - a) * (y - b) - (d - b) * (x - a) > least:
                 break
             chain.pop()
-        chain.append([x, y])
+        chain.append((x, y))
     return chain

@@ -5,7 +5,6 @@ import os
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from secrets import token_hex
 from typing import BinaryIO
 
 from elastica_cad.errors import InputError
@@ -70,7 +69,7 @@ def write_atomically(
     target = check_target(path, force=force)
     begins = f".{target.name[:100]}."
     remove_left_behind(target.parent, f"{glob.escape(begins)}*.part")
-    temporary = target.with_name(f"{begins}{token_hex(6)}.part")
+    temporary = target.with_name(f"{begins}{os.urandom(6).hex()}.part")
     try:
         with open_held(temporary) as file:
             if callable(content):

@@ -5,7 +5,6 @@ import shutil
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from secrets import token_hex
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import check_target, reason
@@ -88,7 +87,7 @@ def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force:
 
 def _workshop(ground: Path) -> Path:
     """A temporary folder's path that nobody else has."""
-    return ground / f".elastica-{token_hex(8)}"
+    return ground / f".elastica-{os.urandom(8).hex()}"
 
 
 @contextmanager

@@ -1,6 +1,5 @@
 """What every reader asks of a file before and while it reads: one clear sentence when something is wrong."""
 
-import logging
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -125,6 +124,8 @@ def look_up_unit(unit: str) -> float:
 @contextmanager
 def quiet_log(name: str) -> Iterator[None]:
     """Keep a library's log off the user's screen unless somebody listens to it."""
+    import logging
+
     logger, silence = logging.getLogger(name), logging.NullHandler()
     logger.addHandler(silence)
     try:

@@ -6,6 +6,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.running_sums import distinct
 
 PROBES = np.array([0.25, 0.5, 0.75])
 """Places of a span at which its distance from the chord is measured, in shares of the span."""
@@ -47,7 +48,7 @@ def _spline_chords(segment: Spline, tolerance: float) -> tuple[FloatArray, Float
     """Parameters and points."""
     tolerance, (t0, t1) = require_tolerance_mm(tolerance), segment.curve.domain
     knots = segment.curve.knots
-    u = np.unique(np.concatenate([[0.0], (knots[(knots > t0) & (knots < t1)] - t0) / (t1 - t0), [0.5, 1.0]]))
+    u = distinct(np.concatenate([[0.0], (knots[(knots > t0) & (knots < t1)] - t0) / (t1 - t0), [0.5, 1.0]]))
     for _ in range(MOST_ROUNDS):
         inner = u[:-1, None] + np.diff(u)[:, None] * PROBES
         points = segment.at(np.concatenate([u, inner.ravel()]))
