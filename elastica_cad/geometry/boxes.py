@@ -35,4 +35,4 @@ def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
     >>> boxes_meet(np.array([[0, 0], [2, 2]]), np.array([[[1, 1], [3, 3]], [[3, 0], [4, 1]]])).tolist()
     [True, False]
     """
-    return np.asarray(np.all((a[..., 0, :] <= b[..., 1, :]) & (a[..., 1, :] >= b[..., 0, :]), axis=-1))
+    return np.asarray(((a[..., 0, :] <= b[..., 1, :]) & (a[..., 1, :] >= b[..., 0, :])).all(axis=-1))

@@ -21,13 +21,14 @@ def near_pairs(points: FloatArray, reach: float) -> IntArray:
     tall = int(row.max()) + 3
     cell = column * tall + row
     order = np.argsort(cell, kind="stable")
-    cell, sorted_points, each = cell[order], points[order], np.arange(cell.size)
+    cell, each = cell[order], np.arange(cell.size)
+    x, y = points[order].T.copy()
     found = []
-    for first, last in ((each + 1, cell + 1), (np.searchsorted(cell, cell + tall - 1), cell + tall + 1)):
-        count = np.searchsorted(cell, last, side="right") - first
+    for first, last in ((each + 1, cell + 1), (cell.searchsorted(cell + tall - 1), cell + tall + 1)):
+        count = cell.searchsorted(last, side="right") - first
         i = np.repeat(each, count)
         j = numbers_in_groups(count) + np.repeat(first, count)
-        apart = sorted_points[i] - sorted_points[j]
-        near = np.hypot(apart[:, 0], apart[:, 1]) <= reach
-        found.append(np.sort(order[np.stack([i[near], j[near]])], axis=0))
+        near = np.hypot(x.take(i) - x.take(j), y.take(i) - y.take(j)) <= reach
+        i, j = order.take(i[near]), order.take(j[near])
+        found.append(np.stack([np.minimum(i, j), np.maximum(i, j)]))
     return np.concatenate(found, axis=1)

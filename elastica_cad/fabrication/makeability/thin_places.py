@@ -56,11 +56,12 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     points, chord = chords.middles(cells)
     normals = chords.inward[chord]
     i, j = near_pairs(points, least * (1 + 1 / COARSE))
-    i, j = np.stack([i, j])[:, np.einsum("ij,ij->i", normals[i], normals[j]) < OPPOSED]
-    across = points[j] - points[i]
+    opposed = np.einsum("ij,ij->i", normals.take(i, axis=0), normals.take(j, axis=0)) < OPPOSED
+    i, j = i[opposed], j[opposed]
+    across = points.take(j, axis=0) - points.take(i, axis=0)
     # the walls of a slot face each other, too, but there is no material between them
-    between = (np.einsum("ij,ij->i", across, normals[i]) > -LEANING * least) & (
-        np.einsum("ij,ij->i", across, normals[j]) < LEANING * least
+    between = (np.einsum("ij,ij->i", across, normals.take(i, axis=0)) > -LEANING * least) & (
+        np.einsum("ij,ij->i", across, normals.take(j, axis=0)) < LEANING * least
     )
     if not np.any(between):
         return ()

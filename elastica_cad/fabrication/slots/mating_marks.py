@@ -44,14 +44,14 @@ def mating_marks(
     """
     rims = [slot_rim(slot, width, beyond=slot.width) for slot in slots]
     cuts = Cuts(holes, marks, slots=rims)
-    boxes = [text_box(text) for text in taken]
+    boxes = [box_about(text_box(text)) for text in taken]
     found = []
     for slot, rim in zip(slots, rims, strict=True):
         for text in _choices(slot, rim, width) if slot.mate else ():
             box = text_box(text)
             if _clear(box, width, boxes, cuts):
                 found.append(text)
-                boxes.append(box)
+                boxes.append(box_about(box))
                 break
     return tuple(found)
 
@@ -63,7 +63,7 @@ def end_numbers(
 
     Other `names` stand for joints; an empty one, or one that finds no room, is left out.
     """
-    boxes, numbers = [text_box(text) for text in taken], []
+    boxes, numbers = [box_about(text_box(text)) for text in taken], []
     for number, end, way in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
         for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
             long = text_width(number, height)
@@ -124,9 +124,9 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
     return next(clear, text(tabs[0], 1.0, 0.5, 0.0))
 
 
-def _clear(box: FloatArray, width: Profile, boxes: Sequence[FloatArray], cuts: Cuts) -> bool:
-    """Does a box lie on the free part, off other boxes and off cuts?"""
-    if not on_free_part(box, width) or any(boxes_meet(box_about(box), box_about(other)) for other in boxes):
+def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
+    """Does a box, by its corners, lie on the free part, off what is taken by others (2, 2), and off cuts?"""
+    if not on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
         return False
     return cuts.clear_of(box)
 
