@@ -1,6 +1,6 @@
 """A single-stroke alphabet for engraving: every letter is a few lines and arcs that the tool runs once."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path as FilePath
@@ -110,18 +110,33 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
     >>> len(strokes), round(float(max(path.bounds[1, 1] for path in strokes)), 9)
     (3, 5.0)
     """
-    scale = text.height / CAP_HEIGHT
-    c, s = scale * np.cos(text.angle), scale * np.sin(text.angle)
-    x, y = text.position
-    strokes: list[Path] = []
-    shifts: list[tuple[float, float]] = []
-    advance = 0.0
-    for character in text.text:
-        strokes += _glyph(character)
-        shifts += [(x + c * advance, y + s * advance)] * len(_glyph(character))
-        advance += _glyphs()[character][0] + _GAP
-    turned = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    return move_paths(strokes, turned, np.array(shifts))
+    return strokes_of([text])[0]
+
+
+def strokes_of(texts: Sequence[Text]) -> list[tuple[Path, ...]]:
+    """The same of many texts: those of one height and direction at one go."""
+    alike = dict[tuple[float, float], list[int]]()
+    for k, text in enumerate(texts):
+        alike.setdefault((text.height, text.angle), []).append(k)
+    found: list[tuple[Path, ...]] = [()] * len(texts)
+    for (height, angle), which in alike.items():
+        scale = height / CAP_HEIGHT
+        c, s = scale * np.cos(angle), scale * np.sin(angle)
+        strokes: list[Path] = []
+        shifts: list[tuple[float, float]] = []
+        ends = []
+        for k in which:
+            (x, y), advance = texts[k].position, 0.0
+            for character in texts[k].text:
+                strokes += _glyph(character)
+                shifts += [(x + c * advance, y + s * advance)] * len(_glyph(character))
+                advance += _glyphs()[character][0] + _GAP
+            ends.append(len(strokes))
+        turned = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+        moved = move_paths(strokes, turned, np.array(shifts))
+        for k, first, last in zip(which, [0, *ends], ends, strict=False):
+            found[k] = moved[first:last]
+    return found
 
 
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:

@@ -23,6 +23,7 @@ from elastica_cad.geometry.paths.segments import (
     place,
     segment_from_bulge,
     similarity_of,
+    ways_at,
 )
 from elastica_cad.geometry.paths.spline_table import SplineTable
 
@@ -31,6 +32,9 @@ JOIN = 1e-6
 
 NEAR_MM = 1e6
 """Shifted by less, rounding opens no gap."""
+
+MOST_OF_A_TURN = 6.28
+"""rad: arcs that turn by more may be circles, which end exactly where they begin."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -285,8 +289,18 @@ def _move_arcs(
     """Put moved arcs in the places of the old ones."""
     scale, turn, sign = similarity_of(matrix)
     centers = _placed(np.array([[arc.center] for _, arc in arcs]), matrix, shifts[[i for i, _ in arcs]])
-    for (i, arc), (center,) in zip(arcs, centers, strict=True):
-        moved[i] = Arc(center, arc.radius * scale, turn + sign * arc.start_angle, turn + sign * arc.end_angle)
+    radii = np.array([arc.radius for _, arc in arcs]) * scale
+    angles = turn + sign * np.array([(arc.start_angle, arc.end_angle) for _, arc in arcs])
+    ends = centers + radii[:, None, None] * ways_at(angles)
+    for row in (centers, ends):
+        row.setflags(write=False)
+    sweeps = np.abs(angles[:, 1] - angles[:, 0])
+    sound = np.isfinite(ends).all(axis=(1, 2)) & (radii > 0) & (sweeps > 0) & (sweeps < MOST_OF_A_TURN)
+    rows = zip(arcs, centers[:, 0], radii.tolist(), angles.tolist(), ends, sound.tolist(), strict=True)
+    for (i, _), center, radius, (first, last), own, is_sound in rows:
+        moved[i] = (
+            Arc.of_sound(center, radius, first, last, own) if is_sound else Arc(center, radius, first, last)
+        )
 
 
 def _move_splines(

@@ -133,6 +133,16 @@ class Arc:
             )
 
     @classmethod
+    def of_sound(
+        cls, center: FloatArray, radius: float, start_angle: float, end_angle: float, ends: FloatArray
+    ) -> "Arc":
+        """The arc of numbers that need no check, and its first and last point (2, 2); not written to."""
+        made, (start, end) = object.__new__(cls), ends
+        known = {"center": center, "radius": radius, "start_angle": start_angle, "end_angle": end_angle}
+        vars(made).update(known, start=start, end=end)
+        return made
+
+    @classmethod
     def from_bulge(cls, start: ArrayLike, end: ArrayLike, bulge: float) -> "Arc":
         """The arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
         start, end = _point(start, "arc start"), _point(end, "arc end")
@@ -162,12 +172,12 @@ class Arc:
     @cached_property
     def start(self) -> FloatArray:
         """First point (2,), mm."""
-        return self._on(np.array(self.start_angle))
+        return self._on(self.start_angle)
 
     @cached_property
     def end(self) -> FloatArray:
         """Last point (2,), mm; exactly the first one of a circle."""
-        return self.start if self.is_circle else self._on(np.array(self.end_angle))
+        return self.start if self.is_circle else self._on(self.end_angle)
 
     @property
     def length(self) -> float:
@@ -235,8 +245,8 @@ class Arc:
         """The same arc as an exact rational spline."""
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
-    def _on(self, angle: FloatArray) -> FloatArray:
-        return self.center + self.radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    def _on(self, angle: float | FloatArray) -> FloatArray:
+        return self.center + self.radius * ways_at(angle)
 
 
 @dataclass(frozen=True, eq=False)
@@ -355,6 +365,13 @@ def _require_affine(matrix: ArrayLike) -> FloatArray:
     if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
         raise InputError("a path can't be flattened to a line: use an invertible matrix")
     return m
+
+
+def ways_at(angle: float | FloatArray) -> FloatArray:
+    """Unit vectors (..., 2) at angles (...), rad."""
+    ways = np.empty((*np.shape(angle), 2))
+    ways[..., 0], ways[..., 1] = np.cos(angle), np.sin(angle)
+    return ways
 
 
 def is_similarity(matrix: ArrayLike) -> bool:
