@@ -142,15 +142,17 @@ class Lean:
         wall : (n, 2) array
             Places of the wall before it is moved, into the tab and to its left, mm.
         """
-        into, left = wall.T
-        pieces = max(self.slopes.size, 1)
-        slopes = np.resize(self.slopes, pieces)  # stiff tabs are one straight piece
+        (into, left), (slopes, places, bent) = wall.T, self._at_rest
+        gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
+        place = float(into[np.abs(gaps).argmin()])
+        return place, float(slopes[min(int(place / self.piece), slopes.size - 1)])
+
+    @cached_property
+    def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """The tab's slopes (k,), and where its pieces begin and end (k + 1,): into it and to its left, mm."""
+        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # stiff tabs are one straight piece
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece
-        gaps = (
-            left + self.shift + self.turn * into - np.interp(into, self.piece * np.arange(pieces + 1), bent)
-        )
-        place = float(into[int(np.argmin(np.abs(gaps)))])
-        return place, float(slopes[min(int(place / self.piece), pieces - 1)])
+        return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
 
 
 def lean_against(

@@ -45,6 +45,9 @@ bending (Tada, Paris and Irwin 1973), in whose place 5.7 thicknesses of the stac
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
 
+NEARLY_MM = 1e-6
+"""Stations farther than this from all that is idle of a slot lie beside it, whatever the rounding."""
+
 BORDERS = "borders that curl"
 """Of a laminate's base, beside its backing: what gives way there, as a cause."""
 
@@ -64,7 +67,7 @@ def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: 
     width : Profile
         Full width of the strip, mm.
     s : (n,) array
-        mm.
+        mm, increasing.
     slope : float
         Length of a triangle over its depth (`mechanics.dead_zone_slope`); 0 for the slots alone.
     """
@@ -77,7 +80,8 @@ def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: 
         y = np.interp(middle, along, points[:, 1])
         depth = np.abs(points[-1, 1] - points[0, 1])
         reach = np.interp(middle, along, widths) / 2 + slope * np.abs(y - points[0, 1])
-        idle += depth * np.mean(np.abs(s[:, None] - x) <= reach, axis=1)
+        first, last = np.searchsorted(s, ((x - reach).min() - NEARLY_MM, (x + reach).max() + NEARLY_MM))
+        idle[first:last] += depth * np.mean(np.abs(s[first:last, None] - x) <= reach, axis=1)
     return idle
 
 

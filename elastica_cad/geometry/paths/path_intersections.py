@@ -99,9 +99,9 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
     """Index pairs (i, j) of chords of p and q whose bounding boxes overlap."""
     plow, phigh = np.minimum(p[:-1], p[1:]), np.maximum(p[:-1], p[1:])
     qlow, qhigh = np.minimum(q[:-1], q[1:]), np.maximum(q[:-1], q[1:])
-    near_p = np.flatnonzero(np.all((plow <= qhigh.max(axis=0)) & (phigh >= qlow.min(axis=0)), axis=1))
-    near_q = np.flatnonzero(np.all((qlow <= phigh.max(axis=0)) & (qhigh >= plow.min(axis=0)), axis=1))
-    rows: list[tuple[IndexArray, IndexArray]] = [(np.zeros(0, int), np.zeros(0, int))]
+    (near_p,) = ((plow <= q.max(axis=0)) & (phigh >= q.min(axis=0))).all(axis=1).nonzero()
+    (near_q,) = ((qlow <= p.max(axis=0)) & (qhigh >= p.min(axis=0))).all(axis=1).nonzero()
+    rows: list[tuple[IndexArray, IndexArray]] = []
     block = max(1, 2_000_000 // max(1, near_q.size))
     for first in range(0, near_p.size, block):
         i = near_p[first : first + block]
@@ -109,7 +109,10 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
         overlap &= (plow[i, None, 1] <= qhigh[None, near_q, 1]) & (phigh[i, None, 1] >= qlow[None, near_q, 1])
         a, b = np.nonzero(overlap)
         rows.append((i[a], near_q[b]))
-    return np.concatenate([r[0] for r in rows]), np.concatenate([r[1] for r in rows])
+    if len(rows) == 1:
+        return rows[0]
+    none = np.zeros(0, int)
+    return np.concatenate([none, *[r[0] for r in rows]]), np.concatenate([none, *[r[1] for r in rows]])
 
 
 def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:

@@ -326,16 +326,17 @@ def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
 
 def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
     """f/x and its derivative, f = (cosh x - cos x)/(sinh x + sin x); series below 0.3, no overflow above."""
-    t = x**4
-    series, series_slope = 0.5 - t / 360 + t**2 / 45360, x**3 * (t / 5670 - 1 / 90)
-    y = np.where(x < 0.3, 1.0, x)
+    is_small = x < 0.3
+    y = np.where(is_small, 1.0, x)
     decay = np.exp(-y)
-    top = 1 + decay**2 - 2 * decay * np.cos(y)
-    bottom = 1 - decay**2 + 2 * decay * np.sin(y)
-    f = top / bottom
+    squared, swing = decay**2, 2 * decay * np.cos(y)
+    bottom = 1 - squared + 2 * decay * np.sin(y)
+    f = (1 + squared - swing) / bottom
     # (cosh - cos)' = sinh + sin is the denominator itself, whose derivative is cosh + cos
-    slope = 1 - f * (1 + decay**2 + 2 * decay * np.cos(y)) / bottom
-    return (
-        np.where(x < 0.3, series, f / y),
-        np.where(x < 0.3, series_slope, (slope - f / y) / y),
-    )
+    slope = 1 - f * (1 + squared + swing) / bottom
+    share = f / y
+    curl, curl_slope = np.asarray(share), np.asarray((slope - share) / y)
+    small = x[is_small]
+    t = small**4
+    curl[is_small], curl_slope[is_small] = 0.5 - t / 360 + t**2 / 45360, small**3 * (t / 5670 - 1 / 90)
+    return curl, curl_slope
