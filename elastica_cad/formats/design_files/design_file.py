@@ -8,14 +8,12 @@ import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from elastica_cad._equality import value_key
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, NotMetError, quoted, toml_slip
-from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.model.compensated_model import interlock_compensated
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -23,16 +21,18 @@ from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES, TOP
 from elastica_cad.formats.design_files.keys.strip_keys import STRIP
 from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.formats.design_files.model_tables import read_interlock, read_kit
-from elastica_cad.formats.design_files.revolution_table import RevolutionEntry, read_revolution
-from elastica_cad.formats.design_files.sections_table import read_sections
 from elastica_cad.formats.design_files.strip_table import CurveReader, StripEntry, read_strip
 from elastica_cad.formats.design_files.tables import Slips, Table
 from elastica_cad.formats.file_access.source_file import read_below, require_below, require_file
-from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.holders.ring_plate import Ring
+    from elastica_cad.formats.design_files.revolution_table import RevolutionEntry
+    from elastica_cad.formats.surface_files.file_surface import SurfaceReader
+    from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
 DESIGN_SCHEMA = 1
 
@@ -64,7 +64,7 @@ class Design:
     interlock: dict[str, Any] | None = None
     kit: KitSpec = field(default_factory=KitSpec)
     reports: tuple[str, ...] = ()
-    revolution: RevolutionEntry | None = None
+    revolution: "RevolutionEntry | None" = None
 
     def made_anyway(self) -> "Design":
         """The design with `anyway` everywhere: parts that cannot be cut or handled are made, and told."""
@@ -128,11 +128,11 @@ class Design:
         if self.interlock is None:
             return model
         which = {entry.label for entry in self.entries if entry.spec.compensate}
-        return (
-            interlock_compensated(model, which, **self.interlock)
-            if which
-            else model.interlock(**self.interlock)
-        )
+        if not which:
+            return model.interlock(**self.interlock)
+        from elastica_cad.fabrication.model.compensated_model import interlock_compensated
+
+        return interlock_compensated(model, which, **self.interlock)
 
 
 _PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
@@ -141,7 +141,7 @@ _PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
 def read_design(
     path: str | Path,
     read_curves: CurveReader,
-    read_surface: SurfaceReader = mesh_surface,
+    read_surface: "SurfaceReader | None" = None,
     *,
     below: Sequence[str | Path] = (),
 ) -> Design:
@@ -154,7 +154,8 @@ def read_design(
     read_curves : callable
         Reads a curve file: `elastica_cad.read_curves`.
     read_surface : callable
-        Reads a surface for sections: of meshes alone, or of STEP bodies too, `elastica_cad.files.read_surface`.
+        Reads a surface for sections: of meshes alone unless given, or of STEP bodies too,
+        `elastica_cad.files.read_surface`.
     below : sequence of path-like
         Folders from which it may read files, besides its own and the working folder.
 
@@ -169,7 +170,7 @@ def read_design(
         return _read(path, read_curves, read_surface)
 
 
-def _read(path: Path, read_curves: CurveReader, read_surface: SurfaceReader) -> Design:
+def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | None") -> Design:
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         data = tomllib.loads(text)
@@ -196,6 +197,8 @@ def _read(path: Path, read_curves: CurveReader, read_surface: SurfaceReader) -> 
             top.where,
             top.scope,
         )
+        from elastica_cad.formats.design_files.revolution_table import read_revolution
+
         with slips.gathering():
             revolution = read_revolution(inner, path.parent, sheets, read_curves)
     entries, reports = _read_strips(top, path.parent, sheets, read_curves, read_surface, slips)
@@ -257,7 +260,7 @@ def _read_strips(
     folder: Path,
     sheets: dict[str, Sheet],
     read_curves: CurveReader,
-    read_surface: SurfaceReader,
+    read_surface: "SurfaceReader | None",
     slips: Slips,
 ) -> tuple[list[StripEntry], tuple[str, ...]]:
     """All strips in order, and what sections of meshes have to say; what is wrong goes to `slips`."""
@@ -269,6 +272,8 @@ def _read_strips(
         with slips.gathering():
             table.only(*STRIP)
             if table.has("sections"):
+                from elastica_cad.formats.design_files.sections_table import read_sections
+
                 sections, told = read_sections(_only_sections(table), folder, read_surface)
                 reports += told
             else:

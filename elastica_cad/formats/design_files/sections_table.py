@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.formats.surface_files.file_surface import SurfaceReader, read_sized_surface
+from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface, read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.forming.plane_sections.section_spec import (
     AlongPath,
@@ -29,7 +29,7 @@ FAMILIES = ("radial", "parallel", "along")
 
 
 def read_sections(
-    table: Table, folder: Path, read_surface: SurfaceReader
+    table: Table, folder: Path, read_surface: SurfaceReader | None
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
     """Curves of the sections that a table asks for, each in the plane of its own, and what is worth knowing.
 
@@ -63,7 +63,7 @@ def read_sections(
     )
     unit = table.text("unit") if table.has("unit") else None
     with table.naming():
-        return spec.curves(read_sized_surface(read_surface, path, unit=unit, scale=scale))
+        return spec.curves(read_sized_surface(read_surface or mesh_surface, path, unit=unit, scale=scale))
 
 
 def _splits(table: Table) -> tuple[Split, ...]:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -30,12 +30,14 @@ from elastica_cad.formats.design_files.strip_records import (
     read_tabs,
 )
 from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.material.sheet import Sheet
+
+if TYPE_CHECKING:
+    from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
 CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 """`read_curves(path, unit=...)`."""
@@ -91,7 +93,7 @@ def read_strip(
     folder: Path,
     sheets: dict[str, Sheet],
     read_curves: CurveReader,
-    section: SectionCurve | None = None,
+    section: "SectionCurve | None" = None,
 ) -> StripEntry:
     """The strip that one table of strips asks for, its formulae computed; a `section` brings curve and plane.
 
