@@ -217,7 +217,8 @@ def rule_strip(
     rod = strip.rod
     (first, low), (last, high) = strip.outline.bounds
     stations = np.concatenate([np.linspace(0.0, rod.length, 81), _crossings(placed, faces, (first, last))])
-    flat = trapezoids((strip.outline, *strip.holes), stations, FLAT_SHARE * (last - first))
+    half = FLAT_SHARE * (last - first) / 2
+    flat = trapezoids((strip.outline, *strip.holes), stations, half, blur=half)
     across = np.diff(flat[..., 1:], axis=-1)
     rim = np.minimum(min(RIM_SHARE * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.geometry.paths.chords import chord_errors
 from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.running_sums import numbers_in_groups
@@ -13,7 +14,9 @@ APART_MM = 1e-7
 """Stations nearer than this are one: slabs between them could not be seen."""
 
 
-def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) -> FloatArray:
+def trapezoids(
+    loops: Sequence[Path], stations: FloatArray, tolerance: float, *, blur: float = 0.0
+) -> FloatArray:
     """What lies inside an odd number of loops, cut along x at its corners and at `stations`.
 
     Parameters
@@ -24,6 +27,8 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
         Further places where the trapezoids end, mm.
     tolerance : float
         Of the polygons that stand for curved loops, mm.
+    blur : float
+        How far their sides may leave corners out besides, mm: there are fewer trapezoids then.
 
     Returns
     -------
@@ -39,6 +44,8 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
     (4, 36.0)
     """
     polygons = polylines(loops, tolerance)
+    if blur > 0:
+        polygons = _blurred(polygons, blur)
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
     ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
     order = np.argsort(ends[..., 0], axis=1)
@@ -69,3 +76,31 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
     below, above, x = below[begin], above[begin], np.stack([cuts[slab[begin]], cuts[slab[end] + 1]], axis=1)
     heights = (left[k, 1:] + slope[k, None] * (x - left[k, :1]) for k in (below, above))
     return np.stack([x, *heights], axis=-1)
+
+
+def _blurred(polygons: Sequence[FloatArray], most: float) -> list[FloatArray]:
+    """Closed polygons (n, 2) without corners that lie within `most` mm of the sides that are left.
+
+    Every other corner is looked at, of all polygons at one go, until none goes any more; three always stay.
+    """
+    points, sizes = np.concatenate(polygons), np.array([len(polygon) for polygon in polygons])
+    left_out = np.zeros(
+        len(points)
+    )  # how far at most corners that are gone lie from the side behind each point
+    turn = idle = 0
+    while idle < 2:
+        start, size = np.repeat(np.cumsum(sizes) - sizes, sizes), np.repeat(sizes, sizes)
+        place = numbers_in_groups(sizes)
+        number = (place + turn) % size
+        asked = np.flatnonzero((number % 2 == 1) & (number <= 2 * (size - 3)))
+        before, behind = (start[asked] + (place[asked] + step) % size[asked] for step in (-1, 1))
+        off = np.maximum(left_out[before], left_out[asked])
+        off += chord_errors(points[before], points[behind], points[asked, None])
+        gone = off <= most
+        left_out[before[gone]] = off[gone]
+        kept = np.ones(len(points), dtype=bool)
+        kept[asked[gone]] = False
+        sizes = np.add.reduceat(kept, np.cumsum(sizes) - sizes, dtype=int)
+        points, left_out = points[kept], left_out[kept]
+        turn, idle = 1 - turn, 0 if gone.any() else idle + 1
+    return np.split(points, np.cumsum(sizes)[:-1])
