@@ -10,8 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad.fabrication.strip.flat_outline import paces
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.paths.chords import chord_points
-from elastica_cad.geometry.paths.many_segments import points_of
+from elastica_cad.geometry.paths.many_segments import chords_of, points_of
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
@@ -172,22 +171,19 @@ def _even_crossings(sides: Sequence[_Side], motion: FloatArray, at: FloatArray) 
 
 def _drawn_crossings(sides: Sequence[_Side], at: FloatArray) -> Iterator[Crossings]:
     """Of all other segments, by their chords."""
-    starts: list[FloatArray] = []
-    ends: list[FloatArray] = []
-    owner: list[int] = []
-    for side in sides:
-        points = chord_points(side.segment, CHORD_MM)[:-1]
-        starts.append(points)
-        ends += [points[1:], side.following.start[None]]
-        owner += [side.loop] * len(points)
-    if not starts:
+    if not sides:
         return
-    start, end = np.concatenate(starts), np.concatenate(ends)
+    counts, start = chords_of([side.segment for side in sides], CHORD_MM)
+    owner = np.repeat([side.loop for side in sides], counts)
+    end = np.empty_like(start)
+    end[:-1] = start[1:]
+    some = counts > 0
+    end[np.cumsum(counts)[some] - 1] = np.array([side.following.start for side in sides])[some]
     (x, y), (x1, y1) = start.T, end.T
     line, station = _met(at, x, x1)
     u = (at[station] - x[line]) / (x1 - x)[line]
     crossing = np.sign(x[line] - x1[line]) * (y[line] * (1 - u) + y1[line] * u)
-    yield np.array(owner)[line], station, crossing
+    yield owner[line], station, crossing
 
 
 def _met(at: FloatArray, x0: FloatArray, x1: FloatArray) -> tuple[IntArray, IntArray]:

@@ -39,9 +39,14 @@ def _even(segment: Line | Arc, tolerance: float) -> FloatArray:
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return np.array([0.0, 1.0])
+    return np.linspace(0.0, 1.0, int(arc_parts(segment.radius, segment.sweep, tolerance)) + 1)
+
+
+def arc_parts(radius: float | FloatArray, sweep: float | FloatArray, tolerance: float) -> FloatArray:
+    """In how many even parts (...) arcs of these radii (...), mm, and turns (...), rad, are cut."""
     # a third of a turn at most, so that a circle keeps an inside
-    half = np.arccos(np.clip(1 - tolerance / segment.radius, 0.5, 1 - 1e-15))
-    return np.linspace(0.0, 1.0, int(np.ceil(abs(segment.sweep) / (2 * half) - 1e-9)) + 1)
+    half = np.arccos(np.clip(1 - tolerance / radius, 0.5, 1 - 1e-15))
+    return np.asarray(np.ceil(np.abs(sweep) / (2 * half) - 1e-9))
 
 
 def _spline_chords(segment: Spline, tolerance: float) -> tuple[FloatArray, FloatArray]:

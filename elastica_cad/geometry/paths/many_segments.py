@@ -6,14 +6,22 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.chords import MOST_ROUNDS, PROBES, chord_errors, chord_points
+from elastica_cad.geometry.paths.chords import (
+    MOST_ROUNDS,
+    PROBES,
+    arc_parts,
+    chord_errors,
+    chord_points,
+    require_tolerance_mm,
+)
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.running_sums import numbers_in_groups
 
 FEW = 8
-"""Splines that are as fast one after the other."""
+"""Segments that are as fast one after the other."""
 
 
 class ManySegments:
@@ -121,23 +129,73 @@ def polylines(paths: Sequence[Path], tolerance: float) -> list[FloatArray]:
     >>> [len(points) for points in polylines([Path.rectangle(4.0, 3.0)], 0.1)]
     [4]
     """
-    splines = _splines(paths)
-    if len(splines) < FEW:
+    if sum(len(path.segments) for path in paths) < FEW:
         return [path.points(tolerance) for path in paths]
-    chords: dict[int, FloatArray] = {}
-    for rows, table in _tables([spline.curve for spline in splines]):
-        for spline, points in zip((splines[i] for i in rows), _chords(table, tolerance), strict=True):
-            chords[id(spline)] = points
+    counts, points = chords_of([segment for path in paths for segment in path.segments], tolerance)
+    lengths = np.array([len(path.segments) for path in paths])
+    sizes = np.add.reduceat(counts, np.cumsum(lengths) - lengths)
     found = []
-    for path in paths:
-        parts = [
-            (chords[id(segment)] if isinstance(segment, Spline) else chord_points(segment, tolerance))[:-1]
-            for segment in path.segments
-        ]
-        points = np.concatenate(parts if path.closed else [*parts, path.end[None]])
+    for path, own in zip(paths, np.split(points, np.cumsum(sizes)[:-1]), strict=True):
+        whole = own if path.closed else np.concatenate([own, path.end[None]])
         # a thin lens keeps its inside: `Path.points` sees to that
-        found.append(points if len(points) > 2 else path.points(tolerance))
+        found.append(whole if len(whole) > 2 else path.points(tolerance))
     return found
+
+
+def chords_of(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
+    """Points on segments, one behind the other, whose chords stay within `tolerance` mm of them.
+
+    Returns
+    -------
+    (m,) int array, (n, 2) array
+        How many each segment has, and the points; its last one is left out, for there the next one begins.
+
+    Examples
+    --------
+    >>> counts, points = chords_of(Path.rectangle(4.0, 3.0).segments, 0.1)
+    >>> counts.tolist(), points[1].tolist()
+    ([1, 1, 1, 1], [4.0, 0.0])
+    """
+    counts, parts = np.zeros(len(segments), dtype=int), list[tuple[IntArray, FloatArray]]()
+    for which, own, points in _chords_by_kind(segments, require_tolerance_mm(tolerance)):
+        counts[which] = own
+        parts.append((which, points))
+    begins = np.cumsum(counts) - counts
+    rows = np.empty((int(counts.sum()), 2))
+    for which, points in parts:
+        rows[numbers_in_groups(counts[which]) + np.repeat(begins[which], counts[which])] = points
+    return counts, rows
+
+
+def _chords_by_kind(
+    segments: Sequence[Segment], tolerance: float
+) -> Iterator[tuple[IntArray, IntArray, FloatArray]]:
+    """Numbers (k,) of segments of one kind, how many points each has, and these (n, 2) in order."""
+    lines = [(i, segment.start) for i, segment in enumerate(segments) if isinstance(segment, Line)]
+    if lines:
+        yield np.array([i for i, _ in lines]), np.ones(len(lines), dtype=int), np.array([p for _, p in lines])
+    arcs = [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Arc)]
+    if arcs:
+        yield np.array([i for i, _ in arcs]), *_arc_chords([arc for _, arc in arcs], tolerance)
+    splines = [(i, segment) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
+    which = np.array([i for i, _ in splines])
+    if len(splines) >= FEW:
+        for rows, table in _tables([spline.curve for _, spline in splines]):
+            yield which[rows], *_chords(table, tolerance)
+    elif splines:
+        points = [chord_points(spline, tolerance)[:-1] for _, spline in splines]
+        yield which, np.array([len(own) for own in points]), np.concatenate(points)
+
+
+def _arc_chords(arcs: Sequence[Arc], tolerance: float) -> tuple[IntArray, FloatArray]:
+    """Of each arc how many points it has, without its last one, and all points."""
+    center = np.array([arc.center for arc in arcs])
+    radius, start_angle, sweep = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
+    counts = arc_parts(radius, sweep, tolerance).astype(int)
+    each = np.repeat(np.arange(counts.size), counts)
+    share = numbers_in_groups(counts) * (1.0 / np.maximum(counts, 1))[each]
+    angle = start_angle[each] + sweep[each] * share
+    return counts, center[each] + radius[each, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
 def points_of(curves: Sequence[PlaneCurve], which: IntArray, t: FloatArray) -> FloatArray:
@@ -177,8 +235,11 @@ def _tables(curves: Sequence[PlaneCurve]) -> Iterator[tuple[list[int], SplineTab
         yield rows, SplineTable.of([curves[i] for i in rows])
 
 
-def _chords(table: SplineTable, tolerance: float) -> list[FloatArray]:
-    """Points of each curve of a table: spans are halved until their probes lie near enough to their chords."""
+def _chords(table: SplineTable, tolerance: float) -> tuple[IntArray, FloatArray]:
+    """Of each curve of a table how many points it has, without its last one, and all points.
+
+    Spans are halved until their probes lie near enough to their chords.
+    """
     owner, low, high = _first_chords(table)
     kept_owner, kept_u, kept_points = [], [], []
     begins, ends = table.motion(owner, low)[0], table.motion(owner, high)[0]
@@ -202,7 +263,9 @@ def _chords(table: SplineTable, tolerance: float) -> list[FloatArray]:
         kept_owner.append(owner)
         kept_u.append(low)
         kept_points.append(begins)
-    return _sorted(table, np.concatenate(kept_owner), np.concatenate(kept_u), np.concatenate(kept_points))
+    owner, u = np.concatenate(kept_owner), np.concatenate(kept_u)
+    order = np.lexsort((u, owner))
+    return np.bincount(owner, minlength=len(table.curves)), np.concatenate(kept_points)[order]
 
 
 def _first_chords(table: SplineTable) -> tuple[IntArray, FloatArray, FloatArray]:
@@ -217,13 +280,3 @@ def _first_chords(table: SplineTable) -> tuple[IntArray, FloatArray, FloatArray]
     u, owner = u[order], owner[order]
     spans = (owner[:-1] == owner[1:]) & (u[:-1] < u[1:])
     return owner[:-1][spans], u[:-1][spans], u[1:][spans]
-
-
-def _sorted(table: SplineTable, owner: IntArray, u: FloatArray, points: FloatArray) -> list[FloatArray]:
-    """Points curve by curve in the order of the parameter, the last points added."""
-    count = len(table.curves)
-    last = np.ones(count)
-    owner, u = np.concatenate([owner, np.arange(count)]), np.concatenate([u, last])
-    points = np.concatenate([points, table.motion(np.arange(count), last)[0]])
-    order = np.lexsort((u, owner))
-    return np.split(points[order], np.cumsum(np.bincount(owner, minlength=count))[:-1])

@@ -65,14 +65,24 @@ class SplineTable:
     def motion(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points and their derivatives by u (n, 2) at places u (n,) in [0, 1] of curves (n,)."""
         p, (first, last) = self.degree, self.domain[which].T
-        knots, t = self.knots[which], first * (1 - u) + last * u
-        span = np.minimum((knots <= t[:, None]).sum(axis=1), (knots < last[:, None]).sum(axis=1)) - 1
-        *_, last_but_one, whole = _de_boor(knots, self.points[which], span, t, p)
-        a, b, point = last_but_one[:, 0], last_but_one[:, 1], whole[:, 0]
-        each = np.arange(t.size)
-        slope = (b - a) * (p / (knots[each, span + 1] - knots[each, span]))[:, None]
-        position, velocity = quotient([point[:, :2].T, slope[:, :2].T], [point[:, 2], slope[:, 2]])
+        t = first * (1 - u) + last * u
+        last_span = (self.knots < self.domain[:, 1:]).sum(axis=1)[which]
+        span = np.minimum((self.knots[which] <= t[:, None]).sum(axis=1), last_span) - 1
+        near, points = self._acting(which, span)
+        *_, last_but_one, whole = _de_boor(near, points, t)
+        (a, b), (point,) = last_but_one, whole
+        slope = (b - a) * (p / (near[p] - near[p - 1]))
+        position, velocity = quotient([point[:2], slope[:2]], [point[2], slope[2]])
         return position.T, velocity.T * (last - first)[:, None]
+
+    def _acting(self, which: IntArray, span: IntArray) -> tuple[FloatArray, FloatArray]:
+        """What acts on spans (n,) of curves (n,): knots (2 degree, n), and points (degree + 1, 3, n)."""
+        p, count = self.degree, self.points.shape[1]
+        near = self.knots[which, span + np.arange(1 - p, p + 1)[:, None]]
+        # places run along the last axis: numpy is slow where that is short
+        columns = np.ascontiguousarray(self.points.reshape(-1, 3).T)
+        rows = which * count + span + np.arange(-p, 1)[:, None]
+        return near, np.ascontiguousarray(columns[:, rows].transpose(1, 0, 2))
 
     @property
     def spans(self) -> tuple[IntArray, FloatArray, FloatArray]:
@@ -144,12 +154,13 @@ class SplineTable:
         start, end = self._snapped(start), self._snapped(end)
         points = self.points.copy()
         last = (self.knots < end[:, None]).sum(axis=1) - 1
-        for r, row in enumerate(_de_boor(self.knots, points, last, end, p), 1):
-            points[each, last - p + r] = row[:, 0]
+        for r, row in enumerate(_de_boor(*self._acting(each, last), end), 1):
+            points[each, last - p + r] = row[0].T
         knots = np.minimum(self.knots, end[:, None])
         first = (knots <= start[:, None]).sum(axis=1) - 1
-        for r, row in enumerate(_de_boor(knots, points, first, start, p), 1):
-            points[each, first - r] = row[:, -1]
+        cut = SplineTable(self.curves, knots, points, self.domain)
+        for r, row in enumerate(_de_boor(*cut._acting(each, first), start), 1):
+            points[each, first - r] = row[-1].T
         knots = np.maximum(knots, start[:, None])
         places = zip(self.curves, knots, points, (first - p).tolist(), last.tolist(), strict=True)
         return [_clamped(curve, own[i : k + p + 2], rows[i : k + 1]) for curve, own, rows, i, k in places]
@@ -162,17 +173,13 @@ class SplineTable:
         return np.where(near, np.take_along_axis(self.knots, nearest, axis=1)[:, 0], t)
 
 
-def _de_boor(
-    knots: FloatArray, points: FloatArray, span: IntArray, t: FloatArray, degree: int
-) -> list[FloatArray]:
-    """De Boor's triangle at parameters (n,) in spans (n,): its rows (n, degree, 3) to (n, 1, 3)."""
-    each = np.arange(t.size)[:, None]
-    near = knots[each, span[:, None] + np.arange(1 - degree, degree + 1)]
-    rows = [points[each, span[:, None] + np.arange(-degree, 1)]]
+def _de_boor(near: FloatArray, points: FloatArray, t: FloatArray) -> list[FloatArray]:
+    """De Boor's triangle at parameters (n,): its rows (degree, 3, n) to (1, 3, n), from what acts there."""
+    degree, rows = len(points) - 1, [points]
     for level in range(1, degree + 1):
-        low, high = near[:, level - 1 : degree], near[:, degree : 2 * degree - level + 1]
-        share = ((t[:, None] - low) / (high - low))[..., None]
-        rows.append(rows[-1][:, :-1] * (1 - share) + rows[-1][:, 1:] * share)
+        low, high = near[level - 1 : degree], near[degree : 2 * degree - level + 1]
+        share = ((t - low) / (high - low))[:, None]
+        rows.append(rows[-1][:-1] * (1 - share) + rows[-1][1:] * share)
     return rows[1:]
 
 
