@@ -222,6 +222,25 @@ def points_of(curves: Sequence[PlaneCurve], which: IntArray, t: FloatArray) -> F
     return points
 
 
+def bezier_points(curves: Sequence[PlaneCurve]) -> tuple[IntArray, FloatArray]:
+    """Of curves of one degree how many spans each has, and the Bezier points of all, (k, degree + 1, 2), mm.
+
+    Examples
+    --------
+    >>> counts, points = bezier_points([PlaneCurve.spline([(0, 0), (1, 2), (3, 2), (4, 0)], degree=2)])
+    >>> counts.tolist(), points[:, -1].tolist()
+    ([2], [[2.0, 2.0], [4.0, 0.0]])
+    """
+    counts, parts = np.zeros(len(curves), dtype=int), list[tuple[IntArray, FloatArray]]()
+    for rows, table in _tables(curves):
+        owner, pieces = table.bezier
+        which = np.array(rows)[owner]
+        counts += np.bincount(which, minlength=len(curves))
+        parts.append((which, pieces[..., :2] / pieces[..., 2:]))
+    order = np.argsort(np.concatenate([which for which, _ in parts]), kind="stable")
+    return counts, np.concatenate([points for _, points in parts])[order]
+
+
 def _splines(paths: Sequence[Path]) -> list[Spline]:
     return [segment for path in paths for segment in path.segments if isinstance(segment, Spline)]
 

@@ -10,6 +10,7 @@ from elastica_cad.geometry.curves.arc_length import arc_lengths
 from elastica_cad.geometry.curves.curve_derivatives import cross, quotient
 from elastica_cad.geometry.curves.graph_areas import area_beside_graph
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.bezier_pieces import extraction
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 LONG = 32
@@ -87,10 +88,23 @@ class SplineTable:
     @property
     def spans(self) -> tuple[IntArray, FloatArray, FloatArray]:
         """Of all curves, row by row: whose each is (k,), its first parameter (k,) and its width (k,)."""
+        row, column = self._places_of_spans
+        low = self.knots[row, column]
+        return row, low, self.knots[row, column + 1] - low
+
+    @property
+    def bezier(self) -> tuple[IntArray, FloatArray]:
+        """Of all spans, row by row: whose each is (k,), and its Bezier points x w, y w, w, (k, degree + 1, 3)."""
+        row, column = self._places_of_spans
+        near, points = self._acting(row, column)
+        return row, extraction(near) @ np.ascontiguousarray(points.transpose(2, 0, 1))
+
+    @property
+    def _places_of_spans(self) -> tuple[IntArray, IntArray]:
+        """Rows and columns (k,) of the knots at which spans begin."""
         low, high = self.knots[:, :-1], self.knots[:, 1:]
-        inside = (low < high) & (low >= self.domain[:, :1]) & (high <= self.domain[:, 1:])
-        row, column = np.nonzero(inside)
-        return row, low[row, column], high[row, column] - low[row, column]
+        row, column = np.nonzero((low < high) & (low >= self.domain[:, :1]) & (high <= self.domain[:, 1:]))
+        return row, column
 
     @property
     def lengths(self) -> FloatArray:

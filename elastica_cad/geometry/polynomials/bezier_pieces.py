@@ -92,9 +92,19 @@ def _spans(written: bytes, degree: int) -> Spans:
     if knots.size == 2 * degree + 2 and knots[0] == knots[degree] < knots[degree + 1] == knots[-1]:
         return _one_span(knots[[0, -1]], degree)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
+    near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
+    first, matrix = span - degree, extraction(near)
+    edges = np.append(near[degree - 1], near[degree, -1])
+    for shared in (edges, first, matrix):
+        shared.setflags(write=False)
+    return Spans(knots.size - degree - 1, edges, first, matrix)
+
+
+def extraction(near: FloatArray) -> FloatArray:
+    """Of spans with 2 * degree knots about each, rows of (2 degree, p): see `Spans.matrix`, (p, ...)."""
+    degree = len(near) // 2
     size = degree + 1
     # spans run along the last axis: numpy is slow where that is short
-    near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends = near[degree - 1 : degree + 1]
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
@@ -103,11 +113,7 @@ def _spans(written: bytes, degree: int) -> Spans:
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
-    edges, first = np.append(ends[0], ends[1, -1]), span - degree
-    matrix = np.ascontiguousarray(points[0].transpose(2, 0, 1))
-    for shared in (edges, first, matrix):
-        shared.setflags(write=False)
-    return Spans(knots.size - size, edges, first, matrix)
+    return np.ascontiguousarray(points[0].transpose(2, 0, 1))
 
 
 _long_spans, _short_spans = lru_cache(maxsize=_KEPT)(_spans), lru_cache(maxsize=_KEPT_SHORT)(_spans)

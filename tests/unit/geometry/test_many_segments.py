@@ -4,7 +4,14 @@ import numpy as np
 import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.many_segments import areas, points_of, polylines, total_length
+from elastica_cad.geometry.paths.many_segments import (
+    areas,
+    bezier_points,
+    chords_of,
+    points_of,
+    polylines,
+    total_length,
+)
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 
@@ -73,3 +80,24 @@ def test_areas_are_those_of_each_path(paths):
     assert areas(asked) == pytest.approx(alone, rel=1e-12)
     assert [path.area for path in asked] == areas(asked).tolist()
     assert areas(closed[:1]).tolist() == [closed[0].area]
+
+
+def test_bezier_points_of_splines_are_their_own(paths):
+    """The same numbers: files of thousands of splines do not change with how many are asked for."""
+    curves = [
+        s.curve for path in paths for s in path.segments if isinstance(s, Spline) and s.curve.degree == 3
+    ]
+    counts, points = bezier_points(curves)
+    alone = [[piece[:, :2] / piece[:, 2:] for _, _, piece in curve.bezier_pieces()] for curve in curves]
+    assert counts.tolist() == [len(pieces) for pieces in alone]
+    assert np.array_equal(points, np.concatenate(alone))
+
+
+def test_chords_of_segments_go_on_where_the_one_before_ends(paths):
+    segments = [segment for path in paths for segment in path.segments]
+    counts, points = chords_of(segments, 1e-3)
+    begins = points[np.cumsum(counts) - counts]
+    assert np.abs(begins - [segment.start for segment in segments]).max() < 1e-12
+    few, same = chords_of(segments[:5], 1e-3)
+    assert few.tolist() == counts[:5].tolist()
+    assert np.abs(same - points[: len(same)]).max() < 1e-12
