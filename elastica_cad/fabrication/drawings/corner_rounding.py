@@ -77,7 +77,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
         return []
-    many, sizes = ManySegments(segments), np.array([_size(segment) for segment in segments])
+    many, sizes = ManySegments(segments), _sizes(segments)
     ends = np.cumsum([len(path.segments) for path in paths])
     rings = [
         list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
@@ -104,7 +104,8 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             turns = [arcs.get(k) for k in ring.sides]
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
                 chain = [one for k, arc in zip(ring.sides, turns, strict=True) for one in (parts[k], arc)]
-                rounded[i] = Path([one for one in chain if one is not None], closed=True)
+                # ends of arcs were found where the sides are left
+                rounded[i] = Path.of_sound(tuple([one for one in chain if one is not None]), closed=True)
         left = following
     return rounded
 
@@ -199,10 +200,8 @@ def _corners(
     x[open_] = -1.0, 2.0
     start, leaving, end, entering = ends
     bulges = np.tan(turn_between(leaving, entering) / 4)
-    arcs = [
-        Arc.from_bulge(a, b, float(bulge)) if fit else None
-        for a, b, bulge, fit in zip(start, end, bulges, fits, strict=True)
-    ]
+    made = iter(Arc.all_of_bulges(start[fits], end[fits], bulges[fits]))
+    arcs = [next(made) if fit else None for fit in fits.tolist()]
     return _Corners(before, after, x[:, 0], x[:, 1], arcs)
 
 
@@ -212,8 +211,15 @@ def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) ->
     return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
 
 
-def _size(segment: Segment) -> float:
-    """mm, of a spline not less than its length."""
-    if isinstance(segment, Spline):
-        return float(norm(np.diff(segment.curve.control_points, axis=0)).sum())
-    return segment.length
+def _sizes(segments: Sequence[Segment]) -> FloatArray:
+    """mm (n,), of splines not less than their lengths."""
+    sizes = np.array([0.0 if isinstance(segment, Spline) else segment.length for segment in segments])
+    splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
+    if splines:
+        counts = np.array([len(curve.control_points) for _, curve in splines])
+        begins = np.cumsum(counts) - counts
+        sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
+        sides = np.append(sides, 0.0)
+        sides[begins[1:] - 1] = 0.0  # from one curve to the next
+        sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
+    return sizes

@@ -9,6 +9,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.paths.many_segments import bezier_points
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.polynomials.circles import points_on_circles
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 _LETTERS = {2: "Q", 3: "C"}
@@ -115,7 +116,7 @@ def _arcs(which: IntArray, arcs: Sequence[Arc]) -> _Strokes:
     counts = np.where(long, 2, 1)
     each, last = np.repeat(np.arange(counts.size), counts), numbers_in_groups(counts) == 1
     angle = np.where(long[each], start[each] + sweep[each] * np.where(last, 1.0, 0.5), end[each])
-    points = center[each] + radius[each, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    points = points_on_circles(center[each], radius[each], angle)
     told = [
         f"A{size} {size} 0 0 {'0' if turn > 0 else '1'} "
         for size, turn in zip(_numbers(radius.tolist()), sweep.tolist(), strict=True)

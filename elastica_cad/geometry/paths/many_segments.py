@@ -18,6 +18,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.polynomials.circles import points_on_circles
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 FEW = 8
@@ -195,7 +196,7 @@ def _arc_chords(arcs: Sequence[Arc], tolerance: float) -> tuple[IntArray, FloatA
     each = np.repeat(np.arange(counts.size), counts)
     share = numbers_in_groups(counts) * (1.0 / np.maximum(counts, 1))[each]
     angle = start_angle[each] + sweep[each] * share
-    return counts, center[each] + radius[each, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    return counts, points_on_circles(center[each], radius[each], angle)
 
 
 def points_of(curves: Sequence[PlaneCurve], which: IntArray, t: FloatArray) -> FloatArray:

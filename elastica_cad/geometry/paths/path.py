@@ -23,9 +23,9 @@ from elastica_cad.geometry.paths.segments import (
     place,
     segment_from_bulge,
     similarity_of,
-    ways_at,
 )
 from elastica_cad.geometry.paths.spline_table import SplineTable
+from elastica_cad.geometry.polynomials.circles import points_on_circles
 
 JOIN = 1e-6
 """Largest gap between the ends of neighbouring segments, mm."""
@@ -291,7 +291,7 @@ def _move_arcs(
     centers = _placed(np.array([[arc.center] for _, arc in arcs]), matrix, shifts[[i for i, _ in arcs]])
     radii = np.array([arc.radius for _, arc in arcs]) * scale
     angles = turn + sign * np.array([(arc.start_angle, arc.end_angle) for _, arc in arcs])
-    ends = centers + radii[:, None, None] * ways_at(angles)
+    ends = points_on_circles(centers, radii[:, None], angles)
     for row in (centers, ends):
         row.setflags(write=False)
     sweeps = np.abs(angles[:, 1] - angles[:, 0])

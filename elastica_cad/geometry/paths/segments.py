@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.spline_table import SplineTable
+from elastica_cad.geometry.polynomials.circles import circles_of_bulges, points_on_circles
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 _FLATTEST_MM = 1e-7
@@ -149,10 +150,21 @@ class Arc:
         chord = end - start
         if not bulge or not np.any(chord):
             raise InputError(f"an arc at {place(start)} needs two different ends and a bulge other than 0")
-        center = (start + end) / 2 + left_of(chord) * (1 - bulge**2) / (4 * bulge)
-        radius = float(np.hypot(*chord)) * (1 + bulge**2) / (4 * abs(bulge))
-        first = float(np.arctan2(*(start - center)[::-1]))
-        return cls(center, radius, first, first + 4 * float(np.arctan(bulge)))
+        return cls(*(row[0] for row in circles_of_bulges(start[None], end[None], np.array([bulge]))))
+
+    @classmethod
+    def all_of_bulges(cls, starts: FloatArray, ends: FloatArray, bulges: FloatArray) -> list["Arc"]:
+        """The arcs between points (n, 2) that differ with bulges (n,) other than 0: nothing is checked."""
+        centers, *shapes = circles_of_bulges(starts, ends, bulges)
+        names = ("center", "radius", "start_angle", "end_angle", "start", "end")
+        points = [points_on_circles(centers, shapes[0], angles) for angles in shapes[1:]]
+        for shared in (centers, *points):
+            shared.setflags(write=False)
+        arcs = [object.__new__(cls) for _ in bulges]
+        numbers = zip(centers, *(row.tolist() for row in shapes), *points, strict=True)
+        for arc, own in zip(arcs, numbers, strict=True):
+            vars(arc).update(zip(names, own, strict=True))
+        return arcs
 
     @property
     def sweep(self) -> float:
@@ -245,8 +257,8 @@ class Arc:
         """The same arc as an exact rational spline."""
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
-    def _on(self, angle: float | FloatArray) -> FloatArray:
-        return self.center + self.radius * ways_at(angle)
+    def _on(self, angle: FloatArray) -> FloatArray:
+        return points_on_circles(self.center, self.radius, angle)
 
 
 @dataclass(frozen=True, eq=False)
@@ -365,13 +377,6 @@ def _require_affine(matrix: ArrayLike) -> FloatArray:
     if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
         raise InputError("a path can't be flattened to a line: use an invertible matrix")
     return m
-
-
-def ways_at(angle: float | FloatArray) -> FloatArray:
-    """Unit vectors (..., 2) at angles (...), rad."""
-    ways = np.empty((*np.shape(angle), 2))
-    ways[..., 0], ways[..., 1] = np.cos(angle), np.sin(angle)
-    return ways
 
 
 def is_similarity(matrix: ArrayLike) -> bool:

@@ -101,3 +101,15 @@ def test_chords_of_segments_go_on_where_the_one_before_ends(paths):
     few, same = chords_of(segments[:5], 1e-3)
     assert few.tolist() == counts[:5].tolist()
     assert np.abs(same - points[: len(same)]).max() < 1e-12
+
+
+def test_arcs_of_bulges_are_those_of_each_to_the_last_digit():
+    rng = np.random.default_rng(7)
+    starts, ends = rng.uniform(-500, 500, (2, 400, 2))
+    bulges = rng.choice([-1, 1], 400) * rng.uniform(1e-3, 3.0, 400)
+    for arc, *of in zip(Arc.all_of_bulges(starts, ends, bulges), starts, ends, bulges, strict=True):
+        alone = Arc.from_bulge(*of)
+        found, expected = (
+            (a.radius, a.start_angle, a.end_angle, *a.center, *a.start, *a.end) for a in (arc, alone)
+        )
+        assert found == expected
