@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
+from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -174,7 +175,7 @@ def _bending_energy(rod: Rod) -> float:
 def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:
     """Strain, elastic stress (MPa) and safety of the layer nearest to its limit."""
     bent = np.abs(rod.curvature - rod.natural_curvature)
-    layers = strip.layout.strains(rod.s, bent)
+    layers = strip.layout.strains(Bends(bent, rod.s.__getitem__))
     k = max(range(len(layers)), key=lambda i: layers[i].largest / layers[i].limit)
     worst = layers[k]
     with np.errstate(divide="ignore"):

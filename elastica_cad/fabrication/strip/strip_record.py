@@ -27,9 +27,10 @@ from elastica_cad.fabrication.strip.strip_sentences import (
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.fabrication.strip.styles import (
     PLAIN,
+    Bends,
     Layout,
     Style,
-    bend_stations,
+    bends_along,
     correct_layout,
     require_style,
     stations_of,
@@ -159,7 +160,10 @@ class Strip:
         }.items():  # fmt: skip
             columns[physical] = B * columns.pop(name)
         bent = np.abs(self.rod.curvature - self.rod.natural_curvature)
-        worst = max(self.layout.strains(self.rod.s, bent), key=lambda layer: layer.largest / layer.limit)
+        worst = max(
+            self.layout.strains(Bends(bent, self.rod.s.__getitem__)),
+            key=lambda layer: layer.largest / layer.limit,
+        )
         section, size = self.layout.section, self.layout.size
         more = {} if section is None or size is None else {f"{section.quantity}_mm": size(self.rod.s)}
         return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
@@ -254,7 +258,7 @@ class Strip:
     @property
     def max_strain_at(self) -> float:
         """Arc length of the largest strain, mm."""
-        return float(self._bend[0][self.most_strained.station])
+        return self._bends.place(self.most_strained.station)
 
     @property
     def strain_limit(self) -> float:
@@ -269,32 +273,30 @@ class Strip:
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
         """Skin strain of each layer at stations along the strip, with the limit of its sheet."""
-        s, bend = self._bend
-        return self.layout.strains(s, bend)
+        return self.layout.strains(self._bends)
 
     @cached_property
-    def _bend(self) -> tuple[FloatArray, FloatArray]:
-        """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
+    def _bends(self) -> Bends:
         if self.layout.stack is None:
-            return bend_stations(self.rod)
+            return bends_along(self.rod)
         from elastica_cad.forming.leaf_ends import leaf_bends
 
-        return leaf_bends(self.rod, self.layout.stack)
+        s, bend = leaf_bends(self.rod, self.layout.stack)
+        return Bends(bend, s.__getitem__)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
         """What a maker should know before cutting: the rod's and the style's warnings, strains beyond a limit."""
-        s, bend = self._bend
         found = (
             *self.rod.warnings,
             *self.layout.warnings,
-            *warn_of_strains(self.strains, s, bend),
+            *warn_of_strains(self.strains, self._bends),
             *warn_of_width(self.width, self.rod.length, closed=self.is_closed),
         )
         if self.layout.size is not None:
             return found
         creeps = warn_of_creep(self.creep, self.most_strained, lambda: self.crept) if self.creep else ()
-        return (*found, *warn_of_plywood(self.layers, self.strains, s, bend), *creeps)
+        return (*found, *warn_of_plywood(self.layers, self.strains, self._bends), *creeps)
 
     @cached_property
     def crept(self) -> Creep | None:

@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 
 from elastica_cad._counts import told_apart
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.strip.strip_layers import Layer
+from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, TOLD_TO
 from elastica_cad.mechanics.material.section_limits import LayerStrain
@@ -47,8 +47,9 @@ def tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
     )
 
 
-def warn_of_strains(strains: Sequence[LayerStrain], s: FloatArray, bend: FloatArray) -> Iterator[str]:
-    """Layers strained beyond what their sheets bear, bent by `bend` (n,), 1/mm, at stations s (n,), mm."""
+def warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
+    """Layers strained beyond what their sheets bear."""
+    bend = bends.amount
     for layer in strains:
         if layer.exceeded:
             at = layer.station
@@ -56,7 +57,7 @@ def warn_of_strains(strains: Sequence[LayerStrain], s: FloatArray, bend: FloatAr
             strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2f")
             radius, least = told_apart(1 / bend[at], 1 / bearable, ".1f")
             yield (
-                f"strain {strain} % at {s[at]:.1f} mm is beyond the {limit} % "
+                f"strain {strain} % at {bends.place(at):.1f} mm is beyond the {limit} % "
                 f"that {layer.name} bears: its radius there is {radius} mm, the least advisable "
                 f"{least} mm; use a thinner sheet or a gentler curve"
             )
@@ -78,16 +79,16 @@ def warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[st
         )
 
 
-def warn_of_plywood(
-    layers: Sequence[Layer], strains: Sequence[LayerStrain], s: FloatArray, bend: FloatArray
-) -> Iterator[str]:
+def warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
     """Plywood bent sharper than its published radii, where its strain has not told so."""
+    bend = bends.amount
     tightest = int(np.argmax(bend))
     for one, layer in zip(layers, strains, strict=False):
         least = one.sheet.published_radius
         if least is not None and not layer.exceeded and bend[tightest] * least > 1 + TOLD_TO:
+            at = bends.place(tightest)
             yield (
-                f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {s[tightest]:.1f} mm, but plywood of "
+                f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {at:.1f} mm, but plywood of "
                 f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "
                 f"({PLYWOOD_SOURCE}); use a thinner sheet or a gentler curve"
             )

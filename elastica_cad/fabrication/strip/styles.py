@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Protocol, TypeAlias
 
 import numpy as np
@@ -55,6 +55,31 @@ GUIDE_MM = 0.5
 
 NO_WIDTH = "a strip needs max_width or min_width (mm): the rod only fixes how widths compare"
 """Of a plain strip; the others have an outline of their own."""
+
+
+@dataclass(frozen=True, eq=False)
+class Bends:
+    """How sharply a strip is bent at stations along it.
+
+    Attributes
+    ----------
+    amount : (n,) array
+        |kappa - kappa_0|, 1/mm.
+    arc_length : callable
+        Maps stations, by number or slice, to mm: asked where a place is told, or a size there counts.
+    """
+
+    amount: FloatArray
+    arc_length: Callable[[int | slice], FloatArray]
+
+    @cached_property
+    def s(self) -> FloatArray:
+        """Arc lengths of all stations (n,), mm."""
+        return self.arc_length(slice(None))
+
+    def place(self, station: int) -> float:
+        """Arc length of one of them, mm."""
+        return float(self.arc_length(station))
 
 
 class Pattern(Protocol):
@@ -152,16 +177,16 @@ class Layout:
             return PlainSection(self.sheet), material
         return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing
 
-    def strains(self, s: FloatArray, bend: FloatArray) -> tuple[LayerStrain, ...]:
-        """Skin strain of each layer at stations `s` (n,) bent by `bend` (n,) = |kappa - kappa_0|, 1/mm."""
+    def strains(self, bends: Bends) -> tuple[LayerStrain, ...]:
+        """Skin strain of each layer at stations along the strip."""
         if self.section is not None and self.size is not None:
-            return self.section.strains(bend, self.size(s))
-        outer = self.width(s)
+            return self.section.strains(bends.amount, self.size(bends.s))
+        if self.backing is None:  # the strain of a solid sheet does not depend on its width
+            return PlainSection(self.sheet).strains(bends.amount)
+        outer = self.width(bends.s)
         # where it fills the base, the backing's fit may pass the base's by its tolerance
-        law, parameter = self.law(
-            outer, None if self.backing is None else np.minimum(self.backing.width(s), outer)
-        )
-        return law.strains(bend, parameter)
+        law, parameter = self.law(outer, np.minimum(self.backing.width(bends.s), outer))
+        return law.strains(bends.amount, parameter)
 
     def stiffness(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray:
         """E I (n,), N mm2, of widths (n,), mm, that are really there of the sheet and of the backing."""
@@ -339,14 +364,18 @@ def correct_layout(
 
 
 @lru_cache(maxsize=_RODS)
-def bend_stations(rod: Rod) -> tuple[FloatArray, FloatArray]:
-    """Stations (n,), mm, spread over the curve's smooth panels, and |kappa - kappa_0| there, 1/mm."""
-    s, curvature = rod.s, rod.curvature
-    if rod.shape is not None:
-        panels = rod.curve.smooth_panels
-        places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
-        t = np.interp(places, np.arange(panels.size), panels)
-        s, curvature = rod.curve.arc_length(t), rod.curve.curvature_at(t)
-    s = np.minimum(s, rod.length)
-    rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
-    return s, np.abs(curvature - np.interp(s, rod.s, rest))
+def bends_along(rod: Rod) -> Bends:
+    """How sharply a rod is bent, at stations spread over its curve's smooth panels."""
+    if rod.shape is None:
+        return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s.__getitem__)
+    curve, rest = rod.curve, rod.natural_curvature
+    panels = curve.smooth_panels
+    places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
+    t = np.interp(places, np.arange(panels.size), panels)
+
+    def arc_length(stations: int | slice) -> FloatArray:
+        return np.minimum(curve.arc_length(t[stations]), rod.length)
+
+    if np.size(rest) > 1:
+        rest = rod.rest_at(arc_length(slice(None)))
+    return Bends(np.abs(curve.curvature_at(t) - rest), arc_length)

@@ -1,6 +1,7 @@
 """What a cross-section may bear and hold: strains against limits, scales that can be built."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -33,7 +34,7 @@ class LayerStrain:
     strain: FloatArray
     limit: float
 
-    @property
+    @cached_property
     def largest(self) -> float:
         """The largest strain along the strip."""
         return float(self.strain.max())
