@@ -14,7 +14,7 @@ from elastica_cad.fabrication.makeability.shop import (
     WIDEST_SLOT_THICKNESSES,
     Shop,
 )
-from elastica_cad.fabrication.makeability.thin_places import ThinPlace, find_thin_places
+from elastica_cad.fabrication.makeability.thin_places import FLAT_SHARE, ThinPlace, find_thin_places
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
@@ -24,6 +24,10 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 WIDE = 1.5
 """Least widths between edges that lean to each other by less than `STEEPEST`: straight across there is one left."""
+
+CLEAR = 1 + 3 * FLAT_SHARE
+"""The same where tabs go on as wide as the ends: no edge comes nearer to the other than the least width, but for
+the chords of the cuts."""
 
 STEEPEST = 1.0
 """Slope of a width along the strip."""
@@ -185,8 +189,10 @@ def _is_clearly_wide(strip: Strip, least: float) -> bool:
     if any(tab.holes or tab.t_slot or tab.taper for tab in strip.ends):
         return False
     across = (float(strip.width.extremes[0]), *(tab.width or np.inf for tab in strip.ends))
-    slope = np.abs(strip.width(strip.rod.s, 1)).max()
-    return bool(min(across) > WIDE * least and slope < STEEPEST)
+    goes_on = not any(tab.width or tab.chamfer or tab.corner_radius for tab in strip.ends)
+    if min(across) <= (CLEAR if goes_on else WIDE) * least:
+        return False
+    return bool(np.abs(strip.width(strip.rod.s, 1)).max() < STEEPEST)
 
 
 def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator[Fault]:

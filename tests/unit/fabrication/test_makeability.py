@@ -11,6 +11,8 @@ from elastica_cad.fabrication.makeability.near_pairs import near_pairs
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.thin_places import find_thin_places
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
+    CLEAR,
+    STEEPEST,
     find_plate_faults,
     find_slot_faults,
     find_strip_faults,
@@ -51,6 +53,19 @@ def test_the_neck_lies_where_the_width_is_least():
     (place,) = find_thin_places([Strip(rod, PLYWOOD, max_width=8.0).outline], [], 3.0)
     assert place.width == pytest.approx(2.0, abs=0.03)
     assert place.x == pytest.approx(100.0, abs=1.0)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_no_edge_is_nearer_to_the_other_than_the_least_width(seed):
+    """Strips as narrow as may be told without measuring, leaning as much as they may, measured all the same."""
+    rng, least = np.random.default_rng(seed), 3.0
+    waves = np.sin(np.linspace(0.0, rng.uniform(3, 40), 301) + rng.uniform(0, 6))
+    narrow = strip(2 + waves, max_width=None, min_width=1.0)
+    steepest = float(np.abs(narrow.width(narrow.rod.s, 1)).max())
+    bulge = min(2.0, 0.9 * STEEPEST / (steepest * CLEAR * least))  # of the width beyond the least one
+    narrow = strip(1 + bulge * (1 + waves), max_width=None, min_width=1.0001 * CLEAR * least)
+    assert find_strip_faults(narrow, Shop(least_width=least)) == ()
+    assert find_thin_places([narrow.outline], [], least) == ()
 
 
 def test_a_slot_that_leaves_a_neck():
