@@ -26,7 +26,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Spline
-from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw
@@ -144,16 +143,17 @@ class FlatSolid:
 
 def _misread_area(sides: Sequence[Spline]) -> float:
     """How far one rule for all spans of a side is off the area that is swept along it, mm2, summed over sides."""
+    from scipy.interpolate import BSpline
+
     points, weights = RULE
     off = 0.0
-    for degree in {side.curve.degree for side in sides}:
-        alike = [side for side in sides if side.curve.degree == degree]
-        table = SplineTable.of([side.curve for side in alike])
-        starts = np.array([side.start for side in alike])
-        which = np.repeat(np.arange(len(alike)), points.size)
-        place, velocity = table.motion(which, np.tile((points + 1) / 2, len(alike)))
-        swept = cross(place - starts[which], velocity).reshape(-1, points.size) @ weights / 4
-        off += float(np.abs(swept - table.swept_areas(starts)).sum())
+    for side in sides:
+        curve, (first, last) = side.curve, side.curve.domain
+        rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), curve.degree)
+        half = (last - first) / 2
+        t = first + half * (points + 1)
+        swept = cross(rows(t) - side.start, rows(t, 1)) @ weights * half / 2
+        off += abs(float(swept) - side.swept_area(side.start))
     return off
 
 

@@ -37,7 +37,7 @@ class ManySegments:
         for degree in sorted({curve.degree for curve in curves.values()}):
             members = [i for i, curve in curves.items() if curve.degree == degree]
             self._table[members], self._row[members] = len(self._tables), np.arange(len(members))
-            self._tables.append(SplineTable.of([curves[i] for i in members]))
+            self._tables.append(SplineTable([curves[i] for i in members]))
 
     def motion(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points and their derivatives by u (n, 2), mm, at places u (n,) in [0, 1] of segments (n,)."""
@@ -252,7 +252,7 @@ def _tables(curves: Sequence[PlaneCurve]) -> Iterator[tuple[list[int], SplineTab
     for i, curve in enumerate(curves):
         alike.setdefault((curve.degree, curve.knots.size.bit_length()), []).append(i)
     for rows in alike.values():
-        yield rows, SplineTable.of([curves[i] for i in rows])
+        yield rows, SplineTable([curves[i] for i in rows])
 
 
 def _chords(table: SplineTable, tolerance: float) -> tuple[IntArray, FloatArray]:

@@ -147,7 +147,7 @@ class Path:
             else:
                 total += segment.swept_area(self.start)
         return total + sum(
-            float(SplineTable.of(curves).swept_areas(self.start).sum()) for curves in alike.values()
+            float(SplineTable(curves).swept_areas(self.start).sum()) for curves in alike.values()
         )
 
     @cached_property

@@ -319,7 +319,7 @@ class Spline:
         """Signed area swept by the ray from `origin`, mm2, to rounding error (Gauss on each Bezier piece)."""
         origin = np.asarray(origin, dtype=float)
         if not self.curve.is_rational:
-            return float(SplineTable.of([self.curve]).swept_areas(origin)[0])
+            return float(SplineTable([self.curve]).swept_areas(origin)[0])
         t0, t1 = self.curve.domain
         knots = np.unique(self.curve.knots)
         knots = knots[(knots >= t0) & (knots <= t1)]

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -27,31 +28,34 @@ class SplineTable:
     Attributes
     ----------
     curves : sequence of PlaneCurve
-    knots : (n, k) array
-        Infinite behind the last.
-    points : (n, m, 3) array
-        Rows x w, y w, w.
-    domain : (n, 2) array
+        At least one.
     """
 
     curves: Sequence[PlaneCurve]
-    knots: FloatArray
-    points: FloatArray
-    domain: FloatArray
 
-    @classmethod
-    def of(cls, curves: Sequence[PlaneCurve]) -> "SplineTable":
-        """At least one."""
-        most = max(curve.knots.size for curve in curves)
-        knots = np.full((len(curves), most), np.inf)
-        points = np.ones((len(curves), most - curves[0].degree - 1, 3))
-        for row, own, curve in zip(knots, points, curves, strict=True):
+    @cached_property
+    def knots(self) -> FloatArray:
+        """Rows (n, k), infinite behind the last."""
+        knots = np.full((len(self.curves), max(curve.knots.size for curve in self.curves)), np.inf)
+        for row, curve in zip(knots, self.curves, strict=True):
             row[: curve.knots.size] = curve.knots
+        return knots
+
+    @cached_property
+    def points(self) -> FloatArray:
+        """Rows x w, y w, w of each, (n, m, 3)."""
+        points = np.ones((len(self.curves), self.knots.shape[1] - self.degree - 1, 3))
+        for own, curve in zip(points, self.curves, strict=True):
             own[: len(curve.control_points), :2] = curve.control_points
             if curve.weights is not None:
                 own[: curve.weights.size, 2] = curve.weights
         points[..., :2] *= points[..., 2:]
-        return cls(curves, knots, points, np.array([curve.domain for curve in curves]))
+        return points
+
+    @cached_property
+    def domain(self) -> FloatArray:
+        """Of each, (n, 2)."""
+        return np.array([curve.domain for curve in self.curves])
 
     @property
     def degree(self) -> int:
@@ -60,8 +64,9 @@ class SplineTable:
 
     def chosen(self, rows: IntArray) -> "SplineTable":
         """Some of the curves."""
-        curves = [self.curves[i] for i in rows]
-        return SplineTable(curves, self.knots[rows], self.points[rows], self.domain[rows])
+        made = SplineTable([self.curves[i] for i in rows])
+        vars(made).update({name: rows_of[rows] for name, rows_of in vars(self).items() if name != "curves"})
+        return made
 
     def motion(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points and their derivatives by u (n, 2) at places u (n,) in [0, 1] of curves (n,)."""

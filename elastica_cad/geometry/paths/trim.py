@@ -44,7 +44,7 @@ def trim_parts(parts: Sequence[tuple[PlaneCurve, tuple[float, float]]]) -> list[
     for degree in {curve.degree for curve, _ in parts}:
         which = [i for i, (curve, _) in enumerate(parts) if curve.degree == degree]
         start, end = np.array([parts[i][1] for i in which]).T
-        made = SplineTable.of([parts[i][0] for i in which]).trimmed(start, end)
+        made = SplineTable([parts[i][0] for i in which]).trimmed(start, end)
         trimmed |= zip(which, made, strict=True)
     return [trimmed[i] for i in range(len(parts))]
 
