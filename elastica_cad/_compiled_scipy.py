@@ -1,4 +1,4 @@
-"""Compiled parts of scipy by themselves: LAPACK and Brent's method without the packages around them.
+"""Compiled parts of scipy by themselves: LAPACK, B-splines, Brent's method without the packages around them.
 
 `scipy.linalg` and `scipy.optimize` import some hundred modules before the first function can be called, a fifth
 and a third of a second. The functions used here are compiled ones in one file each, loaded alone in milliseconds.
@@ -19,6 +19,16 @@ _ROUNDS = 100  # of Brent's method, which takes a dozen
 def lapack() -> Any:
     """The functions of `scipy.linalg.lapack` that end in d..: dgtsv, dpbsv and so on."""
     return _alone("linalg", "_flapack", "dgtsv") or import_module("scipy.linalg.lapack")
+
+
+@cache
+def collocation() -> Any | None:
+    """`fill(sites, knots, degree, bands)`: scipy's B-splines at sites as a band matrix for `dgbsv`.
+
+    None where a scipy keeps it otherwise: newer than 1.14.
+    """
+    found = _alone("interpolate", "_bspl", "_colloc")
+    return None if found is None else found._colloc
 
 
 def crossing(

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import lapack
+from elastica_cad._compiled_scipy import collocation, lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.knot_runs import greville
@@ -100,6 +100,17 @@ def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
 
 def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
     """Coefficients (m, ...) of the spline over given knots that has `values` (m, ...) at `sites` (m,)."""
-    from scipy.interpolate import make_interp_spline
+    fill = collocation()
+    if fill is None:
+        from scipy.interpolate import make_interp_spline
 
-    return np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c, dtype=float)
+        return np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c, dtype=float)
+    # what that does, without its checks, which cost as much
+    bands = np.zeros((3 * degree + 1, sites.size), order="F")
+    fill(sites, knots, degree, bands)
+    *_, coefficients, info = lapack().dgbsv(
+        degree, degree, bands, values.reshape(sites.size, -1), overwrite_ab=True
+    )
+    if info != 0:
+        raise np.linalg.LinAlgError("places of an interpolation are too close together")
+    return np.ascontiguousarray(coefficients).reshape(values.shape)

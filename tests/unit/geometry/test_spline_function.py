@@ -8,7 +8,12 @@ import pytest
 
 from elastica_cad import _compiled_scipy as compiled_scipy
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
+from elastica_cad.geometry.polynomials.spline_function import (
+    SplineFunction,
+    interpolated,
+    interpolation_sites,
+    spline_through,
+)
 
 pytestmark = pytest.mark.core
 
@@ -46,6 +51,21 @@ def test_splines_through_values_are_those_of_scipy(count, columns):
     theirs = make_interp_spline(x, values, k=degree)
     assert np.array_equal(knots, theirs.t)
     assert np.abs(coefficients - theirs.c).max() < 1e-12 * np.abs(theirs.c).max()
+
+
+@pytest.mark.parametrize("columns", [(), (4,), (2, 3)])
+@pytest.mark.parametrize("degree", [2, 3, 5])
+def test_splines_over_given_knots_are_those_of_scipy(degree, columns):
+    from scipy.interpolate import make_interp_spline
+
+    random = np.random.default_rng(degree)
+    inner = np.repeat(np.cumsum(random.uniform(0.2, 2, 20)), random.integers(1, degree, 20))
+    knots = np.concatenate([np.zeros(degree + 1), inner, np.repeat(inner[-1] + 1, degree + 1)])
+    knots.setflags(write=False)
+    sites = interpolation_sites(knots, degree)
+    values = random.normal(size=(sites.size, *columns))
+    theirs = make_interp_spline(sites, values, k=degree, t=knots).c
+    assert np.array_equal(interpolated(sites, values, knots, degree), theirs)
 
 
 def test_places_that_are_one_are_refused():
