@@ -207,6 +207,11 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _without_frame(self) -> "StripSpec":
+        if self.gravity is None:  # the frame says nothing then: what was checked and found holds
+            made = object.__new__(StripSpec)
+            vars(made).update({one.name: getattr(self, one.name) for one in fields_of(self)})
+            vars(made).update(frame=None, rod_spec=self.rod_spec)
+            return made
         gravity, share = self._pulled
         return replace(self, frame=None, gravity=gravity, loads=lightened(self.loads, share))
 

@@ -60,9 +60,9 @@ class Frame:
 
     def _hold(self, *rows: FloatArray) -> None:
         """Take checked rows: origin and unit axes."""
-        for name, row in zip(_PARTS, rows, strict=True):
+        for row in rows:
             row.setflags(write=False)
-            object.__setattr__(self, name, row)
+        vars(self).update(zip(_PARTS, rows, strict=True))
 
     @property
     def z_axis(self) -> FloatArray:
@@ -110,7 +110,9 @@ class Frame:
         """The frame with its origin moved along its own axes, mm."""
         origin = self.point((x, y, z))
         _require_finite("origin", origin)
-        return Frame.of_sound(origin, self.x_axis, self.y_axis)
+        made = Frame.of_sound(origin, self.x_axis, self.y_axis)
+        vars(made)["axes"] = self.axes
+        return made
 
 
 def _row(name: str, given: ArrayLike) -> FloatArray:

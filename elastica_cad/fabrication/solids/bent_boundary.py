@@ -50,15 +50,14 @@ class BoundaryMaker:
         """The face of every region at the first height."""
         for region in regions:
             self._add_edges(region)
-            self._add_face(region, 0)
+            self._add_faces(region)
         return self._boundary()
 
     def solid(self, regions: Sequence[Region]) -> Boundary:
         """The closed skin between the two heights."""
         for region in regions:
             self._add_edges(region)
-            for level in (0, 1):
-                self._add_face(region, level)
+            self._add_faces(region)
             for loop in region.loops:
                 for piece in loop:
                     if not piece.seam:
@@ -86,29 +85,25 @@ class BoundaryMaker:
                 for level, curve in enumerate(curves)
             ]
 
-    def _add_face(self, region: Region, level: int) -> None:
-        """The region's face at a height: seen from above it lies to the left of its loops."""
+    def _add_faces(self, region: Region) -> None:
+        """The region's face at every height: seen from above it lies to the left of its loops."""
         shape = self.maps[region.interval]
-        loops = tuple(tuple(self._use(piece, shape, level) for piece in loop) for loop in region.loops)
-        up = self.heights[level]
-        surface: Surface
+        surfaces: list[Surface]
         if isinstance(shape, Frame):
-            surface = PlaneSurface(shape.shifted(z=up))
+            surfaces = [PlaneSurface(frame) for frame in _levels(shape, self.heights)]
         else:
-            low, high = np.array([_across(piece.segment) for loop in region.loops for piece in loop]).T
-            surface = shape.surface(float(low.min()), float(high.max()), up)
-        self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
-
-    def _use(self, piece: Piece, shape: Map, level: int) -> EdgeUse:
-        """The piece's edge at a height; on a bent face its trace is the flat segment itself."""
-        edge, segment = self.at_piece[piece.number] + level, piece.segment
-        if isinstance(shape, Frame):
-            return EdgeUse(edge, piece.forward)
-        if isinstance(segment, Line):
-            x, y = map(float, segment.start)
-            dx, dy = map(float, (segment.end - segment.start) / segment.length)
-            return EdgeUse(edge, piece.forward, StraightTrace((x, y), (dx, dy)))
-        return EdgeUse(edge, piece.forward, segment)
+            low, high = zip(*(_across(piece.segment) for loop in region.loops for piece in loop), strict=True)
+            surfaces = [shape.surface(min(low), max(high), up) for up in self.heights]
+        traces = [[_trace_on(shape, piece.segment) for piece in loop] for loop in region.loops]
+        for level, surface in enumerate(surfaces):
+            loops = tuple(
+                tuple(
+                    EdgeUse(self.at_piece[piece.number] + level, piece.forward, trace)
+                    for piece, trace in zip(loop, along, strict=True)
+                )
+                for loop, along in zip(region.loops, traces, strict=True)
+            )
+            self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _add_side(self, piece: Piece, shape: Map) -> None:
         """The wall over one piece of a loop; u follows the piece's parameter, v goes up."""
@@ -137,7 +132,7 @@ class BoundaryMaker:
             return self._ruled(low.curve, high.curve)
         if straight:
             a, b = self.vertices[low.start], self.vertices[low.end]
-            return PlaneSurface(Frame(a, b - a, self.vertices[high.start] - a))
+            return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
         if isinstance(shape, BentMap):
             raise TypeError("only lines across stay plane on a bent strip")
         if isinstance(segment, Arc):
@@ -186,8 +181,31 @@ def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace 
     return graphs(knots, np.repeat(heights, edges.size + 1).reshape(len(heights), -1), degree=2)
 
 
+def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
+    """A segment on the face that its pattern becomes: on a bent one it is itself, planes ask for none."""
+    if isinstance(shape, Frame):
+        return None
+    if not isinstance(segment, Line):
+        return segment
+    (x, y), (to_x, to_y), size = segment.start.tolist(), segment.end.tolist(), segment.length
+    return StraightTrace((x, y), ((to_x - x) / size, (to_y - y) / size))
+
+
+def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
+    """The frame at every height."""
+    return [frame.shifted(z=up) for up in heights]
+
+
+def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Frame:
+    """The plane of a wall, which stands upright on what it runs along."""
+    return Frame.of_sound(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
+
+
 def _across(segment: Segment) -> tuple[float, float]:
     """Bounds of y along a segment; of a spline those of its control points."""
+    if isinstance(segment, Line):
+        (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
+        return min(y, to_y), max(y, to_y)
     rows = segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
     return float(rows[:, 1].min()), float(rows[:, 1].max())
 
@@ -208,18 +226,18 @@ def _curves(
     shape: Map, pieces: Sequence[Piece], heights: Sequence[float]
 ) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
     """The segment of each piece in space at every height."""
-    if isinstance(shape, BentMap):
-        along = [(p.segment, p.first, p.last) for p in pieces if not _is_across(p.segment)]
-        curves = iter(shape.curves(along, heights))
+    if not isinstance(shape, BentMap):
+        frames = _levels(shape, heights)
+        yield from ([PlacedSegment(piece.segment, frame) for frame in frames] for piece in pieces)
+        return
+    along = [(p.segment, p.first, p.last) for p in pieces if not _is_across(p.segment)]
+    curves = iter(shape.curves(along, heights))
     for segment in (piece.segment for piece in pieces):
-        if not isinstance(shape, BentMap):
-            place = shape
-        elif _is_across(segment):
-            place = shape.frame_at(float(segment.start[0]))
+        if _is_across(segment):
+            frames = _levels(shape.frame_at(float(segment.start[0])), heights)
+            yield [PlacedSegment(segment, frame) for frame in frames]
         else:
             yield next(curves)
-            continue
-        yield [PlacedSegment(segment, place.shifted(z=up)) for up in heights]
 
 
 def _is_across(segment: Segment) -> bool:
