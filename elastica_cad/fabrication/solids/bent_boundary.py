@@ -187,8 +187,8 @@ def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
         return None
     if not isinstance(segment, Line):
         return segment
-    (x, y), (to_x, to_y), size = segment.start.tolist(), segment.end.tolist(), segment.length
-    return StraightTrace((x, y), ((to_x - x) / size, (to_y - y) / size))
+    x, y = segment.start.tolist()
+    return StraightTrace((x, y), segment.direction)
 
 
 def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:

@@ -60,6 +60,13 @@ class Line:
         return dist(self.start.tolist(), self.end.tolist())
 
     @property
+    def direction(self) -> tuple[float, float]:
+        """Of length 1, from start to end."""
+        start, end = self.start.tolist(), self.end.tolist()
+        size = dist(start, end)
+        return (end[0] - start[0]) / size, (end[1] - start[1]) / size
+
+    @property
     def bounds(self) -> FloatArray:
         """[[x_min, y_min], [x_max, y_max]], mm."""
         return np.array([np.minimum(self.start, self.end), np.maximum(self.start, self.end)])

@@ -17,7 +17,12 @@ from elastica_cad.mechanics.material.sheet_library import built_in_figures
 
 def own_sheets_file() -> Path:
     """Where the user's sheets are kept."""
-    return Path(App.getUserAppDataDir()) / "elastica-sheets.toml"
+    return _file_in(App.getUserAppDataDir())
+
+
+@lru_cache(maxsize=4)
+def _file_in(folder: str) -> Path:
+    return Path(folder) / "elastica-sheets.toml"
 
 
 def own_sheets() -> dict[str, Sheet]:

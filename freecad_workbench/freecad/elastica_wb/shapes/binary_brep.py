@@ -63,11 +63,13 @@ def brep_bytes(boundary: Boundary) -> bytes:
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
     for face, surface in zip(boundary.faces, surfaces, strict=True):
+        turn = trace_turn(face.surface)
         for use in (use for loop in face.loops for use in loop if use.trace is not None):
-            edge, turn = boundary.edges[use.edge], trace_turn(face.surface)
+            edge = boundary.edges[use.edge]
             number = _added(tables.traces, _trace(use.trace, turn))
             limits = edge.first, edge.last
-            ends = [x for place in _trace_ends(use.trace, *limits) for x in _turned(turn, place)]
+            start, end = _trace_ends(use.trace, *limits)
+            ends = *_turned(turn, start), *_turned(turn, end)
             traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends))
     edges = [
         tables.edge(edge, (vertices[edge.start], vertices[edge.end]), rows)
@@ -153,7 +155,8 @@ def _written_knots(knots: bytes) -> tuple[int, bytes]:
 
 
 def _axes(frame: Frame) -> bytes:
-    return _reals(frame.origin, frame.z_axis, frame.x_axis, frame.y_axis)
+    x, y, z = frame.axes.tolist()
+    return pack("<12d", *frame.origin.tolist(), *z, *x, *y)
 
 
 def _spline(knots: FloatArray, degree: int, points: FloatArray, weights: FloatArray | None = None) -> bytes:
@@ -177,15 +180,10 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
 
 def _straight(line: Line, frame: Frame) -> bytes:
     """A line in space: most edges are, so its numbers are plain ones, not arrays."""
-    axes = list(zip(frame.x_axis.tolist(), frame.y_axis.tolist(), strict=True))
-    (x, y), (dx, dy) = line.start.tolist(), _along(line)
-    start = [at + (x * u + y * v) for at, (u, v) in zip(frame.origin.tolist(), axes, strict=True)]
-    return pack("<B6d", _LINE, *start, *[dx * u + dy * v for u, v in axes])
-
-
-def _along(line: Line) -> tuple[float, float]:
-    (x, y), (to_x, to_y), size = line.start.tolist(), line.end.tolist(), line.length
-    return (to_x - x) / size, (to_y - y) / size
+    (a, b, c), (u, v, w), _ = frame.axes.tolist()
+    (at_x, at_y, at_z), (x, y), (dx, dy) = frame.origin.tolist(), line.start.tolist(), line.direction
+    start = at_x + (x * a + y * u), at_y + (x * b + y * v), at_z + (x * c + y * w)
+    return pack("<B6d", _LINE, *start, dx * a + dy * u, dx * b + dy * v, dx * c + dy * w)
 
 
 def _placed(curve: PlaneCurve, points: FloatArray) -> bytes:
@@ -209,7 +207,7 @@ def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
     if isinstance(trace, StraightTrace):
         return pack("<B4d", _LINE, *_turned(turn, trace.origin), *_turned(turn, trace.direction))
     if isinstance(trace, Line):
-        return pack("<B4d", _LINE, *_turned(turn, trace.start.tolist()), *_turned(turn, _along(trace)))
+        return pack("<B4d", _LINE, *_turned(turn, trace.start.tolist()), *_turned(turn, trace.direction))
     if isinstance(trace, Arc):
         return bytes([_CIRCLE]) + _reals(turn @ trace.center, *turn.T, [trace.radius])
     return _placed(trace.curve, trace.curve.control_points @ turn.T)

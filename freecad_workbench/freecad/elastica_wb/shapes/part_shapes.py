@@ -22,12 +22,14 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
     """A path as a wire in the plane of `frame` (the xy plane unless told)."""
+    frame = frame or Frame()
     return Part.Wire([make_edge(segment, frame) for segment in path.segments])
 
 
@@ -51,7 +53,7 @@ def make_edge(segment: Segment, frame: Frame | None = None) -> Part.Edge:
 def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSplineCurve:
     """A plane curve as Part geometry with the same poles, knots and weights."""
     spline = Part.BSplineCurve()
-    knots, counts = np.unique(curve.knots, return_counts=True)
+    knots, counts = knot_runs(curve.knots)
     points = [App.Vector(*p) for p in (frame or Frame()).point(curve.control_points).tolist()]
     weights = [1.0] * len(points) if curve.weights is None else curve.weights.tolist()
     spline.buildFromPolesMultsKnots(points, counts.tolist(), knots.tolist(), False, curve.degree, weights)
@@ -170,7 +172,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
 
 
 def _spline_edge(spline: Any) -> Edge:
-    points = np.array([tuple(p) for p in spline.getPoles()])
+    points = np.array([(p.x, p.y, p.z) for p in spline.getPoles()])
     weights = np.array(spline.getWeights()) if spline.isRational() else None
     return Edge(np.repeat(spline.getKnots(), spline.getMultiplicities()), points, spline.Degree, weights)
 
