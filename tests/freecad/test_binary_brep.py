@@ -1,23 +1,26 @@
 """What FreeCAD reads from a record is the record: control points bit for bit, edges in (u, v) on their faces."""
 
+import pathlib
 import tempfile
-from pathlib import Path
 
+import FreeCAD as App
 import numpy as np
 import Part
 import pytest
 from freecad.elastica_wb.shapes.binary_brep import brep_bytes
-from freecad.elastica_wb.shapes.part_shapes import make_solid
+from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid, make_wire
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.boundary_records import SpaceCurve, SpaceSurface
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
-from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -96,7 +99,7 @@ def test_edges_run_on_their_faces(record):
     assert checked >= 16
 
 
-def test_an_open_sheet_is_a_shell(record, tmp_path: Path):
+def test_an_open_sheet_is_a_shell(record, tmp_path: pathlib.Path):
     file = tmp_path / "middle.bin"
     file.write_bytes(brep_bytes(record.middle))
     shell = Part.Shape()
@@ -106,10 +109,53 @@ def test_an_open_sheet_is_a_shell(record, tmp_path: Path):
     assert not shell.isClosed()
 
 
-def test_the_passing_file_goes_and_its_lack_is_a_sentence(record, tmp_path: Path, monkeypatch):
+def test_the_passing_file_goes_and_its_lack_is_a_sentence(record, tmp_path: pathlib.Path, monkeypatch):
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     make_solid(record)
     assert list(tmp_path.iterdir()) == []
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "gone"))
     with pytest.raises(InputError, match="temporary file"):
         make_solid(record)
+
+
+PLATE, HOLES = Path.rectangle(40, 20), [Path.circle((5, 5), 2), Path.circle((20, 10), 3).reversed()]
+ROUNDED = Path.polyline([(0, 0), (30, 0), (30, 20), (0, 20)], [0.3, -0.2, 0.3, 0], closed=True)
+SIDED = FlatSolid.of(make_strip(CURVES["wave"], "birch-plywood-0.8", max_width=30))
+
+
+@pytest.mark.parametrize(
+    ("outline", "holes"),
+    [
+        (PLATE, HOLES),
+        (PLATE.reversed(), [Path.rectangle(4, 4, corner=(30, 6))]),
+        (ROUNDED, HOLES[1:]),
+        (Path.circle((0, 0), 9), [Path.circle((0, 0), 4)]),
+        (SIDED.outline, ()),
+    ],
+    ids=["circles in a plate", "run the other way", "arcs both ways", "ring", "strip"],
+)
+def test_a_plane_face_is_the_one_that_its_wires_make(outline, holes):
+    ways = [(path if (path.area > 0) == (path is outline) else path.reversed()) for path in (outline, *holes)]
+    wires = [make_wire(path, PLACE) for path in ways]
+    plane = Part.Plane(App.Vector(*PLACE.origin.tolist()), App.Vector(*PLACE.z_axis.tolist()))
+    made = make_face(outline, holes, PLACE)
+    drawn = Part.Face(wires) if holes else Part.Face(plane, wires[0])
+    up = App.Vector(*map(float, 0.8 * PLACE.z_axis))
+    for ours, theirs in ((made, drawn), (made.extrude(up), drawn.extrude(up))):
+        assert ours.isValid()
+        assert ours.ShapeType == theirs.ShapeType
+        for parts in ("Faces", "Edges", "Vertexes"):
+            assert len(getattr(ours, parts)) == len(getattr(theirs, parts))
+        assert ours.Area == pytest.approx(theirs.Area, rel=1e-12)
+        assert tuple(ours.CenterOfMass) == pytest.approx(tuple(theirs.CenterOfMass), rel=1e-12, abs=1e-12)
+        for side in ("XMin", "YMin", "ZMin", "XMax", "YMax", "ZMax"):
+            assert getattr(ours.BoundBox, side) == pytest.approx(
+                getattr(theirs.BoundBox, side), rel=1e-12, abs=1e-11
+            )
+    assert made.extrude(up).Volume == pytest.approx(drawn.extrude(up).Volume, rel=1e-12)
+    assert tuple(made.normalAt(0, 0)) == pytest.approx(tuple(PLACE.z_axis))
+
+
+def test_ends_that_meet_nearly_are_within_their_vertices():
+    ajar = Path([Line((0, 0), (9, 0)), Line((9, 8e-7), (9, 9)), Line((9, 9), (0, 0))], closed=True)
+    assert make_face(ajar).isValid()

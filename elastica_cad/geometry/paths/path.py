@@ -124,6 +124,13 @@ class Path:
         """Last point (2,), mm."""
         return self.segments[-1].end
 
+    @property
+    def widest_gap(self) -> float:
+        """Between the end of a segment and the start of the next, mm: rounding, `JOIN` at most."""
+        following = self.segments[1:] + (self.segments[:1] if self.closed else ())
+        pairs = zip(self.segments, following, strict=False)
+        return max((dist(one.end.tolist(), after.start.tolist()) for one, after in pairs), default=0.0)
+
     @cached_property
     def length(self) -> float:
         """mm."""

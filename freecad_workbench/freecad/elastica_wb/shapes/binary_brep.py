@@ -53,13 +53,10 @@ _FLAGS = {
 _KINDS = [bytes([kind]) for kind in range(_VERTEX + 1)]
 
 
-def brep_bytes(boundary: Boundary) -> bytes:
-    """A closed boundary as a solid, an open one as a shell."""
+def brep_bytes(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> bytes:
+    """A closed boundary as a solid, an open one as a shell; edges end within `gap` mm of their vertices."""
     tables = _Tables()
-    vertices = [
-        tables.shape(_VERTEX, pack("<4dB", VERTEX_TOLERANCE_MM, *point, 0))
-        for point in boundary.vertices.tolist()
-    ]
+    vertices = [tables.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
     for face, surface in zip(boundary.faces, surfaces, strict=True):

@@ -6,14 +6,16 @@
 import os
 import tempfile
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import Any
 
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.shapes.binary_brep import brep_bytes
+from freecad.elastica_wb.shapes.binary_brep import EDGE_TOLERANCE_MM, brep_bytes
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.solids.plane_faces import plane_face
 from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove
 from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.formats.curve_files.edges import Edge
@@ -62,12 +64,24 @@ def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSpli
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Part.Face:
     """A plane face with holes."""
+    # read, not made of wires: to find the plane, or that a wire lies in it, takes longer than all the rest
     frame = frame or Frame()
-    outer = make_wire(outline if outline.area > 0 else outline.reversed(), frame)
-    if not holes:  # the plane is told: to find it from a spline takes longer than all the rest
-        return Part.Face(Part.Plane(_vector(frame.origin), _vector(frame.z_axis)), outer)
-    inner = [make_wire(hole.reversed() if hole.area > 0 else hole, frame) for hole in holes]
-    return Part.Face([outer, *inner])
+    face = plane_face(outline, holes, frame, _plane_of(frame))
+    gap = max(EDGE_TOLERANCE_MM, *(path.widest_gap for path in (outline, *holes)))
+    return _read(brep_bytes(face, gap)).Faces[0]
+
+
+def _plane_of(frame: Frame) -> Frame:
+    """The plane of a frame with the axes that OpenCASCADE gives it: how exactly areas are read hangs on them."""
+    about = _frame_about(tuple(frame.z_axis.tolist()))
+    return Frame.of_sound(frame.origin, about.x_axis, about.y_axis)
+
+
+@lru_cache(maxsize=16)
+def _frame_about(normal: tuple[float, float, float]) -> Frame:
+    turn = Part.Plane(App.Vector(), App.Vector(*normal)).Rotation
+    x, y = (tuple(turn.multVec(App.Vector(*axis))) for axis in ((1, 0, 0), (0, 1, 0)))
+    return Frame(x_axis=x, y_axis=y)
 
 
 def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Part.Shape:
