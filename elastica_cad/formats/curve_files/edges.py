@@ -185,7 +185,13 @@ class Edge:
     def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":
         """The edge with every point p at matrix @ p + offset; the matrix may drop a dimension."""
         points = self.points @ np.asarray(matrix, dtype=float).T + np.asarray(offset, dtype=float)
-        return Edge(self.knots, points, self.degree, self.weights, source or self.source)
+        source = source or self.source
+        if not np.isfinite(points).all():
+            return Edge(self.knots, points, self.degree, self.weights, source)
+        made = object.__new__(Edge)  # all else was checked
+        parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
+        vars(made).update(parts, source=source)
+        return made
 
 
 Run = tuple[Edge, ...]

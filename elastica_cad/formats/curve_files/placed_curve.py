@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
+from math import dist
 
 import numpy as np
 
@@ -65,7 +66,7 @@ def place_chain(
 ) -> tuple[PlaneCurve, Frame]:
     """The curve of one chain and its plane, as in `placed_curve`."""
     # of a closed wire the last edge goes on in the first
-    closed = np.linalg.norm(run[0].start - run[-1].end) <= JOIN
+    closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= JOIN
     for before, after in pairwise((*run, *run[:1]) if closed else run):
         out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
         turn = np.arctan2(np.linalg.norm(np.cross(out, onward)), out @ onward)
@@ -124,8 +125,10 @@ def _within(run: Sequence[Edge], plane: Frame) -> Frame:
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
     """The plane of the edges, seen from the side that `placed_curve` tells."""
     points = np.concatenate([edge.points for edge in run])
-    if np.ptp(points[:, 2]) > JOIN or turned is not AS_DRAWN:
-        points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    heights = points[:, 2]
+    if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
+        return Frame((0.0, 0.0, run[0].start[2]))
+    points = np.concatenate([edge.at(edge.stations()) for edge in run])
     x_axis, y_axis = plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
     normal = np.cross(x_axis, y_axis)
     before = turned.T @ normal

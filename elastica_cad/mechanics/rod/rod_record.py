@@ -289,15 +289,18 @@ class Rod:
             When two neighbouring nodes coincide.
         """
         steps = np.diff(self.position, axis=0)
-        if not np.all(np.any(steps != 0, axis=1)):
-            at = float(self.s[int(np.argmin(np.any(steps != 0, axis=1)))])
+        apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
+        if not apart.all():
+            at = float(self.s[int(np.argmin(apart))])
             raise InputError(f"two neighbouring nodes of the rod coincide at {at:.6g} mm")
         angles = edge_angles(self.position, self.angle)
-        load = self.nodal_load
-        force = edge_forces(np.zeros(2), load)
-        nodal = np.empty_like(self.force)
-        nodal[1:-1] = (force[:-1] + force[1:]) / 2
-        nodal[0], nodal[-1] = force[0] - load[0], force[-1] + load[-1]
+        force = np.zeros((angles.size, 2))
+        nodal = np.zeros_like(self.force)
+        if self.gravity is not None:
+            load = self.nodal_load
+            force = edge_forces(np.zeros(2), load)
+            nodal[1:-1] = (force[:-1] + force[1:]) / 2
+            nodal[0], nodal[-1] = force[0] - load[0], force[-1] + load[-1]
         force += (self.force - nodal).mean(axis=0)
         return DiscreteRod(
             self.tangent_stiffness, angles, force, self.length / angles.size, self.supports, self.position[0]
