@@ -64,8 +64,14 @@ class SplineTable:
 
     def chosen(self, rows: IntArray) -> "SplineTable":
         """Some of the curves."""
-        made = SplineTable([self.curves[i] for i in rows])
-        vars(made).update({name: rows_of[rows] for name, rows_of in vars(self).items() if name != "curves"})
+        known = {name: rows_of[rows] for name, rows_of in vars(self).items() if name != "curves"}
+        return SplineTable._of_known([self.curves[i] for i in rows], known)
+
+    @classmethod
+    def _of_known(cls, curves: Sequence[PlaneCurve], known: dict[str, FloatArray]) -> "SplineTable":
+        """A table of which some is known by name."""
+        made = cls(curves)
+        vars(made).update(known)
         return made
 
     def motion(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -177,7 +183,7 @@ class SplineTable:
             points[each, last - p + r] = row[0].T
         knots = np.minimum(self.knots, end[:, None])
         first = (knots <= start[:, None]).sum(axis=1) - 1
-        cut = SplineTable(self.curves, knots, points, self.domain)
+        cut = self._of_known(self.curves, {"knots": knots, "points": points, "domain": self.domain})
         for r, row in enumerate(_de_boor(*cut._acting(each, first), start), 1):
             points[each, first - r] = row[-1].T
         knots = np.maximum(knots, start[:, None])
