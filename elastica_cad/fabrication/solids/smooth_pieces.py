@@ -94,9 +94,10 @@ def _smoothed(segment: Segment) -> Segment:
     if not double.any():
         return segment
     rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), degree)
-    reach = np.minimum(np.diff(knots, prepend=first), np.diff(knots, append=last))[double]
-    sides = [knots[double] - 1e-6 * reach, knots[double] + 1e-6 * reach]
-    jump = np.abs(rows(sides[1], SMOOTH) - rows(sides[0], SMOOTH)).max(axis=1)
+    at, gaps = double.nonzero()[0], knots[1:] - knots[:-1]
+    reach = np.minimum(gaps[at - 1], gaps[at])
+    before, after = rows(np.array([knots[at] - 1e-6 * reach, knots[at] + 1e-6 * reach]), SMOOTH)
+    jump = np.abs(after - before).max(axis=1)
     slight = jump * reach**2 < NO_JUMP
     if not slight.any():
         return segment

@@ -193,9 +193,9 @@ class SplineTable:
     def _snapped(self, t: FloatArray) -> FloatArray:
         """The knots that places (n,) lie at but for rounding, else the places."""
         gap = np.abs(self.knots - t[:, None])
-        nearest = gap.argmin(axis=1)[:, None]
-        near = np.take_along_axis(gap, nearest, axis=1)[:, 0] <= SAME_KNOT * np.ptp(self.domain, axis=1)
-        return np.where(near, np.take_along_axis(self.knots, nearest, axis=1)[:, 0], t)
+        nearest = np.arange(t.size), gap.argmin(axis=1)
+        near = gap[nearest] <= SAME_KNOT * (self.domain[:, 1] - self.domain[:, 0])
+        return np.where(near, self.knots[nearest], t)
 
 
 def _de_boor(near: FloatArray, points: FloatArray, t: FloatArray) -> list[FloatArray]:
