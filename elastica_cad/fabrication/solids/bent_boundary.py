@@ -29,6 +29,9 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
+ROUNDED_MM = 1e-12
+"""Between the x of both ends of a line straight across: two sides reach its station by different sums."""
+
 Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
 
 
@@ -242,4 +245,4 @@ def _curves(
 
 def _is_across(segment: Segment) -> bool:
     """Is it a line straight across, which stays one on a bent strip?"""
-    return isinstance(segment, Line) and bool(segment.start[0] == segment.end[0])
+    return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < ROUNDED_MM

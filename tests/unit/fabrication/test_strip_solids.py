@@ -156,6 +156,19 @@ def test_centre_line_follows_the_rod(strip):
         assert np.abs(points[:, :2] - (samples.position - up * normal)).max() < 2e-6
 
 
+def test_lines_straight_across_stay_lines():
+    """Both sides of the flat pattern reach its end by sums of their own, which may differ in the last digit."""
+    curve = PlaneCurve.spline([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)])
+    for lift in range(12):
+        rod = optimal_rod(curve.transformed(np.diag([1, 1 + 0.01 * lift, 1])))
+        made = BentSolid.of(Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=30))
+        ends = made.boundary.vertices[[(edge.start, edge.end) for edge in made.boundary.edges]]
+        across = np.abs(np.diff(ends, axis=1)[:, 0, :2]).max(axis=1) < 1e-6
+        assert across.sum() == 8
+        kinds = {type(made.boundary.edges[i].curve) for i in across.nonzero()[0]}
+        assert kinds == {PlacedSegment}
+
+
 def test_tabs_go_on_straight(strip):
     record = BentSolid.of(strip, PLACE)
     start, end = record.maps[0], record.maps[-1]
