@@ -117,3 +117,9 @@ def collisions() -> ModuleType:
 def slotted_pairs() -> ModuleType:
     """Pairs of strips at random that are slotted together, and what they share beside their slots."""
     return _helper("slotted_pairs")
+
+
+@pytest.fixture(scope="session")
+def wide_strips() -> ModuleType:
+    """Strips that bend as plates, solved beside ours."""
+    return _helper("wide_strips")

@@ -147,7 +147,7 @@ def bend_strip(
         start_force=B * force[:, 0], end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
         force_along=np.sum(end_force * _directions(end, own), axis=1),
-        energy=np.array([B * _bending_energy(rod) for rod in rods]),
+        energy=np.array([B * rod.bending_energy for rod in rods]),
         strain=np.array([strain for strain, _, _ in skins]),
         stress=np.array([stress for _, stress, _ in skins]),
         safety=np.array([safety for _, _, safety in skins]),
@@ -164,12 +164,6 @@ def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
     way = after - before
     size = np.hypot(way[:, 0], way[:, 1])[:, None]
     return np.asarray(np.divide(way, size, out=np.zeros_like(way), where=size > 0))
-
-
-def _bending_energy(rod: Rod) -> float:
-    """Integral of K (kappa - kappa_0)^2 / 2, 1/mm."""
-    density = rod.stiffness * (rod.curvature - rod.natural_curvature) ** 2 / 2
-    return float(np.sum((density[1:] + density[:-1]) * np.diff(rod.s)) / 2)
 
 
 def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_bvp, solve_ivp
+from scipy.integrate import solve_ivp
 from scipy.interpolate import RectBivariateSpline
 from scipy.optimize import root
 
@@ -39,61 +39,6 @@ def drawn(name, length):
     return curve.transformed(np.diag([1.0, 1.0, curve.length / length]))
 
 
-def ashwell(width, kappa, thickness, nu):
-    """M / (E I kappa) by the energy per length of Lamb's solution, differentiated: D w kappa^2 g / 2."""
-    x = (3 * (1 - nu**2)) ** 0.25 * np.sqrt(np.maximum(np.abs(kappa) / thickness, 1e-12)) * width
-
-    def kept(x):
-        y = np.minimum(x, 40.0)  # cosh over sinh is one beyond
-        return (np.cosh(y) - np.cos(y)) / (np.sinh(y) + np.sin(y)) / x
-
-    d = 1e-4 * x
-    slope = (8 * (kept(x + d) - kept(x - d)) - (kept(x + 2 * d) - kept(x - 2 * d))) / (12 * d)
-    return (1 - 2 * nu**2 * (kept(x) + x * slope / 4)) / (1 - nu**2)
-
-
-def bent(rod, stiffness, factor, load=None):
-    """The shape (n, 2) of a strip that is clamped as its design, at the design's nodes.
-
-    Parameters
-    ----------
-    rod : Rod
-        The design, of which the ends are taken, and its shape as a first guess.
-    stiffness : callable
-        E I by arc length, N mm2, where it is not bent.
-    factor : callable
-        On that, by arc length and curvature.
-    load : callable, optional
-        Weight, N/mm, downwards.
-    """
-    size = float(stiffness(rod.s).mean())
-
-    def along(s, state):  # forces and moments over `size`
-        _, _, angle, moment, pull, push = state
-        weight = np.zeros_like(s) if load is None else load(s) / size
-        cos, sin = np.cos(angle), np.sin(angle)
-        kappa = bend_by(moment * size / stiffness(s), lambda kappa: factor(s, kappa))
-        return np.array([cos, sin, kappa, sin * pull - cos * push, 0 * s, weight])
-
-    first, last = ([*rod.position[k], rod.angle[k]] for k in (0, -1))
-    moments = stiffness(rod.s) * factor(rod.s, rod.curvature) * rod.curvature / size
-    B = float(stiffness(rod.s)[0]) / float(rod.stiffness[0]) / size
-    solved = solve_bvp(
-        along, lambda a, b: np.array([*(a[:3] - first), *(b[:3] - last)]), rod.s,
-        np.vstack([rod.position.T, rod.angle, moments, B * rod.force.T]), tol=1e-7, max_nodes=20000,
-    )  # fmt: skip
-    assert solved.success, solved.message
-    return solved.sol(rod.s)[:2].T
-
-
-def bend_by(straight, factor):
-    """The curvature at which kappa factor(kappa) is the moment over E I; the factor follows it slowly."""
-    kappa = straight
-    for _ in range(8):
-        kappa = straight / factor(kappa)
-    return kappa
-
-
 def strays(shape, design):
     return float(np.hypot(*(shape - design).T).max())
 
@@ -113,26 +58,20 @@ WIDE = {  # sheet, curve, length and widest place in mm, under its weight?
 
 
 @pytest.mark.parametrize("case", WIDE)
-def test_a_wide_strip_strays_as_its_bend_stiffens_it(case):
+def test_a_wide_strip_strays_as_its_bend_stiffens_it(case, wide_strips):
     name, curve, length, width, heavy = WIDE[case]
     sheet = Sheet.named(name)
     made = make_strip(
         drawn(curve, length), sheet, max_width=width, gravity=heavy, compensate=False, anyway=True
     )
-    h, nu = sheet.thickness, sheet.poisson_ratio
-    own = bent(
-        made.rod,
-        lambda s: sheet.youngs_modulus * h**3 / 12 * made.width(s),
-        lambda s, kappa: ashwell(made.width(s), kappa, h, nu),
-        (lambda s: sheet.density * 1e-9 * 9.80665 * h * made.width(s)) if heavy else None,
-    )
-    assert made.held_deviation == pytest.approx(strays(own, made.rod.position), rel=AGREES)
+    own = wide_strips.OwnStrip.cut(made.width, sheet, heavy=heavy).bent(made.rod)
+    assert made.held_deviation == pytest.approx(strays(own.position, made.rod.position), rel=AGREES)
 
 
 @pytest.mark.parametrize(
     ("curve", "sheet", "width"), [("arch", BARE, 24.0), ("arch", PLY, 12.0), ("S", PLY, 12.0)]
 )
-def test_a_laminate_strays_as_its_borders_give_way(curve, sheet, width):
+def test_a_laminate_strays_as_its_borders_give_way(curve, sheet, width, wide_strips):
     style = Laminated(width=width, backing=sheet, dots=0.0)
     made = make_strip(
         drawn(curve, LENGTH), sheet, style=style, max_width=0.85 * width, compensate=False, anyway=True
@@ -143,35 +82,27 @@ def test_a_laminate_strays_as_its_borders_give_way(curve, sheet, width):
     kappa = np.linspace(-1.5, 1.5, 121) * np.abs(made.rod.curvature).max()
     table = np.array([laminate_factor(width, wide, kappa, section) for wide in widths])
     factor = RectBivariateSpline(widths, kappa, table)
-    own = bent(
-        made.rod,
+    own = wide_strips.OwnStrip(
         lambda s: section.bending_stiffness(np.full(s.size, width), backing(s)),
         lambda s, kappa: factor(backing(s), kappa, grid=False),
-    )
-    assert made.held_deviation == pytest.approx(strays(own, made.rod.position), rel=AGREES)
+    ).bent(made.rod)
+    assert made.held_deviation == pytest.approx(strays(own.position, made.rod.position), rel=AGREES)
 
 
 @pytest.mark.parametrize(("curve", "phi"), [("arch", 2.5), ("S", 0.8), ("sharp S", 0.8)])
-def test_a_strip_whose_widths_count_on_its_curl_sags_as_that_follows(curve, phi):
+def test_a_strip_whose_widths_count_on_its_curl_sags_as_that_follows(curve, phi, wide_strips):
     """In the long run, under its weight: of a modulus 1 + phi times smaller, its shape across as it comes."""
     made = make_strip(
         drawn(curve, LENGTH), CARD, max_width=45.0, gravity=True, creep=phi, compensate=None, anyway=True
     )
-    h, nu = CARD.thickness, CARD.poisson_ratio
-    E = CARD.youngs_modulus / (1 + phi)
-    own = bent(
-        made.rod,
-        lambda s: E * h**3 / 12 * made.width(s),
-        lambda s, kappa: ashwell(made.width(s), kappa, h, nu),
-        lambda s: CARD.density * 1e-9 * 9.80665 * h * made.width(s),
-    )
+    own = wide_strips.OwnStrip.cut(made.width, CARD, heavy=True, softer=1 + phi).bent(made.rod)
     found = made.crept
-    assert found.sag == pytest.approx(strays(own, made.rod.position), rel=AGREES)
+    assert found.sag == pytest.approx(strays(own.position, made.rod.position), rel=AGREES)
     assert found.exact
 
 
 @pytest.mark.parametrize(("nu", "width"), [(0.0, 30.0), (0.3, 20.0), (0.3, 60.0)])
-def test_a_strip_curls_less_under_a_plate_which_is_twice_as_thick(nu, width):
+def test_a_strip_curls_less_under_a_plate_which_is_twice_as_thick(nu, width, wide_strips):
     """Shot from its start, over each end of what carries of the plate."""
     ply = Sheet("ply", 0.8, 9000.0, 680.0, max_strain=0.02, poisson_ratio=nu)
     bare = make_strip(drawn("arch", LENGTH), ply, max_width=width, compensate=False, anyway=True)
@@ -188,9 +119,9 @@ def test_a_strip_curls_less_under_a_plate_which_is_twice_as_thick(nu, width):
             def along(s, state, layers=layers):
                 _, _, angle, moment = state
                 wide, cos, sin = bare.width(s), np.cos(angle), np.sin(angle)
-                kappa = bend_by(
+                kappa = wide_strips.bend_by(
                     1000 * moment / (EI * layers**3 * wide),
-                    lambda kappa: ashwell(wide, kappa, layers * h, nu),
+                    lambda kappa: wide_strips.ashwell(wide, kappa, layers * h, nu),
                 )
                 return cos, sin, kappa, sin * unknown[1] - cos * unknown[2]
 

@@ -1,8 +1,7 @@
 """The stiffness of a strip as it is made, where it differs from the design's, and whose doing it is."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -17,11 +16,12 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
+from elastica_cad.mechanics.material.anticlastic import SheetCurl, anticlastic_factor
 from elastica_cad.mechanics.material.laminate_curl import LaminateCurl, laminate_factor
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection, stack_stiffness
 from elastica_cad.mechanics.material.notches import dead_zone_slope
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BendFactor
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -53,9 +53,6 @@ BORDERS = "borders that curl"
 
 PLATES = "plates"
 """Over joints of pieces, as a cause."""
-
-Factor = Callable[[FloatArray], FloatArray]
-"""On the stiffness of nodes, (..., n) for their curvatures (..., n), 1/mm."""
 
 
 def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
@@ -133,24 +130,19 @@ class Curl:
     ----------
     designed : (n,) array
         The factor of the nodes where they are bent as designed.
-    factor, plated : callable
+    factor, plated : BendFactor
         The factor, and that of a strip with plates over its joints: there it is twice as thick, and curls as if it
         were narrower.
     """
 
     designed: FloatArray
-    factor: Factor
-    plated: Factor
+    factor: BendFactor
+    plated: BendFactor
 
     def on(self, made: Rod, *, plated: bool = False) -> Rod:
         """A rod that is as stiff as made where it is bent as designed, and follows its bend elsewhere."""
         factor = self.plated if plated else self.factor
         return replace(made, law=CurlingLaw(factor, self.designed, made.natural_curvature, made.law))
-
-
-def is_made_by_curl(design: Rod) -> bool:
-    """Are the widths of a design made by how wide places curl across?"""
-    return design.section is not None and design.section.follows_bend
 
 
 def curl_of(rod: Rod, layout: Layout, covered: ArrayLike = 0.0) -> Curl | None:
@@ -169,13 +161,7 @@ def curl_of(rod: Rod, layout: Layout, covered: ArrayLike = 0.0) -> Curl | None:
     # what counts is width^2 over thickness
     breadth = _breadth(layout, s)
     bare, plated = (
-        partial(
-            anticlastic_factor,
-            wide,
-            thickness=layout.sheet.thickness,
-            poisson_ratio=nu,
-            natural_curvature=rest,
-        )
+        SheetCurl(wide, layout.sheet.thickness, nu, rest)
         for wide in (breadth, breadth / np.sqrt(1 + np.asarray(covered)))
     )
     return Curl(bare(rod.curvature), bare, plated)
@@ -183,7 +169,7 @@ def curl_of(rod: Rod, layout: Layout, covered: ArrayLike = 0.0) -> Curl | None:
 
 def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
     """A rod that follows its bend as its design counts on; where it does not, the rod itself."""
-    curl = curl_of(design, layout) if is_made_by_curl(design) else None
+    curl = curl_of(design, layout) if design.follows_bend else None
     return made if curl is None else curl.on(made)
 
 

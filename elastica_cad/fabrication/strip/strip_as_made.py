@@ -21,14 +21,13 @@ from elastica_cad.fabrication.strip.made_stiffness import (
     Curl,
     LapPlates,
     curl_of,
-    is_made_by_curl,
     stiffness_shares,
     with_shares,
 )
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.bending.bend_forward import resample
-from elastica_cad.mechanics.rod.curling_law import as_bent
+from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 HELD_NODES = 241
@@ -113,7 +112,7 @@ class StripAsMade:
     @property
     def as_plate(self) -> bool:
         """Are its widths made by how the strip curls across?"""
-        return is_made_by_curl(self.design)
+        return self.design.follows_bend
 
     def alone(self, cause: str) -> Rod:
         """The rod with one of the causes in `shares` alone: out of balance until bent."""

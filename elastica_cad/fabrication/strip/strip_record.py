@@ -44,6 +44,7 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
+from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
@@ -123,6 +124,8 @@ class Strip:
     def __post_init__(self) -> None:
         if not isinstance(self.rod, Rod):
             raise InputError(f"the rod is a {type(self.rod).__name__}: give a Rod, as optimal_rod makes one")
+        if self.rod.follows_bend:  # its widths are those that make it as stiff as it is in this shape
+            object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_style(self.style)
         for name in ("max_width", "min_width"):
@@ -309,9 +312,7 @@ class Strip:
         """
         if not self.creep:
             return None
-        from elastica_cad.fabrication.strip.made_stiffness import curling_by_design
-
-        found = creep(curling_by_design(self.rod, self.rod, self.layout), self.creep)
+        found = creep(self.rod, self.creep)
         sheets = {layer.sheet for layer in self.layers}
         return found if len(sheets) == 1 else replace(found, exact=False)
 

@@ -18,7 +18,12 @@ from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.plain_section import PlainSection
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
+from elastica_cad.mechanics.material.stiffness_law import (
+    SAME_SCALE,
+    BoundedLaw,
+    StiffnessLaw,
+    scale_within,
+)
 from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -39,12 +44,6 @@ CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
 
 _RODS = 64  # of late, whose bends are kept: equal strips of a model share theirs
-
-SAME_SCALE = 1e-4
-"""Relative difference of bending stiffnesses that an optimal rod's own accuracy explains."""
-
-BETWEEN_NODES = 1e-3
-"""Relative height by which the stiffness of a rod may rise between the nodes that a limit was kept at."""
 
 MOST_EXTREMES = 200
 """Local extremes at which finer stations are set: more of them are rounding."""
@@ -271,18 +270,7 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     s = stations_of(rod.length, profile)
     limit = largest if np.isfinite(largest) else least
     law = section.bent(rod.bend_at(s), rod.rest_at(s))
-    scales = law.bending_stiffness(np.full(s.size, limit)) / profile(s)
-    B = float(scales.min() if np.isfinite(largest) else scales.max())
-    # a heavy rod is in balance under the weight of its own sizes; a light one may be as large as its limits let it,
-    # which of its thickness the strain that it was found within is too
-    solved = rod.bending_stiffness
-    if solved is not None:
-        bounded = not section.follows_bend and solved < B
-        # a search keeps its largest size at nodes; what lies between them may be a little larger
-        over = np.isfinite(largest) and B < solved < B * (1 + BETWEEN_NODES)
-        heavy = rod.gravity is not None and not over
-        if heavy or bounded or abs(B / solved - 1) < SAME_SCALE:
-            B = solved
+    B = scale_within(law, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
     size = Profile.fit(
         lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)), rod.length,
         breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_SHARE * limit,

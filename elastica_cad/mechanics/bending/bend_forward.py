@@ -13,6 +13,7 @@ from elastica_cad.mechanics.bending.newton_continuation import Reached, follow, 
 from elastica_cad.mechanics.loads.arguments import require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.stiffness_law import at_stations
 from elastica_cad.mechanics.rod.discrete_rod import edge_positions, tangents
 from elastica_cad.mechanics.rod.nodal_stiffness import nodal_stiffness
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -47,6 +48,9 @@ def bend(
     adaptive steps, starting from the present shape (or `guess`), so the answer lies on the same branch of
     equilibria, stable or not; ask `stability`. Where that branch ends the rod snaps: the answer is then a
     stable shape found by descending the energy, and `warnings` of the answer says so.
+
+    A strip that bends as a plate (`section`) is as stiff at every step as its bend makes it: the answer has the
+    `law` that says so, and K stays that of the design, which settles the units of force and moment.
 
     Parameters
     ----------
@@ -104,6 +108,7 @@ def bend(
         raise InputError(
             f"bend needs a Rod, as optimal_rod or Rod.straight makes one, not {type(rod).__name__}"
         )
+    rod = rod.following()
     ends = rod.position[0], rod.position[-1]
     start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
     if samples is not None and samples != rod.s.size:
@@ -228,7 +233,7 @@ def system_of(
         natural_curvature=rod.natural_curvature, supports=rod.supports,
         start=_pair(start, present.position[0], "start"), end=_pair(end, present.position[-1], "end"),
         end_angles=_end_angles(angles, rod.supports, present), force=_end_force(force, rod.supports,
-        present), moments=_end_moments(moment, rod.supports, present), law=rod.law,
+        present), moments=_end_moments(moment, rod.supports, present), law=rod.bending_law,
     )  # fmt: skip
     apart = float(np.linalg.norm(system.chord))
     if apart > system.length * (1 + 1e-12):
@@ -253,7 +258,7 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
 
 
 def resample(rod: Rod, samples: int) -> Rod:
-    """The same rod on another number of nodes: stiffness from its profile, the rest interpolated."""
+    """The same rod on another number of nodes: stiffness from its profile, the rest interpolated, its law too."""
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
     K = nodal_stiffness(rod.profile, s)
@@ -263,12 +268,12 @@ def resample(rod: Rod, samples: int) -> Rod:
 
     middles = (s[:-1] + s[1:]) / 2
     angles = np.interp(middles, (rod.s[:-1] + rod.s[1:]) / 2, rod.discrete.angles)
-    kappa_0 = rod.natural_curvature
     return replace(
         rod, s=s, position=edge_positions(rod.position[0], tangents(angles), s[1]), angle=at(rod.angle),
         curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
         moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
-        natural_curvature=at(kappa_0) if isinstance(kappa_0, np.ndarray) and kappa_0.ndim else kappa_0,
+        natural_curvature=at_stations(rod.natural_curvature, rod.s, s),
+        law=None if rod.law is None else rod.law.resampled(rod.s, s),
     )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import at_stations
 
 SECANTS = 12
 """Steps to a width that bends as stiffly as asked: the last ones only round."""
@@ -220,6 +221,45 @@ def anticlastic_widths(
 
 
 @dataclass(frozen=True, eq=False)
+class SheetCurl:
+    """`anticlastic_factor` of the stations of one strip, at whatever they are bent to.
+
+    Attributes
+    ----------
+    width : (n,) array
+        mm.
+    thickness : float
+        mm.
+    poisson_ratio : float
+    natural_curvature : float or (n,) array
+        kappa_0 of the blank, 1/mm.
+
+    Examples
+    --------
+    >>> curl = SheetCurl(np.array([20.0, 40.0]), 0.5, 0.3)
+    >>> curl(np.array([[0.0, 0.0], [0.01, 0.01]])).round(3).tolist()
+    [[1.0, 1.0], [1.058, 1.078]]
+    """
+
+    width: FloatArray
+    thickness: float
+    poisson_ratio: float
+    natural_curvature: float | FloatArray = 0.0
+
+    def __call__(self, curvature: FloatArray) -> FloatArray:
+        """The factor of the stations (..., n) at their curvatures (..., n), 1/mm."""
+        return anticlastic_factor(
+            self.width, curvature, thickness=self.thickness, poisson_ratio=self.poisson_ratio,
+            natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+
+    def resampled(self, s: FloatArray, at: FloatArray) -> "SheetCurl":
+        """The same at stations (m,), mm, of what has it at `s` (n,)."""
+        rest = at_stations(self.natural_curvature, s, at)
+        return replace(self, width=np.interp(at, s, self.width), natural_curvature=rest)
+
+
+@dataclass(frozen=True, eq=False)
 class WidthLaw:
     """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
 
@@ -278,6 +318,10 @@ class WidthLaw:
         """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
         before = np.asarray(rest, dtype=float)
         return replace(self, curvature=np.asarray(curvature, dtype=float) + before, natural_curvature=before)
+
+    def curl(self, parameter: FloatArray) -> SheetCurl | None:
+        """How the stiffness of widths (n,), mm, follows their bend; None for a sheet that does not curl."""
+        return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
         """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""

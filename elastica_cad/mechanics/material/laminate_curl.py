@@ -8,6 +8,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import at_stations
 
 PIECES = 8
 """Of half the backing and of the border beside it: the factor is then right to 1e-4."""
@@ -185,6 +186,11 @@ class LaminateCurl:
         ).reshape(TERMS, some.size)
         known = np.linalg.solve(np.polynomial.chebyshev.chebvander(t, TERMS - 1), factor)
         return cls(middle, reach, np.array([np.interp(nodes, some, row) for row in known]))
+
+    def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
+        """The same at stations (m,), mm, of what has it at `s` (n,)."""
+        found = (at_stations(values, s, at) for values in (self.middle, self.reach, self.coefficients))
+        return LaminateCurl(*map(np.asarray, found))
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
         """The factor of the nodes (..., n) at their curvatures (..., n), 1/mm."""

@@ -49,6 +49,10 @@ class MaterialLaw(ABC):
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """Integral of m from rest (n,), 1/mm2: the elastic energy per length over K."""
 
+    def resampled(self, s: FloatArray, at: FloatArray) -> "MaterialLaw":  # noqa: ARG002
+        """The law at arc lengths `at` (m,), mm, of a rod that has it at `s` (n,): itself where places are alike."""
+        return self
+
     def require_injective(self, largest_curvature: float) -> None:
         """Make sure that each moment up to `largest_curvature` (1/mm) belongs to one curvature.
 

@@ -35,6 +35,9 @@ class FixedLaw:
         """The law itself."""
         return self
 
+    def curl(self, parameter: FloatArray) -> None:
+        """None: bending does not change it."""
+
 
 @dataclass(frozen=True)
 class _PowerLaw(FixedLaw):

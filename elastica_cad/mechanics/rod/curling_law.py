@@ -1,15 +1,13 @@
 """The moment of sections that curl across: how stiff each place is follows how it is bent."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.material.stiffness_law import BendFactor, at_stations
 
 DIFFERENCE_SHARE = 1e-7
 """Of the largest bend: step of the differences that tell how the stiffness follows."""
@@ -27,8 +25,8 @@ class CurlingLaw(MaterialLaw):
 
     Parameters
     ----------
-    factor : callable
-        On the stiffness of the nodes, (..., n) for their curvatures (..., n), 1/mm.
+    factor : BendFactor
+        On the stiffness of the nodes, by their curvatures.
     designed : (n,) array
         The factor that K has already.
     natural_curvature : float or (n,) array
@@ -38,15 +36,14 @@ class CurlingLaw(MaterialLaw):
 
     Examples
     --------
-    >>> from functools import partial
-    >>> from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-    >>> wide = partial(anticlastic_factor, 40.0, thickness=0.5, poisson_ratio=0.3)
+    >>> from elastica_cad.mechanics.material.anticlastic import SheetCurl
+    >>> wide = SheetCurl(np.full(2, 40.0), 0.5, 0.3)
     >>> law = CurlingLaw(wide, wide(np.array([0.0, 0.01])))
     >>> law.effective_curvature([0.01, 0.01]).round(5).tolist()
     [0.01078, 0.01]
     """
 
-    factor: Callable[[FloatArray], FloatArray]
+    factor: BendFactor
     designed: FloatArray
     natural_curvature: float | FloatArray = 0.0
     below: MaterialLaw | None = None
@@ -88,6 +85,14 @@ class CurlingLaw(MaterialLaw):
             change = change - (found - m) / slope
         return change
 
+    def resampled(self, s: FloatArray, at: FloatArray) -> "CurlingLaw":
+        """See `MaterialLaw`."""
+        return CurlingLaw(
+            self.factor.resampled(s, at), np.interp(at, s, self.designed),
+            at_stations(self.natural_curvature, s, at),
+            None if self.below is None else self.below.resampled(s, at),
+        )  # fmt: skip
+
     @property
     def injective_limit(self) -> float:
         """See `MaterialLaw`."""
@@ -96,17 +101,3 @@ class CurlingLaw(MaterialLaw):
     def _material(self, curvature: ArrayLike) -> FloatArray:
         change = np.asarray(curvature, dtype=float)
         return change if self.below is None else self.below.effective_curvature(change)
-
-
-def as_bent(rod: Rod) -> Rod:
-    """A rod in balance with the stiffness that it has in its shape, whose law is the material's alone."""
-    law = rod.law
-    if not isinstance(law, CurlingLaw):
-        return rod
-    K = rod.stiffness * law.share(rod.curvature - rod.natural_curvature)
-    least = float(K.min())
-    B = rod.bending_stiffness
-    return replace(
-        rod, law=law.below, stiffness=K / least, profile=Profile.interpolate(rod.s, K / least),
-        moment=rod.moment / least, force=rod.force / least, bending_stiffness=B and B * least,
-    )  # fmt: skip

@@ -19,8 +19,9 @@ from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, scale_within
 from elastica_cad.mechanics.rod.csv_text import csv_text
+from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.rod.rest_shape import edge_angles, has_even_edges, integrate_edges
@@ -62,7 +63,8 @@ class Rod:
         What the rod carries: see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or
         None.
     law : MaterialLaw or None
-        Where the material does not follow Hooke's law: M = K m(kappa - kappa_0) (paper, Appendix D).
+        Where the material does not follow Hooke's law: M = K m(kappa - kappa_0) (paper, Appendix D). `bend` adds
+        how a section follows the bend, and K stays what it is in the design: see `bending_law`.
     section : BoundedLaw or None
         What its stiffness is made of, where that is not the width of a strip that bends with E.
     residual : float
@@ -135,6 +137,7 @@ class Rod:
         weight: Weight | None = None,
         bending_stiffness: float | None = None,
         law: MaterialLaw | None = None,
+        section: BoundedLaw | None = None,
     ) -> "Rod":
         """A straight rod without a curve, to be bent by `bend`.
 
@@ -149,8 +152,8 @@ class Rod:
             Number of nodes (601 unless nodal values say otherwise).
         start, angle
             Position of the first end, mm, and direction, rad.
-        gravity, supports, natural_curvature, weight, bending_stiffness, law
-            As in `optimal_rod`.
+        gravity, supports, natural_curvature, weight, bending_stiffness, law, section
+            As in `optimal_rod`; the stiffness is that of the rod while it is straight.
 
         Returns
         -------
@@ -190,7 +193,7 @@ class Rod:
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
             moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity,
             supports=supports, natural_curvature=rest, weight=weight,
-            bending_stiffness=bending_stiffness, law=law,
+            bending_stiffness=bending_stiffness, law=law, section=section,
         )  # fmt: skip
         loaded = gravity is not None or weight is not None or bool(np.any(rest))
         return replace(rod, residual=1.0) if loaded else rod
@@ -239,11 +242,44 @@ class Rod:
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
     @property
+    def follows_bend(self) -> bool:
+        """Is it of a section whose stiffness hangs on how sharply it is bent?"""
+        return self.section is not None and self.section.follows_bend
+
+    @cached_property
+    def bending_law(self) -> MaterialLaw | None:
+        """The law of M = K m(kappa - kappa_0) however the rod is bent: what every solver asks.
+
+        Where the section follows the bend, it is that of its sizes, which are as stiff as K in the rod's own shape.
+        """
+        law, section, rest = self.law, self.section, self.natural_curvature
+        if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
+            return law
+        here = section.bent(self.curvature - rest, rest)
+        heavy = self.gravity is not None
+        B = scale_within(here, self.stiffness, solved=self.bending_stiffness, heavy=heavy)
+        factor = here.curl(here.parameter(B * self.stiffness))
+        return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
+
+    def following(self) -> "Rod":
+        """The same rod, which keeps the law that its section follows when its shape is another one."""
+        law = self.bending_law
+        return self if law is self.law else replace(self, law=law)
+
+    @property
     def tangent_stiffness(self) -> FloatArray:
-        """dM/dkappa (n,): what small disturbances feel; K unless a law says otherwise."""
-        if self.law is None:
+        """dM/dkappa (n,): what small disturbances feel; K unless `bending_law` says otherwise."""
+        law = self.bending_law
+        if law is None:
             return self.stiffness
-        return self.stiffness * self.law.slope(self.curvature - self.natural_curvature)
+        return self.stiffness * law.slope(self.curvature - self.natural_curvature)
+
+    @property
+    def bending_energy(self) -> float:
+        """Integral of M over kappa from rest and along the rod, 1/mm; times the least bending stiffness N mm."""
+        change, law = self.curvature - self.natural_curvature, self.bending_law
+        density = self.stiffness * (change**2 / 2 if law is None else law.energy(change))
+        return float(np.sum((density[1:] + density[:-1]) * np.diff(self.s)) / 2)
 
     def bend_at(self, s: FloatArray) -> FloatArray:
         """kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve its own."""

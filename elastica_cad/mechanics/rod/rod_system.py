@@ -275,6 +275,6 @@ class RodState:
             like,
             s=np.linspace(0.0, system.length, n + 1), position=position, angle=angle, curvature=curvature,
             stiffness=system.stiffness, moment=self.moments, force=force, supports=system.supports,
-            residual=self.imbalance, natural_curvature=system.natural_curvature, shape=None, check=None,
-            moved=0.0, warnings=(),
+            residual=self.imbalance, natural_curvature=system.natural_curvature, law=system.law, shape=None,
+            check=None, moved=0.0, warnings=(),
         )  # fmt: skip

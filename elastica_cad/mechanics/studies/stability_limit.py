@@ -103,6 +103,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     >>> limit.kind, round(limit.at["load"], 2)
     ('bifurcation', 7.84)
     """
+    rod = rod.following()
     course = _Course.of(rod, path)
     t, state = _first_state(course, rod, side)
     margin = state.discrete.margin
