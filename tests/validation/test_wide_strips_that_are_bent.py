@@ -5,17 +5,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path, resample
-from elastica_cad.mechanics.material.anticlastic import WidthLaw
+from elastica_cad.mechanics.material.anticlastic import SheetCurl, WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.studies.imperfection import Imperfection, perturb_rod
 from elastica_cad.mechanics.studies.stability_limit import stability_limit
+from elastica_cad.mechanics.studies.tolerance_study import ToleranceRanges, tolerance_study
 
 pytestmark = pytest.mark.core
 
@@ -162,3 +166,62 @@ def test_the_flat_part_is_the_same_however_it_is_bent():
         abs=1e-4 * np.abs(made.bending_stiffness * bent.moment).max(),
     )
     assert moved.rod.law is None
+
+
+OTHERWISE = {
+    "narrower": Imperfection(width_loss=2.0),
+    "thicker": Imperfection(thickness=1.1),
+    "thinner and narrower": Imperfection(thickness=0.9, width_loss=1.0),
+    "more even": Imperfection(stiffness_range=0.7),
+    "clamps turned": Imperfection(start_angle=0.05, end_angle=-0.03),
+}
+
+
+@pytest.mark.parametrize("how", OTHERWISE)
+@pytest.mark.parametrize("heavy", [False, True])
+def test_a_strip_that_came_out_otherwise(how, heavy, wide_strips):
+    """Light ones do not feel the modulus, but a thinner sheet bends as a plate sooner."""
+    made, v = made_of("arch", *STRIPS["stubborn"], gravity=heavy), OTHERWISE[how]
+    sheet, rod = made.sheet, made.rod
+    h, nu = sheet.thickness, sheet.poisson_ratio
+    width = made.width(rod.s)
+    stiff = width * wide_strips.ashwell(width, rod.curvature, h, nu)
+    stiff *= (1 + (rod.stiffness - 1) * v.stiffness_range) / rod.stiffness
+    for _ in range(40):
+        width = stiff / wide_strips.ashwell(width, rod.curvature, h, nu)
+    cut = Profile.interpolate(rod.s, width - v.width_loss)
+    other = replace(sheet, thickness=h * v.thickness)
+    found = perturb_rod(rod, v, max_width=40.0)
+    own = wide_strips.OwnStrip.cut(cut, other, heavy=heavy).bent(found)
+    strayed = np.hypot(*(own.position - rod.position).T).max()
+    # of 300 mm, what 601 nodes leave
+    assert np.hypot(*(found.position - own.position).T).max() < AGREES * strayed + 2e-4
+
+
+def test_a_study_asks_for_thickness_and_kerf_where_a_strip_bends_as_a_plate():
+    made = made_of("arch", *STRIPS["stubborn"])
+    ranges = ToleranceRanges(width_loss=(0.0, 2.0), thickness=(0.9, 1.1))
+    study = tolerance_study(made.rod, ranges=ranges, max_width=40.0, samples=2)
+    worst = perturb_rod(made.rod, Imperfection(width_loss=2.0), max_width=40.0)
+    strayed = np.hypot(*(worst.position - made.rod.position).T).max()
+    assert study["kerf"].worst == pytest.approx(strayed, rel=1e-12)
+    assert study["thickness"].worst > 2e-3
+    beam = replace(made.rod, section=None)
+    assert tolerance_study(beam, ranges=ranges, samples=2)["thickness"].worst == 0.0
+    narrow = float(made.width(made.rod.s).min())
+    with pytest.raises(InputError, match=f"{narrow:.4g} mm wide"):
+        perturb_rod(made.rod, Imperfection(width_loss=39.9), max_width=40.0)
+
+
+def test_what_has_yielded_stays_in_a_plate():
+    """Bent by more than its skin bears, to be let go: the moment is that of what is left of the bend."""
+    made = made_of("arch", *STRIPS["stubborn"])
+    rod = made.rod
+    limit = 0.8 * float(np.abs(rod.curvature).max())
+    found = perturb_rod(rod, Imperfection(yield_curvature=limit))
+    kept = np.sign(rod.curvature) * np.maximum(np.abs(rod.curvature) - limit, 0.0)
+    assert found.natural_curvature == pytest.approx(kept, abs=1e-15)
+    width = made.width(rod.s)
+    at = SheetCurl(width, made.sheet.thickness, 0.37)
+    moment = rod.stiffness * (found.curvature - kept) * at(found.curvature) / at(rod.curvature)
+    assert found.moment == pytest.approx(moment, abs=1e-5 * np.abs(moment).max())

@@ -253,6 +253,14 @@ class SheetCurl:
             natural_curvature=self.natural_curvature,
         )  # fmt: skip
 
+    def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
+        """That of widths which are `times` (n,) as stiff where they are bent to curvatures (n,), 1/mm."""
+        width = _plate_width(
+            times * self.width * self(curvature), curvature, thickness=self.thickness,
+            poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+        return replace(self, width=width)
+
     def resampled(self, s: FloatArray, at: FloatArray) -> "SheetCurl":
         """The same at stations (m,), mm, of what has it at `s` (n,)."""
         rest = at_stations(self.natural_curvature, s, at)

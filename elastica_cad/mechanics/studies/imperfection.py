@@ -4,10 +4,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, system_of
+from elastica_cad.mechanics.material.anticlastic import SheetCurl
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
+from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 ROUNDED_SHARE = 1e-9
@@ -62,18 +66,17 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
     NotConvergedError
         No rest shape found.
     """
-    v = imperfection
-    K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
-    if v.width_loss != 0:
-        loss = v.width_loss / least_width(rod, max_width, v.width_loss)
-        K, B = (K - loss) / (1 - loss), 1 - loss
-    changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
-    changed = _with_weight(changed, v, B)
+    v, rod = imperfection, rod.following()
+    changed, B = _as_cut(rod, v, max_width)
     limit = v.yield_curvature / v.thickness
     bend_here = np.asarray(rod.curvature) - rod.natural_curvature
     if np.any(np.abs(bend_here) > limit):
-        permanent = PlasticLaw(limit).permanent_curvature(bend_here)
-        changed = replace(changed, natural_curvature=rod.natural_curvature + permanent)
+        rest = rod.natural_curvature + PlasticLaw(limit).permanent_curvature(bend_here)
+        law = changed.law
+        changed = replace(
+            changed, natural_curvature=rest,
+            law=replace(law, natural_curvature=rest) if isinstance(law, CurlingLaw) else law,
+        )  # fmt: skip
     held = [end.angle for end in rod.supports.ends]
     angles = tuple(
         float(angle) + delta if hold else None
@@ -97,13 +100,59 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     if max_width is None:
         raise InputError("a loss of width needs max_width, the width of the widest place, mm")
     require_positive(max_width, "max_width")
-    least = max_width / float(np.max(rod.stiffness))
+    plate = _plate_of(rod.following())
+    least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
     if loss >= least:
         raise InputError(
             f"a loss of {loss:g} mm leaves nothing of the narrowest place, {least:.4g} mm wide: use a larger "
             "max_width"
         )
     return least
+
+
+def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
+    """The law of a strip whose widths follow the bend, and how they curl; None of others."""
+    law = rod.law
+    if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
+        return law, law.factor
+    return None
+
+
+def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
+    """The rod as it is cut, with its weight, and what is left of its least stiffness by its widths."""
+    K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
+    least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
+    plate = _plate_of(rod)
+    if plate is not None:
+        return _plate_as_cut(rod, *plate, K / rod.stiffness, v)
+    if v.width_loss != 0:
+        loss = v.width_loss / least
+        K, B = (K - loss) / (1 - loss), 1 - loss
+    changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
+    return _with_weight(changed, v, B), B
+
+
+def _plate_as_cut(
+    rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
+) -> tuple[Rod, float]:
+    """The same of a strip that bends as a plate, the more so the wider and the thinner it comes out.
+
+    `stiffer` (n,) is what its range of stiffness makes of K.
+    """
+    kappa = np.asarray(rod.curvature)
+    asked = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
+    cut = replace(asked, width=asked.width - v.width_loss, thickness=curl.thickness * v.thickness)
+    narrower, here = cut.width / curl.width, cut(kappa)
+    K = rod.stiffness * narrower * here / law.designed
+    B = float(K.min())
+    changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
+    changed = _with_weight(replace(changed, law=replace(law, factor=cut, designed=here)), v, B)
+    if rod.weight is not None and rod.gravity is not None:
+        alpha, beta = rod.weight.along(rod.s)
+        newtons = v.density * v.thickness * narrower * (alpha + beta * rod.stiffness)
+        weight = replace(rod.weight, alpha=Profile.interpolate(rod.s, newtons), beta=0.0)
+        changed = replace(changed, weight=weight)
+    return changed, B
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:

@@ -307,7 +307,7 @@ def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
     largest = float(np.abs(rod.curvature - rod.natural_curvature).max())
     if largest <= v.yield_curvature / v.thickness:
         v = replace(v, yield_curvature=np.inf)
-        if not loaded:
+        if not (loaded or rod.follows_bend):
             v = replace(v, thickness=1.0)
     a, b = rod.supports.ends
     return replace(
