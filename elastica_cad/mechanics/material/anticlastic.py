@@ -14,7 +14,10 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import at_stations
 
 SECANTS = 12
-"""Steps to a width that bends as stiffly as asked: the last ones only round."""
+"""Steps to a width that bends as stiffly as asked, at most."""
+
+SETTLED = 1e-12
+"""Relative error that one more step takes to rounding."""
 
 SLOPES = (0.4, 3.0)
 """Between which stiffness, in logarithms, grows with width: up to 1.25 for nu = 0.5, 2.5 for 0.9; of blanks that
@@ -79,15 +82,22 @@ def anticlastic_factor(
         raise InputError("curvature must be finite, in 1/mm")
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
+    flat = -x * slope / 2  # of a blank that is flat before
+    kept = _kept_of_bent(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
+    return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
+
+
+def _kept_of_bent(
+    flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
+) -> FloatArray:
+    """What takes the place of `flat` for blanks that are bent before, to kappa_0 (n,)."""
     # of a strip that is straight in the end x slope vanishes faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
-    flat = -x * slope / 2  # of a blank that is flat before: share 1
     asked = share * flat
     above, below = np.maximum(asked - flat, 0), np.maximum(-asked, 0)
-    kept = (
+    return np.asarray(
         np.clip(asked, 0, flat) + _eased(above, 1 + 2 * ratio - flat) - _eased(below, 2 - nu**2 - 2 * ratio)
     )
-    return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
 
 
 def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
@@ -128,6 +138,8 @@ def _plate_width(
         steep = (error - before) / np.where(moved == 0, 1.0, moved)
         slope = np.where(moved == 0, slope, np.clip(steep, *SLOPES))
         last, found = found, found - error / slope
+        if np.abs(error).max(initial=0.0) < SETTLED:
+            break
     return np.asarray(np.exp(found))
 
 
