@@ -1,6 +1,7 @@
 """`elastica bend`: where a strip goes when its ends are moved."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,8 @@ from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
 from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.anticlastic import WidthLaw
+from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
@@ -125,19 +128,29 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     gravity = (
         sheet.gravity(chosen["down"] or (0.0, -1.0)) if sheet is not None and chosen["gravity"] else None
     )
+    widths = None if sheet is None else _widths_as_plate(sheet, chosen["max_width"])
     if curve is None:
-        return Rod.straight(chosen["straight"], gravity=gravity)
+        return Rod.straight(chosen["straight"], gravity=gravity, section=widths)
     (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+    heavy = None if gravity is None else widths  # a light rod is the same in any width
     if chosen["nearest"]:
-        spec = RodSpec(asked.curve, gravity, smooth=chosen["smooth"], limits=Limits())
+        spec = RodSpec(asked.curve, gravity, smooth=chosen["smooth"], limits=Limits(), section=heavy)
     else:
-        spec = RodSpec(asked.bendable(chosen["smooth"]), gravity, smooth=chosen["smooth"])
+        spec = RodSpec(asked.bendable(chosen["smooth"]), gravity, smooth=chosen["smooth"], section=heavy)
     for note in spec.smoothing.notes:
         say(note)
     found = spec.solve()
     if isinstance(found, NearestRod):
         say(f"the strip is {found.deviation:.2g} mm off the drawn curve at most")
-    return accepted_rod(found)
+    rod = accepted_rod(found)
+    return rod if widths is None or rod.section is not None else replace(rod, section=widths)
+
+
+def _widths_as_plate(sheet: Sheet, widest: float | None) -> WidthLaw | None:
+    """How the widths of a strip stiffen as it is bent, where the sheet's Poisson ratio is known."""
+    if widest is None or not (sheet.poisson_known and sheet.poisson_ratio > 0):
+        return None
+    return WidthLaw(sheet, 0.0, widest)
 
 
 def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:

@@ -4,7 +4,15 @@ import csv
 import subprocess
 import sys
 
+import numpy as np
 import pytest
+
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.fabrication.travel import bend_strip
+from elastica_cad.files import read_curves
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
 
 
 def typed(line, cwd):
@@ -45,3 +53,31 @@ def test_a_width_without_a_material(tmp_path):
     made = typed("bend --straight 60 --max-width 10 --to 30 0", tmp_path)
     assert made.returncode == 2
     assert "add --sheet" in made.stderr
+
+
+def test_a_wide_spring_pushes_as_the_plate_that_it_becomes(tmp_path, wide_strips):
+    """Straight it bends with E; where it is bent its edges alone curl across, and it is up to a tenth stiffer."""
+    made = typed("bend --straight 120 --sheet spring-steel-0.2 --max-width 20 --to 40 0 -o out", tmp_path)
+    assert made.returncode == 0, made.stderr
+    (row,) = csv.DictReader((tmp_path / "out" / "straight-travel.csv").read_text().splitlines())
+    beam = bend(Rod.straight(120.0), end=(40.0, 0.0))
+    strip = wide_strips.OwnStrip.cut(lambda s: np.full(np.shape(s), 20.0), Sheet.named("spring-steel-0.2"))
+    own = strip.bent(beam, end=(40.0, 0.0))
+    assert float(row["force_along_N"]) == pytest.approx(np.hypot(*own.force[-1]), rel=1e-3)
+    assert float(row["end_moment_Nmm"]) == pytest.approx(own.moment[-1], rel=1e-3)
+    flat = strip.stiffness(0.0) * np.hypot(*beam.force[-1])
+    assert float(row["force_along_N"]) > 1.05 * flat
+
+
+@pytest.mark.parametrize("gravity", [False, True])
+def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, gravity):
+    (tmp_path / "arch.csv").write_text("0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n")
+    weight = " --gravity" if gravity else ""
+    line = f"bend arch.csv --sheet acrylic-2 --max-width 40 --to 250 0 -o out{weight}"
+    made = typed(line, tmp_path)
+    assert made.returncode == 0, made.stderr
+    (row,) = csv.DictReader((tmp_path / "out" / "arch-travel.csv").read_text().splitlines())
+    (curve,) = read_curves(tmp_path / "arch.csv")
+    moved = bend_strip(make_strip(curve, "acrylic-2", max_width=40.0, gravity=gravity), [(250.0, 0.0)])
+    assert float(row["force_along_N"]) == pytest.approx(moved.force_along[0], rel=1e-4)
+    assert float(row["energy_Nmm"]) == pytest.approx(moved.energy[0], rel=1e-4)
