@@ -107,24 +107,38 @@ class OwnStrip(NamedTuple):
 
         (K_t h')' + (<lambda, T> + mu) h = <nu, N> along the strip; h vanishes at both ends, and moves them nowhere.
         """
-        length, soft = s[-1], self.tangent(s, bent.curvature) / B
 
-        def fields(mu):
-            def along(x, y):
-                here = [np.interp(x, s, values) for values in (soft, bent.angle, *bent.force.T)]
-                cos, sin = np.cos(here[1]), np.sin(here[1])
-                pull = -(here[2] * cos + here[3] * sin) / B
-                h, slope = y[:3], y[3:6]
-                forced = np.array([0.0, -sin, cos]) / length**2
-                return [*(slope / here[0]), *(forced - (pull + mu / length**2) * h), *(-sin * h), *(cos * h)]
-
-            y = solve_ivp(along, (0, length), [0, 0, 0, 1, 0, 0, *np.zeros(6)], rtol=1e-7, atol=1e-9).y[:, -1]
-            return np.linalg.det([y[:3], y[6:9], y[9:]])
+        def at_the_end(mu):
+            return self._determinant(s, bent, B, mu, s[-1:])[0]
 
         mus = np.arange(-100.0, 300.0, 10.0)
-        signs = np.array([fields(mu) for mu in mus])
+        signs = np.array([at_the_end(mu) for mu in mus])
         k = int(np.flatnonzero(signs[:-1] * signs[1:] < 0)[0])
-        return brentq(fields, mus[k], mus[k + 1], rtol=1e-7)
+        return brentq(at_the_end, mus[k], mus[k + 1], rtol=1e-7)
+
+    def conjugate_point(self, s, bent, B):
+        """The first place, mm, up to which a shape, clamped there, has a mode of no stiffness."""
+        place, value = s, self._determinant(s, bent, B, 0.0, s)
+        away = place > 0.2 * s[-1]  # it has a zero of high order at the start
+        k = int(np.flatnonzero(value[away][:-1] * value[away][1:] < 0)[0])
+        (a, b), (u, v) = place[away][k : k + 2], value[away][k : k + 2]
+        return a + (b - a) * u / (u - v)
+
+    def _determinant(self, s, bent, B, mu, at):
+        """Of the fields and of how they move the end, at places (m,), mm."""
+        length, soft = s[-1], self.tangent(s, bent.curvature) / B
+
+        def along(x, y):
+            here = [np.interp(x, s, values) for values in (soft, bent.angle, *bent.force.T)]
+            cos, sin = np.cos(here[1]), np.sin(here[1])
+            pull = -(here[2] * cos + here[3] * sin) / B
+            h, slope = y[:3], y[3:6]
+            forced = np.array([0.0, -sin, cos]) / length**2
+            return [*(slope / here[0]), *(forced - (pull + mu / length**2) * h), *(-sin * h), *(cos * h)]
+
+        begin = [0, 0, 0, 1, 0, 0, *np.zeros(6)]
+        run = solve_ivp(along, (0, length), begin, rtol=1e-7, atol=1e-9, t_eval=at)
+        return np.array([np.linalg.det([y[:3], y[6:9], y[9:]]) for y in run.y.T])
 
     def limit(self, rod, near, asked, parameter):
         """The parameter at which the second variation of an equilibrium gets a zero: one system, solved by Newton.

@@ -104,7 +104,9 @@ def bend_strip(
     """Lead the ends of a strip along a path and tell what it does, in newtons and millimetres.
 
     Forces follow from the internal force -lambda B (Eq. 2), with B the bending stiffness where K = 1; the energy is
-    the integral of E I (kappa - kappa_0)^2 / 2.
+    the integral of E I (kappa - kappa_0)^2 / 2. Where widths are made for how the strip curls across (the default
+    of `make_strip` for sheets whose Poisson ratio is known) it stiffens as each step bends it; other strips, and
+    laminates, are bent with the stiffness of their design, and `Strip.held` tells what that leaves out.
 
     Parameters
     ----------

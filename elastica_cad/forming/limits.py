@@ -102,7 +102,9 @@ class Limits:
     ratio : float, optional
         Largest stiffness ratio R = max K / min K, at least 1.
     margin : float, optional
-        Least stability margin (see `stability`); 0 is the border of stability, 5 is safely stable.
+        Least stability margin (see `stability`); 0 is the border of stability, 5 is safely stable. Of a strip that
+        bends as a plate it is counted with M / kappa, less than the dM/dkappa that `stability` takes, so the rod
+        found has up to some hundredths more.
     curvature : float, optional
         Largest size of kappa - kappa_0, 1/mm.
     sheet : Sheet, optional

@@ -6,7 +6,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-PROFILE_SHARE = 1e-7
+PROFILE_SHARE = 1e-6
 """Error of the stiffness between the nodes, of its largest."""
 
 

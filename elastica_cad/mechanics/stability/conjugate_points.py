@@ -102,7 +102,8 @@ def determinant_gradient(
 
     The rod stays in equilibrium while K changes: its ends are held, its angles and forces follow. With
     weights that form a bump around a conjugate point sigma (or interpolate Z there) this is dZ/dK at sigma
-    up to a positive factor, and moving along it moves sigma towards the end of the rod.
+    up to a positive factor, and moving along it moves sigma towards the end of the rod. It is of rods that follow
+    Hooke's law: where stiffness follows the bend it leaves out that dM/dkappa changes as the shape does.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ class Imperfection:
         m in K -> 1 + (K - 1) m: the ratio of stiffness is smaller or larger than intended.
     youngs_modulus, density, thickness : float
         Factors on those of the sheet; with weight they act through E h^2 / rho, with a force or moment on a free
-        end through E h^3.
+        end through E h^3. In a strip that bends as a plate the thickness tells how far it does, too.
     start_angle, end_angle : float
         Added to the angles that the supports hold, rad.
     yield_curvature : float

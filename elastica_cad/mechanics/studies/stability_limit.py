@@ -62,7 +62,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     """The end displacement or load factor that makes a stable rod unstable.
 
     The branch of equilibria is followed from the rod's present shape in adaptive steps, and the place
-    where the lowest eigenvalue (the margin of `stability`) comes to zero is bisected.
+    where the lowest eigenvalue (the margin of `stability`) comes to zero is bisected. A wide strip (`section`) is
+    as stiff at every step as its bend makes it.
 
     Parameters
     ----------

@@ -181,7 +181,8 @@ def tolerance_study(
     """How far the bent strip strays from `rod` when things vary within their ranges (paper, 8.2, Fig. 15).
 
     Monte Carlo with uniform distributions: each cause alone, then all together. A deviation is the largest
-    distance between a node of the varied rod and the same node of the design.
+    distance between a node of the varied rod and the same node of the design. A wide strip (`section`) bends as a
+    plate of the width and thickness that come out, so it feels its thickness without any load too.
 
     Parameters
     ----------
