@@ -7,6 +7,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -16,6 +17,8 @@ from elastica_cad.mechanics.material.anticlastic import SheetCurl, WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.sideways import sideways_stability_of, stations_of_sideways
+from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.studies.imperfection import Imperfection, perturb_rod
 from elastica_cad.mechanics.studies.stability_limit import stability_limit
@@ -182,6 +185,35 @@ def test_the_flat_part_is_the_same_however_it_is_bent(asked):
     assert B * moved.rod.moment == pytest.approx(before * bent.moment, rel=1e-6)
     assert B * moved.rod.nodal_load == pytest.approx(before * made.rod.nodal_load, rel=1e-9)
     assert bend(moved.rod).position == pytest.approx(bent.position, abs=1e-7)
+
+
+def test_it_weighs_as_its_width(wide_strips):
+    """A strip that was made without its weight sags: not as its stiffness says, which has the plate's in it."""
+    drawn = PlaneCurve.spline(DRAWN["S"], degree=4)
+    drawn = drawn.transformed(np.diag([1.0, 1.0, drawn.length / 900.0]))
+    sheet = replace(Sheet.named("acrylic-2"), density=4000.0, density_range=None)
+    made = make_strip(drawn, sheet, max_width=75.0, anyway=True)
+    sagging = bend(made.rod, gravity=sheet.gravity())
+    own = wide_strips.OwnStrip.cut(made.width, sheet, heavy=True).bent(sagging)
+    sag = np.hypot(*(own.position - made.rod.position).T).max()
+    assert np.hypot(*(sagging.position - own.position).T).max() < 5e-3 * sag
+    assert replace(made, rod=sagging).rod.nodal_load.sum() * replace(made, rod=sagging).bending_stiffness == (
+        pytest.approx(sagging.nodal_load.sum() * made.bending_stiffness, rel=1e-6)
+    )
+
+
+@pytest.mark.parametrize("share", [1.0, 0.5])
+def test_edgewise_and_in_twist_it_is_as_stiff_as_its_width(share):
+    """E h w^3 / 12 and G w h^3 / 3: what it gains across as a plate had been counted there too."""
+    made = made_of("arch", *STRIPS["stubborn"])
+    sheet, rod = made.sheet, bend(made.rod, end=on_the_way(made.rod, share))
+    s = stations_of_sideways(rod)
+    beam = sheet.bending_stiffness(1.0) * made.width(s) / made.bending_stiffness
+    section = SidewaysSection.rectangle(
+        beam, made.width(s), np.full(s.size, sheet.thickness), sheet.shear_ratio
+    )
+    own = sideways_stability_of(rod, section).margin
+    assert strip_sideways(rod, made.layout).margin == pytest.approx(own, rel=1e-4)
 
 
 OTHERWISE = {

@@ -20,7 +20,7 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
     """The verdict on a rod that is made by a layout; its slots are left out."""
     sheet, ratio = layout.sheet, layout.sheet.shear_ratio
     s = stations_of_sideways(rod)
-    K, width = np.interp(s, rod.s, rod.stiffness), layout.width(s)
+    K, width = np.interp(s, rod.s, rod.flat_stiffness), layout.width(s)
     if isinstance(layout.section, RoundLaw):
         thickest = float(layout.width.extremes[1])
         return sideways_stability_of(rod, SidewaysSection.round(K, thickest, ratio))

@@ -275,6 +275,12 @@ class Rod:
         return self.stiffness * law.slope(self.curvature - self.natural_curvature)
 
     @property
+    def flat_stiffness(self) -> FloatArray:
+        """K (n,) that the sections would have if bending did not stiffen them: E I of their widths."""
+        law = self.bending_law
+        return self.stiffness / law.designed if isinstance(law, CurlingLaw) else self.stiffness
+
+    @property
     def bending_energy(self) -> float:
         """Integral of M over kappa from rest and along the rod, 1/mm; times the least bending stiffness N mm."""
         change, law = self.curvature - self.natural_curvature, self.bending_law
@@ -308,7 +314,7 @@ class Rod:
             return np.zeros_like(self.position)
         down = np.asarray(self.gravity.direction)
         if self.weight is None:
-            amount = self.node_lengths * self.stiffness / self.gravity.length**3
+            amount = self.node_lengths * self.flat_stiffness / self.gravity.length**3
         else:
             if self.bending_stiffness is None:
                 raise InputError("a rod with weights in newtons needs its least bending stiffness (N mm2)")

@@ -118,7 +118,7 @@ def sideways_stability(
     Parameters
     ----------
     rod : Rod
-        In balance; its stiffness is that of bending in the plane.
+        In balance; its stiffness is that of bending in the plane, what a plate has more than a beam left out.
     width : Profile, number or (n,) array
         Of the strip along the rod, mm; values at equal distances.
     thickness : Profile, number or (n,) array
@@ -156,7 +156,7 @@ def sideways_stability(
         raise InputError(f"sideways stability needs a Rod, not {type(rod).__name__}: bend one first")
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(
-        np.interp(s, rod.s, rod.stiffness),
+        np.interp(s, rod.s, rod.flat_stiffness),
         _sizes(width, s, "strip width"),
         _sizes(thickness, s, "thickness"),
         checked_shear_ratio(shear_ratio, poisson_ratio),
