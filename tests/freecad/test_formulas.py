@@ -1,8 +1,9 @@
 """Choices that are given by formulas: what is none of them is told with its property and its formula."""
 
 import pytest
-from freecad.elastica_wb.features import flat, model, proxy, strip
+from freecad.elastica_wb.features import baseplate, curves, flat, model, proxy, strip
 from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.host.sheet_store import sheet_list
 
 from elastica_cad.errors import InputError
@@ -54,14 +55,48 @@ def test_a_formula_within_range_is_taken(document, made):
     assert told(made).startswith("Strip.Style has the formula Cells.kind, which gives 3: ")
 
 
-def test_what_a_formula_left_behind_is_told(made):
-    made.setExpression("Style", "7")
-    told(made)
+@pytest.mark.parametrize("formula", ["7", "-1", "3", "1e9"])
+def test_a_formula_that_is_taken_away_leaves_what_was_chosen(made, formula):
+    made.Style = "Perforated"
+    made.setExpression("Style", formula)
+    assert told(made) != ""
     made.setExpression("Style", None)
     made.touch()
-    assert told(made) == "Strip.Style is none of its choices: choose one of them"
+    assert [told(made), made.Style] == ["", "Perforated"]
     made.Style = "Plain"
-    assert told(made) == ""
+    assert [told(made), made.Style] == ["", "Plain"]
+
+
+def test_every_list_of_choices_outlives_its_formula(document, made):
+    everything = [
+        made,
+        flat.create(document, made),
+        model.create(document, [made]),
+        baseplate.create(document, [made]),
+        curves.section(document, [made]),
+        curves.nearest(document, made.Curve[0]),
+    ]
+    with_choices = {kind for kind in Feature.__subclasses__() if kind.choices}
+    assert with_choices == {type(obj.Proxy) for obj in everything}
+    for obj in everything:
+        for name in obj.Proxy.choices:
+            choices, chosen = obj.getEnumerationsOfProperty(name), getattr(obj, name)
+            obj.setExpression(name, str(len(choices)))
+            document.recompute()
+            assert "Invalid" in obj.State
+            assert [getattr(obj, name), obj.getEnumerationsOfProperty(name)] == [chosen, choices]
+            obj.setExpression(name, None)
+            for choice in choices:
+                setattr(obj, name, choice)
+                assert getattr(obj, name) == choice
+            setattr(obj, name, chosen)
+
+
+def test_a_formula_that_gives_no_sheet_leaves_the_thickness(made):
+    made.Thickness, sheet = 1.3, made.Sheet
+    made.setExpression("Sheet", "1000")
+    told(made)
+    assert [made.Sheet, made.Thickness.Value] == [sheet, 1.3]
 
 
 def test_other_features_tell_it_too(document, made):

@@ -3103,10 +3103,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is none of its choices: choose one of them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 has the formula %2, which gives %3: it takes 0 to %4, or a name such as %5; mend the formula, or take it away</source>
         <translation type="unfinished"></translation>
     </message>

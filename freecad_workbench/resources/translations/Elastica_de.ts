@@ -3119,10 +3119,6 @@
         <translation>die Formel von %1 lässt sich nicht berechnen (%2): sie berichtigen oder entfernen</translation>
     </message>
     <message>
-        <source>%1 is none of its choices: choose one of them</source>
-        <translation>%1 ist keine der angebotenen Möglichkeiten: eine davon wählen</translation>
-    </message>
-    <message>
         <source>%1 has the formula %2, which gives %3: it takes 0 to %4, or a name such as %5; mend the formula, or take it away</source>
         <translation>%1 hat die Formel %2, die %3 ergibt: möglich sind 0 bis %4 oder ein Name wie %5; die Formel berichtigen oder entfernen</translation>
     </message>

@@ -3119,10 +3119,6 @@
         <translation>无法计算 %1 的公式（%2）：请更正或删除它</translation>
     </message>
     <message>
-        <source>%1 is none of its choices: choose one of them</source>
-        <translation>%1 不是可选项之一：请选择其中一项</translation>
-    </message>
-    <message>
         <source>%1 has the formula %2, which gives %3: it takes 0 to %4, or a name such as %5; mend the formula, or take it away</source>
         <translation>%1 的公式 %2 得到 %3：可取 0 至 %4，或名称如 %5；请更正或删除该公式</translation>
     </message>

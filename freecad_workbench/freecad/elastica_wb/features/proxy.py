@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 import FreeCAD as App
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.property_table import Property, ensure, put, require_choices
+from freecad.elastica_wb.host.property_table import Property, choose_again, ensure, put, require_choices
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
     RefusalError,
@@ -61,6 +61,13 @@ class Feature:
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
     """Properties that name a sheet, each with the one that keeps its numbers in the document."""
+    choices: ClassVar[frozenset[str]] = frozenset()
+    """Properties that are lists of choices."""
+    chosen: str | None = None
+    """What was chosen of the one that changes now."""
+
+    def __init_subclass__(cls) -> None:
+        cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
 
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self
@@ -80,15 +87,23 @@ class Feature:
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
             setattr(obj, name, chosen)
 
+    def onBeforeChange(self, obj: Any, name: str) -> None:
+        """Remember what is chosen, as a formula may give none of the choices."""
+        if name in self.choices:
+            self.chosen = getattr(obj, name)
+
     def onChanged(self, obj: Any, name: str) -> None:
         """A newly chosen sheet brings its thickness, and its numbers into the document."""
         # asked for every result that is written, so what takes longer to tell comes last
+        if name in self.choices and getattr(obj, name) is None:
+            choose_again(obj, name, self.chosen)
+            return
         if (name not in FOLLOWED and name not in self.sheets) or "Restore" in obj.State:
             return
         if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))
         kept = self.sheets.get(name)
-        if kept in obj.PropertiesList:
+        if kept in obj.PropertiesList and self.chosen is not None:  # chosen again, it is no other sheet
             with suppress(InputError):  # the next recompute says it
                 sheet = sheet_called(getattr(obj, name), getattr(obj, kept))
                 put(obj, **{kept: text_of(sheet)})
@@ -101,11 +116,10 @@ class Feature:
         kept = {name: getattr(obj, name) for name in self.sheets.values()}
         for name in self.sheets:
             chosen = getattr(obj, name)
-            choices = list(dict.fromkeys([*sheet_list(), *([chosen] if chosen else [])]))
+            choices = list(dict.fromkeys([*sheet_list(), chosen]))
             if choices != obj.getEnumerationsOfProperty(name):
                 setattr(obj, name, choices)
-                if chosen:  # a formula may give none
-                    setattr(obj, name, chosen)
+                setattr(obj, name, chosen)
         put(obj, **{name: getattr(value, "Value", value) for name, value in (kept | measured).items()})
         for name, numbers in self.sheets.items():
             with suppress(InputError):

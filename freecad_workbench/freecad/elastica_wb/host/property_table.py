@@ -58,7 +58,7 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
 
 
 def require_choices(obj: Any, table: Iterable[Property]) -> None:
-    """Refuse what a formula makes of a list of choices and is none of them: FreeCAD takes the first, or none.
+    """Refuse what a formula makes of a list of choices and is none of them: FreeCAD takes the first for a name.
 
     Raises
     ------
@@ -69,9 +69,6 @@ def require_choices(obj: Any, table: Iterable[Property]) -> None:
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
         if name in formulas:
             _require_choice(obj, name, formulas[name])
-        elif getattr(obj, name) is None:
-            called = f"{obj.Name}.{name}"
-            raise InputError(f"{called} is none of its choices: choose one of them")
 
 
 def _require_choice(obj: Any, name: str, formula: str) -> None:
@@ -92,6 +89,16 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
             f"{called} has the formula {formula}, which gives {given}: it takes 0 to {len(choices) - 1}, or a name "
             f"such as {a_name}; mend the formula, or take it away"
         )
+
+
+def choose_again(obj: Any, name: str, chosen: str | None) -> None:
+    """Choose what was chosen before, else the first: a number out of range leaves a list without a choice.
+
+    From there on FreeCAD 1.0 and 1.1 take no name and no number, only the list and a number together.
+    """
+    choices = obj.getEnumerationsOfProperty(name)
+    if choices:
+        setattr(obj, name, (choices, choices.index(chosen) if chosen in choices else 0))
 
 
 def put(obj: Any, **values: Any) -> None:
