@@ -339,6 +339,26 @@ def test_a_nest_and_its_files(document, standing, tmp_path):
     assert "Invalid" in laid.State
 
 
+def test_a_nest_lies_in_front_of_what_has_an_end(document, standing):
+    """FreeCAD 1.1 keeps planes and axes without end in every body and part; datum planes had none before."""
+    document.addObject("App::Part", "Part")
+    document.addObject("PartDesign::Plane", "Datum")
+    room, block = document.addObject("App::Part", "Room"), document.addObject("Part::Box", "Block")
+    room.addObject(block)
+    room.Placement.Base.y = -700
+    document.recompute()
+    laid = nest.create(document, standing)
+    document.recompute()
+    assert laid.Placement.Base.y + laid.Shape.BoundBox.YLength == pytest.approx(-750)
+
+
+def test_a_flat_part_of_a_strip_on_a_datum_plane_lies_within_reach(document):
+    datum = document.addObject("PartDesign::Plane", "Datum")
+    document.recompute()
+    lying = flat.create(document, strip.create(document, datum))
+    assert lying.Placement.Base.Length < 100
+
+
 def test_the_step_file_of_a_model_is_its_bodies(document, standing, tmp_path):
     made = model.create(document, standing)
     document.recompute()

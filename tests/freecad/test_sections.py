@@ -187,6 +187,26 @@ def test_a_mesh_with_a_place_that_is_none(document):
         curves.section(document, [spoiled])
 
 
+def test_datum_planes_and_axes_have_no_end(document, shell):
+    datum = document.addObject("PartDesign::Plane", "Datum")
+    axis = document.addObject("PartDesign::Line", "Axis")
+    document.recompute()
+    assert chosen_bodies([shell, datum]) == [shell]
+    with pytest.raises(InputError, match="select a body, a surface or a mesh to cut"):
+        chosen_bodies([datum])
+    with pytest.raises(InputError, match="an edge runs on to infinity: trim it"):
+        path_points(axis)
+
+
+def test_a_path_of_two_chains_is_told(document):
+    lines = document.addObject("Part::Feature", "Lines")
+    lines.Shape = Part.Compound(
+        [Part.makeLine(App.Vector(x, 0, 0), App.Vector(x + 50, 0, 0)) for x in (0, 90)]
+    )
+    with pytest.raises(InputError, match="Lines has 2 chains of edges: choose the edges of one as the path"):
+        path_points(lines)
+
+
 def test_planes_that_miss_and_a_stop(document, shell, ball):
     sections = cut(shell, Family("about an axis", 4, "Z", through=(500, 0, 0)))
     curves, remarks = curves_of(sections)

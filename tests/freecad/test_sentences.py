@@ -53,7 +53,8 @@ NO_SENTENCES = ("tests.py", "sentences.py")
 PROGRAMMERS = re.compile(
     r"""\b(record|records|Rod\b|None|keywords|rad\b|executor|mappings?|optimal_laminate|bend\ needs|of\ bend
     |upper|hull|exact|bending_stiffness|Tab\(|Plain|RestCurvature|PlaneCurve\ in|residual|unstable|nodes
-    |coefficients|wavelength|above\ must|places\ 0|path|E\ I|weight=|`weight`|label\ is|weight\ profile
+    |coefficients|wavelength=|positive\ wavelength|above\ must|places\ 0|path\ (has|is\ a|of\ end)|of\ the\ path:
+    |in\ a\ path:|path\ and\ widths|E\ I|weight=|`weight`|label\ is|weight\ profile
     |all\ lengths\ in\ mm|false_turn|tolerance=|Sheet\ or|PropertiesList|bit\ mask|three\ numbers|finite
     |must\ be\ positive|must\ be\ 0\ mm\ or\ more|ec\.)|,\ got\ %|^%\d\ =\ %\d\ mm$|[{}<|]|\\
     |%\ \(%2\ %\)|^no\ file\ was|points\ \(k|^mm\ of\ |^%1\ has\ %2\ lines$|Callable|^\w+\ =\ |^(%\d|mm|x

@@ -106,7 +106,8 @@ def _why_not_one(runs: Sequence[Run]) -> str:
             "constraint"
         )
     return (
-        f"the edges make {len(runs)} separate chains: a strip follows one chain of edges that meet end to end"
+        f"the edges make {len(runs)} separate chains, the nearest {gap:.3g} mm apart at {where}: make their ends "
+        "meet, or leave out what the strip is not to follow, in a sketch as construction geometry"
     )
 
 

@@ -264,7 +264,7 @@ class Arc:
         """The same arc as an exact rational spline."""
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
-    def _on(self, angle: FloatArray) -> FloatArray:
+    def _on(self, angle: FloatArray | float) -> FloatArray:
         return points_on_circles(self.center, self.radius, angle)
 
 

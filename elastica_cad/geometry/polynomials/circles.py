@@ -5,7 +5,9 @@ import numpy as np
 from elastica_cad._types import FloatArray
 
 
-def points_on_circles(centers: FloatArray, radii: FloatArray | float, angles: FloatArray) -> FloatArray:
+def points_on_circles(
+    centers: FloatArray, radii: FloatArray | float, angles: FloatArray | float
+) -> FloatArray:
     """Points (..., 2) at angles (...), rad, from the x axis.
 
     Examples

@@ -2735,7 +2735,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
+        <source>the edges make %1 separate chains, the nearest %2 mm apart at %3: make their ends meet, or leave out what the strip is not to follow, in a sketch as construction geometry</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3252,6 +3252,26 @@
     </message>
     <message>
         <source>%1 edges in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 chains of edges: choose the edges of one as the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a path: a sketch or a wire that the planes stand across</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm along the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smoothing took waves shorter than %1 mm away; a shorter wavelength stays nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no smooth curve came nearer; smooth the section first, with a wavelength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2751,8 +2751,8 @@
         <translation>es wurde keine Kante gegeben: mindestens eine Kante oder einen Draht angeben, dem der Streifen folgt</translation>
     </message>
     <message>
-        <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
-        <translation>die Kanten bilden %1 getrennte Ketten: ein Streifen folgt einer Kette von Kanten, die aneinanderstoßen</translation>
+        <source>the edges make %1 separate chains, the nearest %2 mm apart at %3: make their ends meet, or leave out what the strip is not to follow, in a sketch as construction geometry</source>
+        <translation>die Kanten bilden %1 getrennte Ketten, die nächsten %2 mm auseinander bei %3: ihre Enden zusammenführen, oder weglassen, wem der Streifen nicht folgen soll, in einer Skizze als Hilfsgeometrie</translation>
     </message>
     <message>
         <source>two edges end %1 mm apart at %2: make their ends meet there, in a sketch by a coincident constraint</source>
@@ -3269,6 +3269,26 @@
     <message>
         <source>%1 edges in all</source>
         <translation>%1 Kanten insgesamt</translation>
+    </message>
+    <message>
+        <source>%1 has %2 chains of edges: choose the edges of one as the path</source>
+        <translation>%1 hat %2 Kantenketten: die Kanten einer davon als Pfad wählen</translation>
+    </message>
+    <message>
+        <source>choose a path: a sketch or a wire that the planes stand across</source>
+        <translation>einen Pfad wählen: eine Skizze oder einen Draht, zu dem die Ebenen quer stehen</translation>
+    </message>
+    <message>
+        <source>%1 mm along the path</source>
+        <translation>%1 mm entlang des Pfades</translation>
+    </message>
+    <message>
+        <source>smoothing took waves shorter than %1 mm away; a shorter wavelength stays nearer</source>
+        <translation>das Glätten hat Wellen unter %1 mm weggenommen; eine kürzere Wellenlänge bleibt näher</translation>
+    </message>
+    <message>
+        <source>no smooth curve came nearer; smooth the section first, with a wavelength</source>
+        <translation>keine glatte Kurve kam näher; zuerst den Schnitt mit einer Wellenlänge glätten</translation>
     </message>
     <message>
         <source>section %1</source>

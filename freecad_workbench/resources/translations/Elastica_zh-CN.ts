@@ -2751,8 +2751,8 @@
         <translation>没有给出任何边：请至少给出一条供条带跟随的边或线框</translation>
     </message>
     <message>
-        <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
-        <translation>这些边组成 %1 条分离的链：条带只跟随一条首尾相接的链</translation>
+        <source>the edges make %1 separate chains, the nearest %2 mm apart at %3: make their ends meet, or leave out what the strip is not to follow, in a sketch as construction geometry</source>
+        <translation>这些边组成 %1 条分离的链，最近处在 %3 相距 %2 mm：请使其端点相接，或略去条带不应跟随的部分，草图中设为辅助几何</translation>
     </message>
     <message>
         <source>two edges end %1 mm apart at %2: make their ends meet there, in a sketch by a coincident constraint</source>
@@ -3269,6 +3269,26 @@
     <message>
         <source>%1 edges in all</source>
         <translation>共 %1 条边</translation>
+    </message>
+    <message>
+        <source>%1 has %2 chains of edges: choose the edges of one as the path</source>
+        <translation>%1 有 %2 条边链：请选择其中一条的边作为路径</translation>
+    </message>
+    <message>
+        <source>choose a path: a sketch or a wire that the planes stand across</source>
+        <translation>请选择路径：平面所垂直的草图或线框</translation>
+    </message>
+    <message>
+        <source>%1 mm along the path</source>
+        <translation>沿路径 %1 mm 处</translation>
+    </message>
+    <message>
+        <source>smoothing took waves shorter than %1 mm away; a shorter wavelength stays nearer</source>
+        <translation>抹平去掉了短于 %1 mm 的波纹；更短的波长会更接近</translation>
+    </message>
+    <message>
+        <source>no smooth curve came nearer; smooth the section first, with a wavelength</source>
+        <translation>没有更接近的光滑曲线；请先用某一波长抹平截面</translation>
     </message>
     <message>
         <source>section %1</source>

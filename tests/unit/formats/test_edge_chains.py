@@ -182,7 +182,10 @@ def test_edges_that_do_not_make_one_smooth_chain_are_refused():
     side, up = Edge.polyline([(0, 0, 0), (40, 0, 0)]), Edge.polyline([(40, 0, 0), (40, 30, 0)])
     with pytest.raises(InputError, match=r"a corner of 90 degrees at \(40, 0, 0\) mm"):
         placed_curve([side, up])
-    with pytest.raises(InputError, match="make 2 separate chains"):
+    with pytest.raises(
+        InputError,
+        match=r"make 2 separate chains, the nearest 9 mm apart at \(0, 0, 0\) mm: make their ends meet, or leave",
+    ):
         placed_curve([side, Edge.polyline([(0, 9, 0), (40, 9, 0)])])
     beyond = Edge.polyline([(40.3, 0, 0), (90, 0, 0)])
     with pytest.raises(

@@ -14,7 +14,7 @@ import Part
 from freecad.elastica_wb.curves.sketch_curves import container, placement_of
 from freecad.elastica_wb.host.progress import Step, go_on, in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.shapes.part_shapes import spline_geometry
+from freecad.elastica_wb.shapes.part_shapes import is_bounded, spline_geometry
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
@@ -104,14 +104,14 @@ class Family:
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
-    """The objects with faces or triangles.
+    """The objects with faces or triangles; datum planes are none.
 
     Raises
     ------
     InputError
         There is none.
     """
-    found = [obj for obj in objects if _has_triangles(obj) or _shape(obj).Faces]
+    found = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
     if not found:
         raise InputError("select a body, a surface or a mesh to cut")
     return found
@@ -129,13 +129,17 @@ def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
     Raises
     ------
     InputError
-        No edges, or edges in several chains.
+        No edges, edges in several chains, or without an end.
     """
     shape = _shape(source)
     edges = [shape.getElement(name) for name in names] or shape.Edges
+    if not all(is_bounded(edge.BoundBox) for edge in edges):
+        raise InputError("an edge runs on to infinity: trim it")
     chains = Part.sortEdges(edges) if edges else []
     if len(chains) != 1:
-        raise InputError(f"{source.Label} has {len(chains)} chains of edges: a path is one")
+        raise InputError(
+            f"{source.Label} has {len(chains)} chains of edges: choose the edges of one as the path"
+        )
     return np.array([tuple(p) for p in Part.Wire(chains[0]).discretize(Number=PATH_POINTS)])
 
 
@@ -258,6 +262,11 @@ def _meshed(obj: Any) -> Any:
 def _has_triangles(obj: Any) -> bool:
     source = _meshed(obj)
     return source is not None and source.Mesh.CountFacets > 0
+
+
+def _has_faces(obj: Any) -> bool:
+    shape = _shape(obj)
+    return bool(shape.Faces) and is_bounded(shape.BoundBox)  # a datum plane has one, and no end
 
 
 def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> PlaneSection:

@@ -13,6 +13,7 @@ from freecad.elastica_wb.features.strip import is_strip, shown_strip
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.shapes.part_shapes import is_bounded
 from freecad.elastica_wb.solving.strip_cache import flat_shape
 
 from elastica_cad.errors import InputError
@@ -77,7 +78,7 @@ def _beside(strip: Any) -> App.Placement:
     if source is not None and not _box(source).isValid():
         source.recompute()  # a sketch that undo brought back, or that was not recomputed yet
     box = _box(source)
-    if not box.isValid():
+    if not is_bounded(box):
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value

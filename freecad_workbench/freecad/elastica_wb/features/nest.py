@@ -3,16 +3,18 @@
 
 """Everything that must be cut, laid on sheets, as a parametric object."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD as App
 import Part
+from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features, told_blanks_of
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.shapes.part_shapes import make_wire
+from freecad.elastica_wb.shapes.part_shapes import is_bounded, make_wire
 
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 
@@ -75,9 +77,16 @@ def tell_left_out(obj: Any) -> None:
 
 def create(document: Any, sources: list[Any]) -> Any:
     """A nest of strips, models and base plates in front of everything; recompute the document to see it."""
-    boxes = [one.Shape.BoundBox for one in document.Objects if hasattr(one, "Shape")]
-    lowest = min((box.YMin for box in boxes if box.isValid()), default=0.0)
+    lowest = min((box.YMin for box in _boxes(document)), default=0.0)
     obj = added(document, "Nest", NestFeature)
     obj.Sources = sources
     obj.Placement.Base.y = lowest - obj.SheetHeight.Value - SPACE_MM
     return obj
+
+
+def _boxes(document: Any) -> Iterator[App.BoundBox]:
+    """Around each thing in the document, where that stands."""
+    for one in document.Objects:
+        box = one.Shape.BoundBox if hasattr(one, "Shape") else App.BoundBox()
+        if is_bounded(box):
+            yield box.transformed(container(one).toMatrix())

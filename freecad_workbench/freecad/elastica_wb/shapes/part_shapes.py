@@ -27,6 +27,7 @@ from elastica_cad.geometry.paths.segments import Arc, Line, Segment
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
+ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
@@ -139,6 +140,11 @@ def _folder() -> str:
     """Where files may lie for a moment: FreeCAD on Windows only opens names in ASCII."""
     usual = tempfile.gettempdir()
     return usual if os.name != "nt" or usual.isascii() else os.environ["PROGRAMDATA"]
+
+
+def is_bounded(box: App.BoundBox) -> bool:
+    """Is there something in a box, and an end to it? FreeCAD 1.1 keeps endless planes in every body and part."""
+    return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
 
 def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
