@@ -95,6 +95,8 @@ def test_dragging_in_the_sketcher(tmp_path):
     assert found["overlay of a bad curve"]["crossings"] == 2
     assert found["overlay of a bad curve"]["nearest"] > 100
     assert "crosses the curve" in found["sentence of a bad curve"]
+    assert found["steps from the open sketch"] == ["Nearest curve to sketch", "Strip from sketch"]
+    assert found["left by Cancel"] == [4, 4]
     assert (tmp_path / "dragging.png").stat().st_size > 10_000
 
 

@@ -12,13 +12,16 @@ import FreeCADGui as Gui
 from inside import (
     WAVE,
     answers,
+    button,
     fit,
     mouse,
     on_screen,
+    panel,
     picture,
     run,
     scene,
     sketch,
+    trigger,
     until,
     wait,
 )
@@ -91,7 +94,15 @@ def work():
     answers["overlay of a bad curve"] = live.session().overlay.shown()
     answers["sentence of a bad curve"] = live.session().sentence
     picture("bad.png")
-    Gui.ActiveDocument.resetEdit()
+    for command in ("Elastica_Nearest", "Elastica_Strip"):
+        if live.session() is None:
+            Gui.ActiveDocument.setEdit(bad.Name)
+        until(lambda: live.session() is not None)
+        trigger(command)
+        until(lambda: Gui.Control.activeDialog() and panel() is not None and panel().form.isVisible())
+        answers.setdefault("steps from the open sketch", []).append(document.UndoNames[0])
+        button("Cancel")
+        answers.setdefault("left by Cancel", []).append(len(document.Objects))
     wait(100)
 
 

@@ -84,9 +84,9 @@ def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
 
 def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
     """Make a feature in the open document and edit it: one undo step until OK."""
+    record_step(App.ActiveDocument, step)  # first, or it bears FreeCAD's name for closing the sketch
     if edited_sketch() is not None:
         Gui.ActiveDocument.resetEdit()
-    record_step(App.ActiveDocument, step)
     made = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)
     show_panel(panel_of, made)

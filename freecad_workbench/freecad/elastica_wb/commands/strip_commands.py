@@ -45,10 +45,9 @@ class StripCommand(CurveCommand):
     def run(self) -> None:
         """One strip for every selected curve; the panel of the last one stays open."""
         curves = chosen_curves()
-        document = App.ActiveDocument
+        record_step(App.ActiveDocument, self.text)  # first, or it bears FreeCAD's name for closing the sketch
         if edited_sketch() is not None:
             Gui.ActiveDocument.resetEdit()
-        record_step(document, "Strip from sketch")
         made = [recorded(make_strip, source, edges, flat_part=False) for source, edges in curves]
         for one in made:
             _add_flat(one)
