@@ -215,7 +215,7 @@ class Rod:
         return svg_of_lines([(band, GREY, True), (self.position, BLUE, False)], repr(self))
 
     def table(self) -> dict[str, FloatArray]:
-        """Columns (n,) by name with their unit, for a data frame or a file; force is lambda, moment M = K kappa.
+        """Columns (n,) by name with their unit, for a data frame or a file; force is lambda, moment M.
 
         Times the bending stiffness of a strip (N mm2) they are newtons and N mm: `Strip.table` has those.
         """
@@ -365,7 +365,8 @@ class Rod:
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
         """The same ends, shape and gravity with another stiffness profile: no longer in balance until bent.
 
-        `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1.
+        `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1. A wide strip that
+        `bend` answered keeps the curl of the widths that it had: change the stiffness before it is bent.
         """
         if not isinstance(stiffness, Profile) and np.size(stiffness) not in (1, self.s.size):
             raise InputError(
