@@ -16,6 +16,7 @@ import click
 import numpy as np
 
 from elastica_cad.cli.asking.lengths import Length
+from elastica_cad.cli.asking.options import given_of, option_name
 from elastica_cad.cli.running.design_mends import mends
 from elastica_cad.cli.running.typed_command import TRYING, command_line, length_among
 from elastica_cad.errors import ElasticaError
@@ -310,7 +311,7 @@ def _handled(refused: _Refused) -> Iterator[Words]:
         return
     (left, low), (right, high) = box_around_curves(curves)
     home = dict(zip(CORNERS, ((left, low), (right, low), (right, high), (left, high)), strict=True))
-    places = {name: asked[name] for name in CORNERS if asked[name] is not None}
+    places = given_of(asked, CORNERS)
     handles = asked["handles"]
     pulls = [option for option in refused.command.params if option.name in (*CORNERS, "handles")]
     gone = {i for option in pulls for span in refused.typed(option) for i in range(*span)}
@@ -321,7 +322,9 @@ def _handled(refused: _Refused) -> Iterator[Words]:
 
     for share in (1.0, 0.5, 0.2) if handles and places else (0.5, 0.2, 0.05):
         if places:
-            moved = ((_option(name), *towards(home[name], place, share)) for name, place in places.items())
+            moved = (
+                (option_name(name), *towards(home[name], place, share)) for name, place in places.items()
+            )
             yield (*rest, *chain.from_iterable(moved))
         elif len(handles) == 4:
             moved = (
@@ -330,11 +333,6 @@ def _handled(refused: _Refused) -> Iterator[Words]:
             )
             yield (*rest, *chain.from_iterable(moved))
     yield (*rest, "--top-right", *towards((left, low), (right, high), PULLED))
-
-
-def _option(name: str) -> str:
-    """The option that sets a parameter."""
-    return f"--{name.replace('_', '-')}"
 
 
 def _within(refused: _Refused) -> Iterator[Words]:

@@ -9,7 +9,7 @@ import click
 from elastica_cad._types import FloatArray
 from elastica_cad.cli.asking.asked_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.asking.lengths import LENGTH, POINT
-from elastica_cad.cli.asking.options import output_options
+from elastica_cad.cli.asking.options import option_name, output_options
 from elastica_cad.cli.running.strip_cures import cure_for_curve
 from elastica_cad.cli.running.typed_command import MOST_CURES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
@@ -105,7 +105,7 @@ def _map(
     if corners:
         return map_corners(curves, corners)
     if not handles:
-        options = ", ".join("--" + name.replace("_", "-") for name in CORNERS)
+        options = ", ".join(map(option_name, CORNERS))
         raise InputError(
             f"say where a corner of the box around the curve goes ({options}), or give four --handle"
         )

@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from elastica_cad.cli.asking.lengths import LENGTH, SPACE_POINT, Length
-from elastica_cad.cli.asking.options import asked_sheet, output_options, sheet_options
+from elastica_cad.cli.asking.options import asked_sheet, given_of, output_options, sheet_options
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
@@ -124,7 +124,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     if chosen["stand"] != "none":
         asked_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
-    named = {key: chosen[key] for key in ("unit", "scale") if chosen[key] is not None}
+    named = given_of(chosen, ("unit", "scale"))
     family = _family_named(chosen | {"sheet": sheet})
     try:
         surface = read_sized_surface(read_surface, mesh, **named)

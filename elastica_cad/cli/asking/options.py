@@ -1,6 +1,6 @@
 """Options that several commands share."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -12,6 +12,16 @@ if TYPE_CHECKING:
     from elastica_cad.mechanics.material.sheet import Sheet
 
 F = TypeVar("F", bound=Callable[..., Any])
+
+
+def option_name(name: str) -> str:
+    """How the option that sets a parameter is typed."""
+    return f"--{name.replace('_', '-')}"
+
+
+def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
+    """Those of the parameters that were given."""
+    return {name: chosen[name] for name in names if chosen[name] is not None}
 
 
 def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:

@@ -8,7 +8,14 @@ from typing import Any, cast
 import click
 
 from elastica_cad.cli.asking.lengths import LENGTH, POINT, SPACE_POINT
-from elastica_cad.cli.asking.options import asked_sheet, join_options, sheet_options, smooth_option
+from elastica_cad.cli.asking.options import (
+    asked_sheet,
+    given_of,
+    join_options,
+    option_name,
+    sheet_options,
+    smooth_option,
+)
 from elastica_cad.cli.asking.support_options import support_options
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.asked_gravity import AskedGravity
@@ -40,6 +47,10 @@ PAIR, TRIPLE = (float, float), (float, float, float)
 PERFORATED = ("columns", "rows", "hole_ratio", "least_ligament", "least_hole", "corner_radius", "sides")
 LAMINATED = ("least_backing", "dots")
 """Sizes of the styles: fields of their records, and options of the same name."""
+
+SAME_NAME = ("max_width", "min_width", "natural_curvature", "samples", "joint", "slots", "smooth", "compensate",
+             "creep", "anyway")  # fmt: skip
+"""Fields of `StripSpec` that options of the same name give."""
 
 OPTION_OF = {
     "max_width": "--max-width", "min_width": "--min-width", "samples": "--samples", "loads": "--hang",
@@ -197,27 +208,18 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
         return StripSpec(
             curve,
             sheet,
-            max_width=chosen["max_width"],
-            min_width=chosen["min_width"],
             style=_style(chosen, backing),
             limits=limits,
             keep=keep if limits is None else keep or Keep(),
             gravity=_gravity(chosen),
             loads=_loads(chosen),
             supports=Supports(chosen["start"], chosen["end"]),
-            natural_curvature=chosen["natural_curvature"],
-            samples=chosen["samples"],
             ends=_ends(chosen),
-            joint=chosen["joint"],
-            slots=chosen["slots"],
             label=label,
-            smooth=chosen["smooth"],
             shop=_shop(chosen),
-            compensate=chosen["compensate"],
-            creep=chosen["creep"],
-            anyway=chosen["anyway"],
             frame=_frame(chosen),
             law=law,
+            **{name: chosen[name] for name in SAME_NAME},
         )
     except InputError as problem:
         raise InputError(f"{problem}{_options_named(str(problem))}") from problem
@@ -231,10 +233,7 @@ def _options_named(sentence: str) -> str:
 
 def _shop(chosen: Mapping[str, Any]) -> Shop:
     """Limits of the workshop; ligaments are as fine as the style is told to make them."""
-    given = {name: chosen[name] for name in ("least_width", "stock", "lap") if chosen[name] is not None}
-    if chosen["least_ligament"] is not None:
-        given["least_ligament"] = chosen["least_ligament"]
-    return Shop(**given)
+    return Shop(**given_of(chosen, ("least_width", "stock", "lap", "least_ligament")))
 
 
 def _style(chosen: Mapping[str, Any], backing: Sheet | None) -> Style:
@@ -242,16 +241,15 @@ def _style(chosen: Mapping[str, Any], backing: Sheet | None) -> Style:
     kind = chosen["style"]
     sizes = {"perforated": PERFORATED, "laminated": ("backing", *LAMINATED)}
     for other, names in sizes.items():
-        idle = [name for name in names if other != kind and chosen[name] is not None]
-        if idle:
-            raise InputError(f"--{idle[0].replace('_', '-')} is of a {other} strip: add --style {other}")
+        if other != kind and (idle := [*given_of(chosen, names)]):
+            raise InputError(f"{option_name(idle[0])} is of a {other} strip: add --style {other}")
     if kind == "plain":
         if chosen["outer_width"] is not None:
             raise InputError("--outer-width is of a perforated or laminated strip: add --style")
         return Plain()
     if chosen["outer_width"] is None:
         raise InputError(f"a {kind} strip has a width of its own: give --outer-width MM")
-    given = {name: chosen[name] for name in sizes[kind] if chosen[name] is not None}
+    given = given_of(chosen, sizes[kind])
     if kind == "perforated":
         return Perforated(width=chosen["outer_width"], **given)
     if backing is None:
@@ -286,11 +284,8 @@ def _gravity(chosen: Mapping[str, Any]) -> AskedGravity:
 
 def refuse_idle_weight(chosen: Mapping[str, Any], names: Sequence[str]) -> None:
     """Refuse options of a weight that is not asked for."""
-    idle = [name for name in names if chosen[name] is not None]
-    if idle:
-        raise InputError(
-            f"--{idle[0].replace('_', '-')} says how weight pulls, which is left out: add --gravity"
-        )
+    if idle := [*given_of(chosen, names)]:
+        raise InputError(f"{option_name(idle[0])} says how weight pulls, which is left out: add --gravity")
 
 
 def _loads(chosen: Mapping[str, Any]) -> tuple[PointMass, ...] | Weight:
@@ -343,17 +338,17 @@ def _keep(chosen: Mapping[str, Any]) -> Keep | None:
 def _refuse_both(chosen: Mapping[str, Any], flag: str, other: str, what: str) -> None:
     """Refuse a flag beside the option that says the same otherwise."""
     if chosen[flag] and chosen[other] is not None:
-        options = " and ".join(f"--{name.replace('_', '-')}" for name in (flag, other))
+        options = " and ".join(map(option_name, (flag, other)))
         raise InputError(f"{options} both say {what}: leave one of them out")
 
 
 def _ends(chosen: Mapping[str, Any]) -> tuple[Tab, Tab]:
     own = chosen["start_tab"], chosen["end_tab"]
-    sizes = {name: chosen[name] for name in ("tab", "tab_radius") if chosen[name] is not None}
+    sizes = given_of(chosen, ("tab", "tab_radius"))
     if all(own) and sizes:
         raise InputError(
-            f"--{next(iter(sizes)).replace('_', '-')} is of tabs without sizes of their own, and both tabs have "
-            "theirs: leave it out"
+            f"{option_name(next(iter(sizes)))} is of tabs without sizes of their own, and both tabs have theirs: "
+            "leave it out"
         )
     usual = Tab(sizes.get("tab", TAB_LENGTH_MM), corner_radius=sizes.get("tab_radius", 0.0))
     return own[0] or usual, own[1] or usual
