@@ -16,7 +16,10 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 
 AHEAD = 64
-"""Curves with an executor at a time: enough for a dozen workers, and little to keep in memory."""
+"""Curves of a stream with an executor at a time: enough for a dozen workers, and little to keep in memory."""
+
+LISTED = 1024
+"""The same of a list, which is in memory anyway: several for each of hundreds of workers."""
 
 _SHARES = 16
 """In so many shares they are given to workers, once there are more than that."""
@@ -87,7 +90,7 @@ def nearest_rods(
         for curve, given in zip(curves, zip(*columns, strict=True), strict=True)
     ]
     results: dict[int, NearestRod] = {}
-    for i, near in _in_order_of_completion(tasks, executor, AHEAD):
+    for i, near in _in_order_of_completion(tasks, executor, LISTED):
         results[i] = near
         if progress is not None:
             progress(len(results), count)

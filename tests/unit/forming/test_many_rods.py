@@ -4,19 +4,23 @@ import gc
 import weakref
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
+from threading import Barrier
 
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.forming import many_rods
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.many_rods import nearest_rods, stream_nearest_rods
-from elastica_cad.forming.nearest.nearest_record import Status
+from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 
 pytestmark = pytest.mark.core
+
+WORKERS = 100
 
 ARCHES = [PlaneCurve.spline([(0, 0), (20, h), (80, h), (100, 0)], degree=3) for h in (40, 60, 80)]
 
@@ -186,3 +190,18 @@ def test_bad_streams_are_said():
         stream_nearest_rods(ARCHES, ahead=0)
     with pytest.raises(InputError, match="stream_nearest_rods knows no option 'measur'"):
         stream_nearest_rods(ARCHES, measur="max")
+
+
+def test_a_list_keeps_any_number_of_workers_busy(monkeypatch):
+    """Each task waits until as many have begun as there are workers."""
+    begun = Barrier(WORKERS)
+    failed = NearestRod.failed(ARCHES[0], "", None, None)
+
+    def attempted(_):
+        begun.wait(timeout=20)
+        return failed
+
+    monkeypatch.setattr(many_rods, "_attempted", attempted)
+    with ThreadPoolExecutor(WORKERS) as executor:
+        answers = nearest_rods(ARCHES[:1] * WORKERS, Limits(ratio=1.3), executor=executor)
+    assert all(near is failed for near in answers)
