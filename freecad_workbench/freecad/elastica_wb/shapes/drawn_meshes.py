@@ -8,6 +8,7 @@ OpenCASCADE's takes a third to a half of a recompute: it walks through every spa
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -126,10 +127,6 @@ def _four_sided(face: Face, boundary: Boundary, followed: dict[int, FloatArray])
     points = np.concatenate(parts)
     if len(there) > 1 and _leans(points[:size:count], points[size:][::-count]):
         return None
-    ahead = np.arange(size)
-    beside = 2 * size - 1 - ahead
-    a, b, c, d = ahead[:-1], ahead[1:], beside[1:], beside[:-1]
-    triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
     edges = [
         (use.edge, _ordered(np.arange(k, k + count + 1), use.forward))
         for start, chain in ((0, there), (size, back))
@@ -137,7 +134,16 @@ def _four_sided(face: Face, boundary: Boundary, followed: dict[int, FloatArray])
     ]
     ends = (loop[second], (size - 1, size)), (loop[first], (2 * size - 1, 0))
     edges += [(use.edge, _ordered(np.array(nodes), use.forward)) for use, nodes in ends]
-    return FaceMesh(points, triangles, edges)
+    return FaceMesh(points, _rungs(size), edges)
+
+
+@lru_cache(maxsize=16)
+def _rungs(size: int) -> IntArray:
+    """Triangles between points 0 .. size - 1 of one side and those that come back along the other."""
+    ahead = np.arange(size)
+    beside = 2 * size - 1 - ahead
+    a, b, c, d = ahead[:-1], ahead[1:], beside[1:], beside[:-1]
+    return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
 
 
 def _leans(one: FloatArray, other: FloatArray) -> bool:
