@@ -146,14 +146,9 @@ def _triangulation(face: FaceMesh, off: float) -> bytes:
 
 
 def _polygon(nodes: IntArray, parameters: FloatArray, off: float) -> bytes:
-    return b"".join(
-        [
-            pack("<i", nodes.size),
-            (nodes + 1).astype("<i4").tobytes(),
-            pack("<d?", off, True),
-            _reals(parameters),
-        ]
-    )
+    count = nodes.size
+    numbers = [node + 1 for node in nodes.tolist()]
+    return pack(f"<{count + 1}id?{count}d", count, *numbers, off, True, *parameters.tolist())
 
 
 def _added(table: list[bytes], row: bytes) -> int:
