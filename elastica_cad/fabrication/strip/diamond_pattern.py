@@ -205,20 +205,22 @@ class DiamondPattern:
         rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
         low, high = cuts[:-1], cuts[1:]
         inset = INSET * (high - low)
-        single, enough = fit_spans(
+        single, parts = fit_spans(
             self._values, low + inset, high - inset, degree=3, tolerance=FIT_MM, rounding=FIT_ROUNDING
         )
-        enough &= ~np.array([any(a < s < b for s, _ in rough) for a, b in pairwise(cuts.tolist())])
+        broken = [any(a < s < b for s, _ in rough) for a, b in pairwise(cuts.tolist())]
         starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
         ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
         found = []
         for i, (a, b) in enumerate(pairwise(cuts.tolist())):
             knots, values = np.repeat([a, b], 4), single[i]
-            if not enough[i]:
+            if parts[i] > 1 or broken[i]:
                 inside = (a + inset[i], b - inset[i])
+                begin = np.linspace(*inside, 1 + (1 if broken[i] else parts[i]))[1:-1]
                 knots, values = adaptive_spline(
-                    self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, rounding=FIT_ROUNDING
-                )
+                    self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, knots=begin,
+                    rounding=FIT_ROUNDING,
+                )  # fmt: skip
                 knots[:4], knots[-4:] = a, b
             values[0], values[-1] = starts[i], ends[i]
             found.append(_Stretch(knots, values))

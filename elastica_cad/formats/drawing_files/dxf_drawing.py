@@ -5,7 +5,7 @@ import logging
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, lru_cache
 from importlib import import_module
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -31,6 +31,7 @@ DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
 _TRUE_COLOR = DXF_VERSIONS[2:]
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
 _OPTIONS = Lock()
+_KEPT_KNOTS = 16384  # some 10 MB
 
 
 def encode_dxf(
@@ -207,11 +208,17 @@ def _spline_text(curve: PlaneCurve, *, closed: bool) -> str:
     return "".join(
         [
             f"100\nAcDbSpline\n 70\n{flags}\n 71\n{curve.degree}\n{counts}",
-            *[f" 40\n{knot}\n" for knot in curve.knots.tolist()],
+            _knot_lines(curve.knots.tobytes()),
             *[f" 41\n{weight}\n" for weight in weights],
             *[f" 10\n{x}\n 20\n{y}\n 30\n0.0\n" for x, y in curve.control_points.tolist()],
         ]
     )
+
+
+@lru_cache(maxsize=_KEPT_KNOTS)
+def _knot_lines(written: bytes) -> str:
+    """Of knots as bytes: sides of holes side by side share theirs, and those of a part and of its sheet."""
+    return "".join([f" 40\n{knot}\n" for knot in np.frombuffer(written).tolist()])
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:

@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
@@ -99,10 +99,11 @@ def fit_spans(
     degree: int,
     tolerance: float,
     rounding: float = 1e-13,
-) -> tuple[FloatArray, BoolArray]:
+) -> tuple[FloatArray, IntArray]:
     """Coefficients (p, degree + 1, q) of one polynomial on each domain from low to high (p,), at one go.
 
-    They are those of `adaptive_spline` where it takes no knots inside: there the second array (p,) is true.
+    They are those of `adaptive_spline` where it takes no knots inside. The second array (p,) says into how many
+    even parts it cuts each domain first: 1 where it takes none.
     """
     sites, weight = gauss_rule(degree + 3)
     places, inner, probing = _places(degree)
@@ -110,7 +111,8 @@ def fit_spans(
     weighted = (weight[:, None] * inner).T
     coefficients = np.linalg.solve(weighted @ inner, weighted) @ samples[:, : sites.size]
     error = np.abs(probing @ coefficients - samples[:, sites.size :]).max(axis=(1, 2))
-    return coefficients, error <= np.maximum(tolerance, rounding * np.abs(samples).max(axis=(1, 2)))
+    accepted = np.maximum(tolerance, rounding * np.abs(samples).max(axis=(1, 2)))
+    return coefficients, np.where(error <= accepted, 1, _parts(error / accepted, degree))
 
 
 def _break_orders(breaks: Sequence[tuple[float, int]], domain: tuple[float, float]) -> dict[float, int]:

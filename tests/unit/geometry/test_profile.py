@@ -242,10 +242,16 @@ def test_polynomials_side_by_side_are_those_of_adaptive_splines():
         return np.column_stack([bump(s), np.cos(s / 9)])
 
     edges = np.linspace(0.0, 300.0, 31)
-    found, enough = fit_spans(both, edges[:-1], edges[1:], degree=3, tolerance=2e-4)
+    found, parts = fit_spans(both, edges[:-1], edges[1:], degree=3, tolerance=2e-4)
+    enough = parts == 1
     for k, pieces in enumerate(found):
         knots, coefficients = adaptive_spline(both, (edges[k], edges[k + 1]), degree=3, tolerance=2e-4)
         assert enough[k] == (knots.size == 8)
         if enough[k]:
             assert pieces == pytest.approx(coefficients, abs=1e-12)
+        begin = np.linspace(edges[k], edges[k + 1], parts[k] + 1)[1:-1]
+        ends = edges[k], edges[k + 1]
+        begun, same = adaptive_spline(both, ends, degree=3, tolerance=2e-4, knots=begin)
+        assert np.array_equal(begun, knots)
+        assert np.array_equal(same, coefficients)
     assert 0 < enough.sum() < len(found)
