@@ -26,8 +26,8 @@ def bare(shape: Any) -> Any:
 MODULES = (
     "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools", "GeomAbs",
     "GeomConvert", "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",
-    "STEPCAFControl", "STEPControl", "ShapeUpgrade", "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp",
-    "TopLoc", "TopoDS", "XCAFDoc", "gp",
+    "STEPCAFControl", "STEPControl", "ShapeBuild", "ShapeFix", "ShapeUpgrade", "TCollection", "TDataStd",
+    "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS", "XCAFDoc", "gp",
 )  # fmt: skip
 ARRAYS = {
     "7": "TColgp.TColgp_Array1OfPnt TColgp.TColgp_Array1OfPnt2d TColgp.TColgp_Array2OfPnt "
@@ -73,6 +73,7 @@ def kernel() -> SimpleNamespace:
     except (ImportError, AttributeError) as error:
         raise _unsound(error) from error
     names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge
+    names["as_vertex"] = getattr(names["TopoDS"], "Vertex_s", None) or names["TopoDS"].Vertex
     names["as_face"] = getattr(names["TopoDS"], "Face_s", None) or names["TopoDS"].Face
     return SimpleNamespace(**names)
 

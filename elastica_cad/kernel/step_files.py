@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from io import BytesIO
 from os import PathLike
@@ -30,6 +30,7 @@ from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 from elastica_cad.kernel.step_text import canonical_step, with_shared_geometry
+from elastica_cad.kernel.step_transfer import has_many_wires, transfer_as_they_are, with_wires_apart
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
@@ -104,6 +105,11 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
 def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     """The STEP file of the parts; several of them make one assembly called `name`."""
     k = kernel()
+    shapes = {id(part.shape): bare(part.shape) for part in parts}
+    holed = any(map(has_many_wires, shapes.values()))
+    if holed:
+        shapes = {number: with_wires_apart(shape) for number, shape in shapes.items()}
+        parts = [replace(part, shape=shapes[id(part.shape)]) for part in parts]
     document = make_document(parts, name=name)
     stream = BytesIO()
     elementary = all(_is_elementary(part.shape) for part in parts)
@@ -111,6 +117,8 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         writer = k.STEPCAFControl_Writer()
         writer.SetColorMode(True)
         writer.SetNameMode(True)
+        if holed:
+            transfer_as_they_are(writer, shapes.values())
         done = writer.Transfer(document, k.STEPControl_StepModelType.STEPControl_AsIs)
         header = k.APIHeaderSection_MakeHeader(writer.Writer().Model())
         text = k.TCollection_HAsciiString

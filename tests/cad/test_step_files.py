@@ -1,6 +1,7 @@
 """STEP files: names, colours, units and edges, read back by OpenCASCADE and by FreeCAD."""
 
 import re
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -8,12 +9,19 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.files import read_curves
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path as Chain
 from elastica_cad.geometry.paths.segments import Spline
-from elastica_cad.kernel import occt
+from elastica_cad.kernel import occt, step_transfer
 from elastica_cad.kernel import step_files as step
+from elastica_cad.kernel.ocp_import import kernel
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 
 def entities(path, name):
@@ -49,6 +57,32 @@ def test_same_bytes_every_time(plain, tmp_path):
     numbers = [int(n) for n in re.findall(r"^#(\d+) = ", content, re.MULTILINE)]
     assert numbers == list(range(1, len(numbers) + 1))
     assert {int(n) for n in re.findall(r"#(\d+)", content)} == set(numbers)
+
+
+def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, measure):
+    """Wires are parted by us there, also where holes touch the joint to a tab, and OpenCASCADE is not asked to."""
+    curve = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    style = Perforated(24.0, columns=3, rows=8, least_ligament=0.4)
+    strip = Strip(optimal_rod(curve), Sheet.named("card-200gsm"), style=style, ends=(Tab(10), Tab(10)))
+    found = {}
+    for most in (10**6, 8):
+        monkeypatch.setattr(step_transfer, "MANY_WIRES", most)
+        path = tmp_path / f"{most}.step"
+        step.write_strip_step(strip, path)
+        kinds = Counter(re.findall(r"^#\d+ = \(? ?([A-Z_0-9]+)", path.read_text(), re.MULTILINE))
+        again = tmp_path / f"{most} again.step"
+        step.write_strip_step(strip, again)
+        assert again.read_bytes().replace(b" again", b"") == path.read_bytes()
+        solids = occt.sub_shapes(step.read_step_shape(path), kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
+        found[most] = (
+            kinds,
+            [(measure.volume(solid, bent=False), measure.is_valid(solid)) for solid in solids],
+        )
+    (kinds, few), (same_kinds, many) = found.values()
+    assert kinds == same_kinds
+    assert kinds["FACE_BOUND"] > 150
+    assert all(sound for _, sound in many)
+    assert [volume for volume, _ in many] == pytest.approx([volume for volume, _ in few], rel=1e-9)
 
 
 def entity(text, number):
