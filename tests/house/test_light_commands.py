@@ -16,6 +16,11 @@ NOT_FOR_A_STRIP = (
 )  # fmt: skip
 """Rooms that a strip which follows its curve, without bodies, never enters."""
 
+NOT_FOR_STRIPS_IN_A_BASE = (
+    "forming.plane_sections.section_spec", "forming.revolution.meridian", "fabrication.model.revolution_model",
+)  # fmt: skip
+"""Rooms for sections of surfaces, and for surfaces of revolution."""
+
 NOT_FOR_A_CHECK = (
     "mechanics.stiffness.optimal_rod", "mechanics.rod.rod_record", "fabrication.strip_spec",
     "mechanics.material.sheet",
@@ -45,6 +50,15 @@ def test_a_strip_needs_no_package_of_scipy(project_root, tmp_path):
     assert "elastica_cad.fabrication.strip.strip_record" in loaded
     assert not SCIPY & loaded
     assert not {f"elastica_cad.{name}" for name in NOT_FOR_A_STRIP} & loaded
+
+
+def test_a_model_s_sheets_need_no_library_beyond_numpy(project_root, tmp_path):
+    pavilion = project_root / "examples" / "pavilion" / "pavilion.toml"
+    less = [f"--no-{what}" for what in ("step", "parts", "effects", "pictures")]
+    loaded = _loaded(["model", str(pavilion), *less, "-o", str(tmp_path / "kit")], (), tmp_path)
+    assert "elastica_cad.formats.drawing_files.dxf_drawing" in loaded
+    assert not {"scipy", "ezdxf", "matplotlib", "OCP", "secrets"} & loaded
+    assert not {f"elastica_cad.{name}" for name in NOT_FOR_STRIPS_IN_A_BASE} & loaded
 
 
 @pytest.mark.parametrize("drawn", ["arch.dxf", "arch.svg"])
