@@ -4,7 +4,7 @@ import ast
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -78,17 +78,21 @@ class Formula:
     def names(self) -> frozenset[str]:
         """Names that must be given."""
         calls = {node.func for node in ast.walk(self._tree) if isinstance(node, ast.Call)}
-        found = {n.id for n in ast.walk(self._tree) if isinstance(n, ast.Name) and n not in calls}
+        found = {n.id for n in self._parsed[1] if n not in calls}
         return frozenset(found - set(CONSTANTS))
 
-    @cached_property
+    @property
     def _tree(self) -> ast.expr:
+        return self._parsed[0]
+
+    @cached_property
+    def _parsed(self) -> "_Parsed":
         if len(self.text) > MOST_LETTERS:
             raise InputError(
                 f"{self.where}: a formula of {len(self.text)} letters is too long; use let to name parts"
             )
         try:
-            return ast.parse(self.text.strip(), mode="eval").body
+            return _parsed(self.text)
         except SyntaxError as error:
             at = f"letter {error.offset}" if error.offset else "its end"
             raise InputError(f"{self.where}: {self.text!r} is no formula: it breaks off at {at}") from error
@@ -104,11 +108,12 @@ class Formula:
             A name that has no value, or a result that is not finite.
         """
         known: dict[str, Value] = {**CONSTANTS, **(values or {}), **more}
-        for node in ast.walk(self._tree):
-            if isinstance(node, ast.Name) and node.id not in known and node.id not in FUNCTIONS:
+        tree, names = self._parsed
+        for node in names:
+            if node.id not in known and node.id not in FUNCTIONS:
                 raise InputError(self._unknown("name", node, known))
         with np.errstate(all="ignore"):
-            result = np.asarray(_value(self._tree, known), dtype=float)
+            result = np.asarray(_value(tree, known), dtype=float)
         if not np.all(np.isfinite(result)):
             raise InputError(
                 f"{self.where}: {self.text!r} gives no finite number: a division by 0 or a root below 0?"
@@ -119,6 +124,16 @@ class Formula:
         near = get_close_matches(node.id, known, n=1)
         hint = f"did you mean {near[0]}?" if near else f"known are {', '.join(sorted(known))}"
         return f"{self.where}: unknown {kind} {node.id!r} at letter {node.col_offset + 1} of {self.text!r}; {hint}"
+
+
+_Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
+
+
+@lru_cache(maxsize=256)
+def _parsed(text: str) -> _Parsed:
+    """A formula's tree, and all names in it; strips of a family share their formulae."""
+    tree = ast.parse(text.strip(), mode="eval").body
+    return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
 
 
 def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
