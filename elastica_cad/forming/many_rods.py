@@ -21,8 +21,8 @@ AHEAD = 64
 LISTED = 1024
 """The same of a list, which is in memory anyway: several for each of hundreds of workers."""
 
-_SHARES = 16
-"""In so many shares they are given to workers, once there are more than that."""
+_AT_ONCE, _SHARES = 4, 16
+"""Curves that a worker gets together, at most, of so many shares of those ahead."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -189,7 +189,7 @@ def _in_order_of_completion(
 
 def _share(begun: int, ahead: int) -> int:
     """Curves that a worker is given at once: one while there may be few, then several, as each way costs time."""
-    return 1 if begun < ahead else max(1, ahead // _SHARES)
+    return 1 if begun < ahead else min(_AT_ONCE, max(1, ahead // _SHARES))
 
 
 class _Task(NamedTuple):
