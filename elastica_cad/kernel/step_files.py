@@ -133,7 +133,7 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     if not done:
         raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
     content = canonical_step(stream.getvalue())
-    return with_shared_geometry(content) if elementary else content
+    return with_shared_geometry(content) if elementary or holed else content
 
 
 def _is_elementary(shape: Shape) -> bool:

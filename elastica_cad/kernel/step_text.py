@@ -11,13 +11,15 @@ _STYLES = re.compile(
 _ENTITY = re.compile(rb"#(\d+) = (.*?);\n", re.DOTALL)
 _REFERENCE = re.compile(rb"#(\d+)")
 _FOLD = re.compile(rb"\n\s*")
-_GEOMETRY = tuple(
-    kind + b"("
-    for kind in (
-        b"CARTESIAN_POINT", b"DIRECTION", b"VECTOR", b"AXIS2_PLACEMENT_3D", b"LINE", b"CIRCLE", b"PLANE",
-        b"CYLINDRICAL_SURFACE", b"CONICAL_SURFACE", b"SPHERICAL_SURFACE", b"TOROIDAL_SURFACE",
-    )
+_GEOMETRY = (
+    (b"CARTESIAN_POINT(", b"DIRECTION(", b"( GEOMETRIC_REPRESENTATION_CONTEXT(2)"),
+    (b"VECTOR(", b"AXIS2_PLACEMENT_3D("),
+    (
+        b"LINE(", b"CIRCLE(", b"B_SPLINE_CURVE_WITH_KNOTS(", b"PLANE(", b"CYLINDRICAL_SURFACE(",
+        b"CONICAL_SURFACE(", b"SPHERICAL_SURFACE(", b"TOROIDAL_SURFACE(", b"B_SPLINE_SURFACE_WITH_KNOTS(",
+    ),
 )  # fmt: skip
+"""What is said once; each kind refers to those of the rows before its own alone."""
 
 
 def canonical_step(content: bytes) -> bytes:
@@ -53,24 +55,27 @@ def _sorted_styles(styles: bytes) -> bytes:
 
 
 def with_shared_geometry(content: bytes) -> bytes:
-    """A STEP file that says each point, direction, line and plane once, however many faces refer to it.
+    """A STEP file that says each point, direction, curve and surface once, however many faces refer to it.
 
-    OpenCASCADE writes them anew for every face and edge, which is a third of a file without splines.
+    OpenCASCADE writes them anew for every face and edge: a third of a file without splines, and half of one with
+    thousands of holes, whose edges stand on the walls' own points and in two faces' parameters.
     """
     start = content.index(b"DATA;") + len(b"DATA;")
     end = content.rindex(b"ENDSEC;")
     entities = {int(number): _FOLD.sub(b"", text) for number, text in _ENTITY.findall(content[start:end])}
-    while True:
+    again: dict[int, int] = {}
+    for kinds in _GEOMETRY:
         first: dict[bytes, int] = {}
-        again: dict[int, int] = {}
-        for number, text in entities.items():
-            if text.startswith(_GEOMETRY) and first.setdefault(text, number) != number:
-                again[number] = first[text]
-        if not again:
-            break
-        entities = {n: _renamed(text, again) for n, text in entities.items() if n not in again}
-    order = {number: new for new, number in enumerate(entities, start=1)}
-    lines = (b"#%d = %s;\n" % (order[n], _renamed(text, order)) for n, text in entities.items())
+        alike = [(number, text) for number, text in entities.items() if text.startswith(kinds)]
+        for number, text in alike:
+            entities[number] = _renamed(text, again)
+            same = first.setdefault(entities[number], number)
+            if same != number:
+                again[number] = same
+    kept = [number for number in entities if number not in again]
+    order = {number: new for new, number in enumerate(kept, start=1)}
+    order |= {number: order[same] for number, same in again.items()}
+    lines = (b"#%d = %s;\n" % (order[n], _renamed(entities[n], order)) for n in kept)
     return b"".join([content[:start], b"\n", *lines, content[end:]])
 
 

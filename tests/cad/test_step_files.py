@@ -78,9 +78,17 @@ def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, me
             kinds,
             [(measure.volume(solid, bent=False), measure.is_valid(solid)) for solid in solids],
         )
-    (kinds, few), (same_kinds, many) = found.values()
-    assert kinds == same_kinds
+    (kinds, few), (shared, many) = found.values()
+    bounds = ("FACE_BOUND", "EDGE_CURVE", "ADVANCED_FACE", "VERTEX_POINT", "PCURVE", "ORIENTED_EDGE")
+    assert [kinds[kind] for kind in bounds] == [shared[kind] for kind in bounds]
     assert kinds["FACE_BOUND"] > 150
+    assert shared["CARTESIAN_POINT"] < 0.5 * kinds["CARTESIAN_POINT"]
+    assert shared["GEOMETRIC_REPRESENTATION_CONTEXT"] < 10
+    said = re.findall(
+        r"^#\d+ = ((?:CARTESIAN_POINT|LINE|B_SPLINE_CURVE_WITH_KNOTS)\(.*)", path.read_text(), re.MULTILINE
+    )
+    assert len(said) == len(set(said))
+    assert path.stat().st_size < 0.55 * (tmp_path / f"{10**6}.step").stat().st_size
     assert all(sound for _, sound in many)
     assert [volume for volume, _ in many] == pytest.approx([volume for volume, _ in few], rel=1e-9)
 
