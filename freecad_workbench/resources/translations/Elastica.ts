@@ -1295,6 +1295,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>polyline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>both</source>
         <translation type="unfinished"></translation>
     </message>

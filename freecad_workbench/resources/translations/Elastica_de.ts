@@ -1299,6 +1299,10 @@
         <translation>Bogen</translation>
     </message>
     <message>
+        <source>polyline</source>
+        <translation>Polylinie</translation>
+    </message>
+    <message>
         <source>both</source>
         <translation>beide</translation>
     </message>

@@ -1299,6 +1299,10 @@
         <translation>圆弧</translation>
     </message>
     <message>
+        <source>polyline</source>
+        <translation>折线</translation>
+    </message>
+    <message>
         <source>both</source>
         <translation>两端</translation>
     </message>

@@ -13,9 +13,8 @@ from inside import (
     QtWidgets,
     answers,
     at_rest,
+    button,
     choose,
-    click,
-    dialog_button,
     picture,
     run,
     scroll_to,
@@ -64,9 +63,13 @@ def work():
     answers["numbers"] = Panel.opened.form.numbers.text()
     answers["message"] = Panel.opened.form.message.text() + Panel.opened.form.footnote.text()
     picture("german.png")
-    click(dialog_button("Ok"))
-    until(lambda: not Gui.Control.activeDialog())
+    button()
     answers["kept"] = strip.MaxWidth.Value
+    trigger("Elastica_Export")
+    until(lambda: Gui.Control.activeDialog() and Panel.opened.form.curves.isVisible())
+    box = Panel.opened.form.curves
+    answers["curves"] = [[box.itemText(i) for i in range(box.count())], Panel.opened.value("curves")]
+    button("Cancel")
 
     def read(box):
         until(lambda: box.findChild(QtWidgets.QLineEdit, "defaultSheet").isVisible())

@@ -130,7 +130,8 @@ def edge_called(source: Any, name: str) -> Any:
         if element.isNull():
             raise IndexError(name)
     except (ValueError, IndexError, Part.OCCError) as error:
-        raise InputError(f"{source.Label} has no {name} any more: choose the curve anew") from error
+        called = name.lstrip("?")  # FreeCAD 1.x marks so what it does not find again
+        raise InputError(f"{source.Label} has no {called} any more: choose the curve anew") from error
     return element
 
 

@@ -18,7 +18,7 @@ from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.telling import tell_files
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.fields import set_value
+from freecad.elastica_wb.panels.widgets.fields import put_choices, set_value
 from freecad.elastica_wb.panels.widgets.file_dialogs import ask_folder
 
 from elastica_cad.errors import InputError
@@ -44,8 +44,8 @@ class ExportPanel(Panel):
         form = self.form
         form.version.addItems(list(DXF_VERSIONS))
         form.version.setCurrentText(preferences.get("DxfVersion"))
-        form.curves.addItems(list(CURVES))
-        form.curves.setCurrentText(preferences.get("Curves"))
+        put_choices(form.curves, list(CURVES))
+        set_value(form.curves, preferences.get("Curves"))
         set_value(form.kerf, preferences.get("Kerf"))
         set_value(form.tolerance, preferences.get("Tolerance"))
         form.layout().removeWidget(form.whereGroup)
@@ -114,7 +114,7 @@ class ExportPanel(Panel):
                 kinds=kinds,
                 sheet_size=(self.value("sheetWidth"), self.value("sheetHeight")),
                 kerf=self.value("kerf"),
-                curves=self.form.curves.currentText(),
+                curves=self.value("curves"),
                 tolerance=self.value("tolerance"),
                 version=self.form.version.currentText(),
                 force=self.form.force.isChecked(),
