@@ -16,9 +16,8 @@ from freecad.elastica_wb.curves.projective_sketch import box_around, evened, los
 from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, sketch_curve
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
 from freecad.elastica_wb.export.later_features import tell_later_features
-from freecad.elastica_wb.features import flat, nest, strip
+from freecad.elastica_wb.features import flat, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import pieces_of
-from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.shapes.part_shapes import make_edge, make_wire
@@ -82,6 +81,27 @@ def test_inside_a_part(document, sketch):
     part.removeObject(outside)
     document.recompute()
     assert in_document(outside).isInside(middle(outside), 1e-6, True)
+
+
+def test_out_of_a_part_that_holds_its_flat_part(document, sketch):
+    """A strip that hung on that part were made from what is made from it: a cycle, which FreeCAD refuses."""
+    room, house = document.addObject("App::Part", "Room"), document.addObject("App::Part", "House")
+    room.addObject(sketch)
+    made = strip.create(document, sketch)
+    lying = flat.create(document, made)
+    assert lying in room.Group
+    room.removeObject(made)
+    proxy.keep_containers(document, {made.Name})
+    assert made.OutList == [sketch]
+    room.Placement.Base.z = 80
+    proxy.keep_places(room)
+    document.recompute()
+    assert made.Placement.Base.z == pytest.approx(80)
+    house.Placement.Base.z = 1000
+    house.addObject(room)
+    proxy.keep_containers(document, {room.Name})
+    document.recompute()
+    assert made.Placement.Base.z == pytest.approx(1080)
 
 
 def test_in_a_body(document, sketch):
@@ -442,7 +462,7 @@ def test_the_numbers_of_a_sheet_that_was_changed(document, sketch):
     feature, measured = (strip.create(document, sketch) for _ in range(2))
     library.save_own_sheets([old])
     try:
-        keep_sheets()
+        proxy.keep_sheets()
         for one in (feature, measured):
             assert "my-board" in one.getEnumerationsOfProperty("Sheet"), "it can be chosen at once"
             assert one.Sheet == "birch-plywood-0.8"
@@ -451,7 +471,7 @@ def test_the_numbers_of_a_sheet_that_was_changed(document, sketch):
         document.recompute()
         mass = feature.Mass
         library.save_own_sheets([replace(old, density=1400, thickness=1.2)])
-        keep_sheets()
+        proxy.keep_sheets()
         assert feature.Thickness.Value == 1.2
         assert measured.Thickness.Value == 1.05
         assert feature.Mass == pytest.approx(mass * 2 * 1.2 / 1.1, rel=1e-6)

@@ -232,6 +232,8 @@ def test_a_maker_at_work(tmp_path):
     assert low > 0
     assert high > 280
     assert found["dragged into one"] == [pytest.approx(low), pytest.approx(high), False]
+    assert found["hangs on"] == ["Here"], "not on the room, which holds what is made from it"
+    assert found["out of its room"] == [*map(pytest.approx, (50, 80, 1080)), False], "it stands on its sketch"
     words, seen = found["no slots"]
     assert "touch along a line" in words
     assert seen == [True, True]

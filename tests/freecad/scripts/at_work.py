@@ -146,6 +146,18 @@ def rooms():
     document.recompute()
     bounds = outside.Shape.BoundBox
     answers["dragged into one"] = [bounds.ZMin + 300, bounds.ZMax + 300, "DAG" in report()[seen:]]
+    room.removeObject(here)  # its flat part stays, and is made from it
+    answers["hangs on"] = [one.Label for one in here.OutList]
+    document.recompute()
+    heights = [here.Placement.Base.z]
+    room.Placement.Base.z = 80
+    document.recompute()
+    heights.append(here.Placement.Base.z)
+    house = document.addObject("App::Part", "House")
+    house.Placement.Base.z = 1000
+    house.addObject(room)
+    document.recompute()
+    answers["out of its room"] = [*heights, here.Placement.Base.z, "DAG" in report()[seen:]]
     App.closeDocument(document.Name)
 
 

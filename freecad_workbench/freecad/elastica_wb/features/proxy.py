@@ -292,7 +292,8 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
             changes = obj.Containers != found
             if changes:
                 obj.Containers = found
-            if changes or any(one.Name in moved for one in (obj, *parents(obj))):
+            standing = (above for one in (obj, *_followed(obj)) for above in (one, *parents(one)))
+            if changes or any(one.Name in moved for one in standing):
                 obj.touch()
 
 
@@ -307,14 +308,11 @@ def keep_sheets() -> None:
 
 
 def keep_places(container: Any) -> None:
-    """A container moved: a feature in it whose sources stay behind is not where they ask for any more."""
+    """A container moved with a feature or its sources, not with both: it is not where they ask for any more."""
     for obj in container.Document.Objects:
         ours = isinstance(getattr(obj, "Proxy", None), Feature) and CONTAINERS.name in obj.PropertiesList
-        if (
-            ours
-            and container in parents(obj)
-            and any(container not in parents(one) for one in _followed(obj))
-        ):
+        inside = ours and container in parents(obj)
+        if ours and any(inside != (container in parents(one)) for one in _followed(obj)):
             obj.touch()
 
 
@@ -331,9 +329,18 @@ def _told(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
+    """Those that move what a feature follows; not where one holds what is made from it, which were a cycle."""
     own = [obj, *parents(obj)]
     found = [one for source in _followed(obj) for one in parents(source) if one not in own]
-    return list(dict.fromkeys(found))
+    return [one for one in dict.fromkeys(found) if not _hangs_on(one, obj)]
+
+
+def _hangs_on(container: Any, obj: Any) -> bool:
+    """Is something in a container made from an object?"""
+    found = [container]
+    for one in found:
+        found += [source for source in dict.fromkeys(one.OutList) if source not in found]
+    return obj in found
 
 
 def _followed(obj: Any) -> Iterator[Any]:
