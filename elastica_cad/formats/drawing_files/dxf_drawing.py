@@ -243,6 +243,8 @@ def _new_document(
             row.dxf.plot = 0  # seen, not worked
     low, high = bounds
     document.modelspace().reset_extents((*low, 0.0), (*high, 0.0))
+    # ezdxf takes a corner in the origin for none, and the header would tell an empty drawing
+    document.header["$EXTMIN"], document.header["$EXTMAX"] = (*low, 0.0), (*high, 0.0)
     width, height = high - low
     document.set_modelspace_vport(1.1 * max(float(height), float(width) / 2), tuple((low + high) / 2))
     return document
