@@ -9,6 +9,7 @@ import pytest
 from elastica_cad import _native
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest import curve_distance, rod_map
+from elastica_cad.forming.nearest.nearest_record import Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.forming.optimizer import dense_solves, quadratic_program
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -106,11 +107,11 @@ def test_compiled_beside_python(benchmark, flower_pot, monkeypatch):
 
 
 def test_wishes_that_no_rod_meets(benchmark, flower_pot):
-    """To the verdict: advice comes after it."""
+    """To the verdict, which may be that only a rod drawn taut between the ends does: advice comes after it."""
     points, _ = flower_pot
     curves = iter([unclamped(p) for p in points] * 2)
     near = benchmark.pedantic(lambda: nearest_rod(next(curves), Limits(ratio=1.3, margin=500.0)), rounds=8)
-    assert not near.met
+    assert near.status in (Status.NOT_MET, Status.FAR)
 
 
 def test_unstable_s(benchmark, reference_data):

@@ -96,10 +96,10 @@ class RodProblem(NonlinearProgram[MappedRod]):
         """The nearest unknowns in the box."""
         return np.asarray(np.clip(z, self.lower, self.upper))
 
-    def with_length(self, length: float) -> "RodProblem":
-        """The same with the length given, as far as it is allowed."""
-        lower, upper, at = self.lower.copy(), self.upper.copy(), self.grid.unknowns.length
-        lower[at] = upper[at] = np.clip(length, lower[at], upper[at])
+    def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
+        """The same with these unknowns given, as far as that is allowed."""
+        lower, upper = self.lower.copy(), self.upper.copy()
+        lower[unknowns] = upper[unknowns] = np.clip(value, lower[unknowns], upper[unknowns])
         return replace(self, lower=lower, upper=upper)
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.limits import MET, Keep, Limits
 from elastica_cad.forming.nearest.advice import advise
@@ -46,6 +47,11 @@ _LEAN = 1e-4  # the same, that a lesser ratio may cost
 _SPLINE_STIFFNESS = 1.005  # of the least ratio: K is a spline of few coefficients
 _TIE = 1.02  # times the least distance: as near
 _APART = 0.02  # distance of two rods, in diagonals, from which on they are two answers
+_TENSIONS = (0.6, 0.0)  # shares of the tension that alone keeps the margin in a straight rod
+_NO_TENSION = (0.0,)
+_CLOSED = 1e-3  # lengths between the ends of a curve that nothing pulls straight
+_AGREED = 14  # starts that came to rest at the same rod, which breaks its limits: there is no better one near
+_SAME = 2e-3  # distance of two rods, in diagonals, up to which they are the same
 _FEW_LIFTS = 3  # after which a start from a hard target is still open to several valleys
 _CONTINUATION_STEPS = 40  # of one part of a continuation, which need not settle
 
@@ -160,19 +166,35 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     first = _start(task, problem)
     best = minimize(problem, first)
     steps, spent, off = best.iterations, _spent(best), _mean_distance(task, best) / task.target.diagonal
-    found = [best]
+    found, broken = [best], best.violation > MET and task.limits.margin is not None
     for attempt in _attempts(task, measure, problem, first):
         done = best.settled and best.violation <= MET
-        # what breaks its limits from every start so far is refused sooner than what is met, but far
-        if spent > (attempt.most_steps if done else _MOST_STEPS) or (done and off < attempt.enough):
+        # what breaks its limits from all starts, or a margin from the first, is refused sooner than what is far
+        most = _MOST_STEPS if broken or not done else attempt.most_steps
+        if spent > most or (done and off < attempt.enough) or _is_refused(task, problem, best, found):
             continue
-        known = best if done and measure != "max" and attempt.most_steps == _MOST_STEPS else None
+        known = [one for one in found if one.settled and one.violation > MET]
+        if done and attempt.most_steps == _MOST_STEPS:
+            known.append(best)
+        if measure == "max":  # which tells nothing of the distance of two rods
+            known = []
         outcome = minimize(problem, attempt.route().end(), radius=attempt.radius, known=known)
         steps, spent = steps + outcome.iterations, spent + _spent(outcome)
         found.append(outcome)
         best = min(best, outcome, key=_rank)
         off = _mean_distance(task, best) / task.target.diagonal
     return _told(measure, Search(task, problem, best, (), steps, off), found)
+
+
+def _is_refused(
+    task: NearestTask, problem: RodProblem, best: RodOutcome, found: Sequence[RodOutcome]
+) -> bool:
+    """Have enough starts come to rest where the best rod breaks its limits?"""
+    same = (_SAME * task.target.diagonal) ** 2
+    return (
+        best.violation > MET
+        and sum(other.settled and problem.apart(other.point, best.point) < same for other in found) >= _AGREED
+    )
 
 
 def _spent(outcome: RodOutcome) -> int:
@@ -285,7 +307,11 @@ def _attempts(
     task: NearestTask, measure: Measure, problem: RodProblem, first: MappedRod
 ) -> Iterator[_Attempt]:
     """Further attempts."""
-    yield _Attempt(_NEAR, lambda: _Route(_start(task, problem, same_length=True)))
+    for tension in _TENSIONS if task.limits.margin is not None else _NO_TENSION:
+        yield _Attempt(np.inf, partial(_from_pulled, task, problem, tension))
+    length = problem.grid.unknowns.length
+    if problem.lower[length] < problem.upper[length]:
+        yield _Attempt(_NEAR, lambda: _Route(_start(task, problem, same_length=True)))
     if measure != "mean":
         yield _Attempt(_FAR, lambda: _Route(first, [pose_problem(task, "mean")]))
     if task.limits.margin is not None:
@@ -299,6 +325,13 @@ def _attempts(
     for seed in range(_BENT_STARTS):
         enough = _BENT_ENOUGH if seed < _FIRST_BENT_STARTS else _FAR
         yield _Attempt(enough, partial(_from_bent, task, problem, seed), most_steps=_MOST_STEPS_ELSEWHERE)
+
+
+def _from_pulled(task: NearestTask, problem: RodProblem, tension: float) -> _Route:
+    """From the nearest rod under a force along the chord: taut ones are stable, unloaded ones do not buckle."""
+    chord = task.target.position[-1] - task.target.position[0]
+    pull = tension * max(task.limits.margin or 0.0, 0.0) * _even_stiffness(task)
+    return _Route(_start(task, problem, force=-pull * chord / max(float(np.hypot(*chord)), _CLOSED)))
 
 
 def _from_bent(task: NearestTask, problem: RodProblem, seed: int) -> _Route:
@@ -327,13 +360,14 @@ def _start(
     same_length: bool = False,
     stiffness: float | None = None,
     seed: int | None = None,
+    force: FloatArray | None = None,
 ) -> MappedRod:
-    """The rod that the lifted program finds from the target with constant stiffness.
+    """The rod that the lifted program finds from the target with constant stiffness, under `force` where given.
 
     A `seed` bends the target by slow waves and varies the stiffness: for other valleys.
     """
     if stiffness is None:
-        stiffness = float(np.sqrt(min(task.limits.largest_ratio, 16.0)))
+        stiffness = _even_stiffness(task)
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
     places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
@@ -347,8 +381,15 @@ def _start(
             angles += rng.normal(scale=_BENT_RAD / k) * np.sin(np.pi * k * places + rng.uniform(0, 2 * np.pi))
     z[u.position], z[u.angle], z[u.length] = target.position[0], angles[0], 1.0
     if same_length:
-        problem = problem.with_length(z[u.length])
+        problem = problem.with_given(u.length, z[u.length])
+    if force is not None:
+        problem = problem.with_given(u.force, force)
     z = np.clip(z, problem.lower, problem.upper)
     moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
     start = grid.assemble(z, angles, moments)
     return lift(replace(problem, distance=task.mean_distance), start, lifts)
+
+
+def _even_stiffness(task: NearestTask) -> float:
+    """That of a start: in the middle of what is allowed."""
+    return float(np.sqrt(min(task.limits.largest_ratio, 16.0)))

@@ -8,13 +8,13 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.optimizer.dense_solves import least_step, matvec
+from elastica_cad.forming.optimizer.dense_solves import matvec
+from elastica_cad.forming.optimizer.exact_point import make_exact, worst_broken
 from elastica_cad.forming.optimizer.iterate import (
     ActiveSet,
     Iterate,
     all_equalities,
     close_iterate,
-    find_free,
     follow_step,
     iterate_at,
     meet_equalities,
@@ -30,10 +30,7 @@ from elastica_cad.forming.optimizer.quadratic_program import (
 STEPS = 80  # most quadratic programs of one search: usual ones take less than half
 LIFTS = 12  # most lifted steps: they converge quadratically, or not at all
 SETTLED = 3e-4  # a step that promises less than this share of the objective ends the search
-CLEARANCE = 1e-9  # what a limit that is touched keeps in hand, so that rounding does not break it
 SMALLEST_RADIUS = 1e-7  # in scales: where longer steps fail, shorter ones are no progress
-_TOUCHED = 1e-3  # values of a limit below this are touched when the outcome is made exact
-_MISSED = 1e-13  # by rounding alone
 _DAMPING = 1e-9  # of the largest curvature: keeps the program strictly convex
 _IDLE = 1e-2  # share of the objective left that a step of one scale costs where it changes nothing
 _EASIEST = 1e-4  # share of the damping that is left where steps keep what they promise
@@ -43,9 +40,14 @@ _CALMED = 0.1  # of the state: a lifted step that changes it by less leaves a po
 _WORTHWHILE = 0.7  # a lifted step that leaves more of the objective is the last
 _AJAR = 1.0  # of the state: a start that is off by more is closed from its unknowns instead
 _ALIKE = 0.1  # of the distance to the optimum known: nearer points lie in the same valley
-_FIRM = 1e4  # times what is missed: no step that puts it right is longer, no multiplier larger
-_WATCHED = 12  # steps by which what is broken must come down
-_HOPELESS = 0.25  # share of it that the steps left would put right at that pace: the search ends
+_SENSITIVE = 100.0  # root of the objective's curvature, per scale: beyond it an unknown is measured finer
+_SAME = 0.02  # the same of an optimum that breaks its limits
+_BROKEN = 1e-6  # of a constraint's value
+_AS_BROKEN = 0.9  # of what is broken at an optimum known: less of it may lead elsewhere
+_CLOSER = 0.1  # of its defect: a trial that is off by less is worth more than the point it came from
+_STUCK = 0.01  # radius, in scales: where longer steps than it are no use, something else is tried
+_WATCHED = 6  # steps by which what is broken must come down
+_HOPELESS = 0.5  # share of it that the steps left would put right at that pace: the search ends
 _FAR_FROM_MET = 0.02  # of a constraint's value: less is put right at the end, at whatever pace before
 _RESOLUTION = 1e-11  # of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm
 
@@ -115,9 +117,9 @@ def minimize(
     *,
     steps: int = STEPS,
     radius: float = 1.0,
-    known: Outcome[Point] | None = None,
+    known: Sequence[Outcome[Point]] = (),
 ) -> Outcome[Point]:
-    """The local minimum downhill from a point that need not be closed; `known` where that is the same valley.
+    """The local minimum downhill from a point that need not be closed; of what is `known` that of the same valley.
 
     The local model of the objective, linearised constraints with prices, a box of size `radius` (in scales),
     one quadratic program a step. The state follows a step with the unknowns (see `follow_step`); the merit's
@@ -135,14 +137,15 @@ def minimize(
     settled, iteration, ease = False, 0, 1.0
     broken, hopeless = [here.violation], False
     while iteration < steps and not (settled or hopeless) and radius > SMALLEST_RADIUS:
-        if known is not None and program.apart(here.local.point, known.point) < _ALIKE**2 * known.objective:
-            return replace(known, iterations=iteration)
+        for other in known:
+            if _leads_to(here, other):
+                return replace(other, iterations=iteration)
         iteration += 1
         floor = SETTLED * here.objective + _RESOLUTION
-        damping = ease * _damping(here, _DAMPING, _IDLE)
+        damping = _damping(here, _DAMPING, _IDLE)
         accepted = False
         while not accepted and radius > SMALLEST_RADIUS:
-            step, solution = _solve_step(here, radius, damping, None if found is None else found[1])
+            step, solution = _solve_step(here, radius, ease * damping, None if found is None else found[1])
             if step is None or solution is None:
                 radius *= 0.25
                 continue
@@ -154,6 +157,10 @@ def minimize(
             worth, highest = max(promised, floor), float(prices.max(initial=0.0))
             reliable = here.is_reliable(worth, highest)
             settled = reliable and promised <= floor and not here.restores_feasibility(step)
+            if settled and promised < -floor and radius > _STUCK:
+                # a step for the worse solves no program: a shorter one, damped, is found better
+                settled, ease, radius = False, 1.0, 0.25 * radius
+                continue
             touched = _touched(here, step, solution)
             trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
             gain = -np.inf if trial is None else (merit - trial.merit(prices)) / worth
@@ -162,7 +169,7 @@ def minimize(
                 here, active = trial, touched
             elif not reliable:
                 # the merit that the trial did not come up to may be that of a point that does not close so
-                nearer = follow_step(here, here.change, active, worth, highest)
+                nearer = _closer(here, trial, active, radius, worth, highest)
                 if nearer is not None:
                     here, accepted = nearer, True
                     continue
@@ -175,11 +182,11 @@ def minimize(
         broken.append(here.violation)
         hopeless = not settled and _is_hopeless(broken, steps - iteration)
     point = close_iterate(here, active) or program.close(here.local.point) or program.fallback()
-    point = _make_exact(program, point)
+    point = make_exact(program, point)
     values = program.values(point)
     multipliers, low, high = _multipliers(program, values, found)
     return Outcome(
-        point, program.objective(point), _violation(program, values), multipliers, low, high, iteration, settled,
+        point, program.objective(point), worst_broken(program, values), multipliers, low, high, iteration, settled,
         hopeless,
     )  # fmt: skip
 
@@ -197,6 +204,31 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
         if found is not None:
             return found
     raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
+
+
+def _leads_to(here: Iterate[Point], known: Outcome[Point]) -> bool:
+    """Is the search so near what it found before, and no nearer to meeting its limits, that it ends there again?"""
+    # what breaks its limits may have come to rest on a saddle: such a point is left from quite near
+    alike = _ALIKE if known.violation < _BROKEN else _SAME
+    near = here.program.apart(here.local.point, known.point) < alike**2 * known.objective
+    return near and here.violation >= _AS_BROKEN * known.violation
+
+
+def _closer(
+    here: Iterate[Point], trial: Iterate[Point] | None, active: ActiveSet, radius: float, promise: float,
+    highest_price: float,
+) -> Iterate[Point] | None:  # fmt: skip
+    """Where to go on from a point that is not closed: itself, closed, or a trial that is, whatever its merit.
+
+    Where steps have become short without leading anywhere, the closed point of its unknowns.
+    """
+    found = follow_step(here, here.change, active, promise, highest_price)
+    if found is None and trial is not None and trial.defect < _CLOSER * here.defect:
+        return trial
+    if found is None and radius < _STUCK:
+        point = here.program.close(here.local.point)
+        return None if point is None else iterate_at(here.program, point)
+    return found
 
 
 def _is_hopeless(broken: Sequence[float], left: int) -> bool:
@@ -223,10 +255,13 @@ def _solve_step(
     rows, model, z = local.rows, local.model, local.z
     s = program.scale
     p = z.size
+    # what the objective is very sensitive to is measured finer: it would set how well the others are solved for
+    fine = np.sqrt(np.maximum(1.0, model.hessian.diagonal() * (s / _SENSITIVE) ** 2))
+    s = s / fine
     hessian = model.hessian * np.outer(s, s)
-    hessian.flat[:: p + 1] += damping
-    lower = np.maximum((program.lower - z) / s, -radius)
-    upper = np.minimum((program.upper - z) / s, radius)
+    hessian.flat[:: p + 1] += damping / fine**2
+    lower = np.maximum((program.lower - z) / s, -radius * fine)
+    upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value = rows.jacobian * s, rows.value
     gradient, price, one_sided = model.gradient * s, rows.price, rows.one_sided
     if model.peaks.size:
@@ -245,7 +280,12 @@ def _solve_step(
     )
     if not np.all(np.isfinite(solution.x)):
         return None, None
-    return solution.x[:p] * s, solution
+    back = np.append(fine, np.ones(solution.x.size - p))
+    in_scales = replace(
+        solution, x=solution.x / back, lower_multipliers=solution.lower_multipliers * back,
+        upper_multipliers=solution.upper_multipliers * back,
+    )  # fmt: skip
+    return solution.x[:p] * s, in_scales
 
 
 def _damping(here: Iterate[Point], most: float, share: float) -> float:
@@ -264,72 +304,6 @@ def _prices(
     largest = np.zeros_like(before)
     np.maximum.at(largest, rows.constraint, 1.5 * y)
     return np.minimum(program.highest_prices, np.maximum(largest, 0.1 * before))
-
-
-def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
-    """Newton's method on the equalities and on the limits that are touched, by least steps of what is free."""
-    values = program.values(point)
-    for k in range(6):
-        if not any(_is_missed(v, one) for v, one in zip(values, program.one_sided, strict=True)):
-            return point
-        z, rows = program.rows(point, values)
-        aim = np.where(rows.one_sided, np.maximum(CLEARANCE - rows.value, 0.0), -rows.value)
-        if np.abs(aim).max() > 1e-3:
-            return point
-        step = _least_step(program, rows, z, aim) if k == 0 else _least_step_within(program, rows, z, aim)
-        trial = program.close(point, step)
-        if trial is None:
-            return point
-        trial_values = program.values(trial)
-        if _violation(program, trial_values) < _violation(program, values):
-            point, values = trial, trial_values
-        elif k > 0:
-            return point
-    return point
-
-
-def _violation(program: NonlinearProgram[Point], values: Sequence[FloatArray]) -> float:
-    """The worst broken constraint."""
-    return max(
-        (
-            float((np.maximum(-value, 0.0) if one_sided else np.abs(value)).max())
-            for value, one_sided in zip(values, program.one_sided, strict=True)
-        ),
-        default=0.0,
-    )
-
-
-def _is_missed(values: FloatArray, one_sided: bool) -> bool:
-    """Is an equality, or what a limit should keep in hand, missed by more than rounding?"""
-    gap = CLEARANCE - values.min() if one_sided else np.abs(values).max()
-    return bool(gap > _MISSED)
-
-
-def _least_step(
-    program: NonlinearProgram[Point], rows: ConstraintRows, z: FloatArray, aim: FloatArray
-) -> FloatArray:
-    """The least step that changes equalities by `aim`, and the limits that are touched."""
-    touched, free = ~rows.one_sided | (rows.value < _TOUCHED), find_free(program, z)
-    s, step = program.scale[free], np.zeros(z.size)
-    step[free] = least_step(rows.jacobian[touched][:, free] * s, aim[touched]) * s
-    return step
-
-
-def _least_step_within(
-    program: NonlinearProgram[Point], rows: ConstraintRows, z: FloatArray, aim: FloatArray
-) -> FloatArray:
-    """The same where more limits are touched than can be held: none is left broken."""
-    s, unit, p = program.scale, float(np.abs(aim).max()), z.size
-    right = np.where(rows.one_sided, CLEARANCE - rows.value, -rows.value)
-    solution = solve_quadratic(
-        QuadraticProgram(
-            np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / unit, -_FIRM),
-            np.minimum((program.upper - z) / s / unit, _FIRM), rows.jacobian * s, right / unit,
-            np.full(right.size, _FIRM), rows.one_sided,
-        ),
-        accuracy=1e-6,
-    )  # fmt: skip
-    return np.asarray(solution.x * s * unit)
 
 
 def _multipliers(
