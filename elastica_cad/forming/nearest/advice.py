@@ -19,6 +19,7 @@ _NEAR_DIAGONALS = 0.01  # and below this not worth supports
 _NEGLIGIBLE = 0.01  # of the distance: savings not worth a sentence
 _CURVATURE_SAMPLES = 501  # of the drawn curve, where its largest curvature is compared with the limit
 _MISSED = 1e-4  # limits broken by less are what the search left open, not what it failed on
+_IN_LENGTHS, _PLURALS = ("end position", "points", "keep-out"), ("points", "stiffness bounds")
 
 
 @dataclass(frozen=True)
@@ -247,7 +248,12 @@ def _missed(near: NearestRod, binding: Binding) -> str:
     if binding.name == "curvature" and binding.limit is not None:
         radius = 1 / float(np.abs(near.rod.curvature).max())
         return f"The least radius of {1 / binding.limit:.3g} mm is missed: this rod has {radius:.3g} mm."
-    return f"The {binding.name} is missed by {binding.broken:.2g} (lengths of the curve, radians or shares)."
+    said = f"The {binding.name} {'are' if binding.name in _PLURALS else 'is'} missed"
+    if binding.name in _IN_LENGTHS:
+        return f"{said} by {binding.broken * near.target.length:.3g} mm."
+    if binding.name == "end tangent":
+        return f"{said} by {np.degrees(binding.broken):.3g} degrees."
+    return f"{said}."
 
 
 def _side(near: NearestRod, index: int) -> str:

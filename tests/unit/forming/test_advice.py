@@ -186,3 +186,14 @@ def test_a_refusal_looks_for_advice_when_it_is_read_and_keeps_it_between_process
     assert (told.verdict, sought) == ("rib 3: missed.", [])
     assert str(told) == "rib 3: missed. Without it, met."
     assert str(pickle.loads(pickle.dumps(told))) == str(told)
+
+
+def test_what_is_missed_is_told_in_millimetres_and_degrees():
+    """An arch of 120 mm that may hardly bend, with its ends, tangents and length kept."""
+    arch = PlaneCurve.spline([(0, 0), (30, 60), (90, 60), (120, 0)], degree=3)
+    near = nearest_rod(arch, Limits(curvature=1e-3), Keep(tangents=True, length=True))
+    assert near.status is Status.NOT_MET
+    broken = {binding.name: binding.broken for binding in near.binding}
+    told = list(near.advice)
+    assert f"The end position is missed by {broken['end position'] * arch.length:.3g} mm." in told
+    assert f"The end tangent is missed by {np.degrees(broken['end tangent']):.3g} degrees." in told
