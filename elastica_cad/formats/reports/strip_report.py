@@ -1,9 +1,5 @@
 """The report of a strip: one JSON record that says what was asked, what came out and with which versions."""
 
-import os
-import re
-import sys
-from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -20,11 +16,6 @@ from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 
 REPORT_SCHEMA = "elastica-report/1"
-_PACKAGES = ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf")
-_INSTALLED = re.compile(
-    rf"(?P<package>{'|'.join(_PACKAGES).replace('-', '[-_]')})-(?P<version>[^-]+)(-.*)?\.(dist|egg)-info",
-    re.IGNORECASE,
-)
 _UNITS = {
     "length": "mm",
     "width": "mm",
@@ -235,14 +226,13 @@ def _joint(strip: Strip) -> dict[str, Any] | None:
 
 
 def list_versions() -> dict[str, str]:
-    """Versions of the packages that a result depends on, from the names of the folders that installers leave.
+    """Versions of the packages that a result depends on."""
+    from importlib.metadata import PackageNotFoundError, version
 
-    (importlib.metadata finds the same, but loads a reader of mails and reads all that packages say of themselves.)
-    """
-    found = dict[str, str]()
-    for folder in sys.path:
-        with suppress(OSError):
-            for name in os.listdir(folder or "."):
-                if told := _INSTALLED.fullmatch(name):
-                    found.setdefault(told["package"].lower().replace("_", "-"), told["version"])
-    return {package: found[package] for package in _PACKAGES if package in found}
+    found = {}
+    for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):
+        try:
+            found[package] = version(package)
+        except PackageNotFoundError:
+            continue
+    return found
