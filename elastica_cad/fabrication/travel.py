@@ -171,7 +171,7 @@ def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
 def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:
     """Strain, elastic stress (MPa) and safety of the layer nearest to its limit."""
     bent = np.abs(rod.curvature - rod.natural_curvature)
-    layers = strip.layout.strains(Bends(bent, rod.s.__getitem__))
+    layers = strip.layout.strains(Bends(bent, rod.s))
     k = max(range(len(layers)), key=lambda i: layers[i].largest / layers[i].limit)
     worst = layers[k]
     with np.errstate(divide="ignore"):

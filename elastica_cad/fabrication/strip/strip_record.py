@@ -164,7 +164,7 @@ class Strip:
             columns[physical] = B * columns.pop(name)
         bent = np.abs(self.rod.curvature - self.rod.natural_curvature)
         worst = max(
-            self.layout.strains(Bends(bent, self.rod.s.__getitem__)),
+            self.layout.strains(Bends(bent, self.rod.s)),
             key=lambda layer: layer.largest / layer.limit,
         )
         section, size = self.layout.section, self.layout.size
@@ -285,7 +285,7 @@ class Strip:
         from elastica_cad.forming.leaf_ends import leaf_bends
 
         s, bend = leaf_bends(self.rod, self.layout.stack)
-        return Bends(bend, s.__getitem__)
+        return Bends(bend, s)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.flat_outline import Ends, long_sides
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
@@ -64,12 +65,20 @@ class Bends:
     ----------
     amount : (n,) array
         |kappa - kappa_0|, 1/mm.
-    arc_length : callable
-        Maps stations, by number or slice, to mm: asked where a place is told, or a size there counts.
+    places : (n,) array
+        Arc lengths, mm, or parameters of `curve`.
+    curve : PlaneCurve, optional
+        Its arc lengths are found where a place is told, or a size there counts.
     """
 
     amount: FloatArray
-    arc_length: Callable[[int | slice], FloatArray]
+    places: FloatArray
+    curve: PlaneCurve | None = None
+
+    def arc_length(self, stations: int | slice) -> FloatArray:
+        """Of stations by number or slice, mm."""
+        places = np.asarray(self.places[stations])
+        return places if self.curve is None else self.curve.arc_length(places)
 
     @cached_property
     def s(self) -> FloatArray:
@@ -355,15 +364,11 @@ def correct_layout(
 def bends_along(rod: Rod) -> Bends:
     """How sharply a rod is bent, at stations spread over its curve's smooth panels."""
     if rod.shape is None:
-        return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s.__getitem__)
+        return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
     curve, rest = rod.curve, rod.natural_curvature
     panels = curve.smooth_panels
     places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
     t = np.interp(places, np.arange(panels.size), panels)
-
-    def arc_length(stations: int | slice) -> FloatArray:
-        return np.minimum(curve.arc_length(t[stations]), rod.length)
-
     if np.size(rest) > 1:
-        rest = rod.rest_at(arc_length(slice(None)))
-    return Bends(np.abs(curve.curvature_at(t) - rest), arc_length)
+        rest = rod.rest_at(curve.arc_length(t))
+    return Bends(np.abs(curve.curvature_at(t) - rest), t, curve)
