@@ -19,7 +19,7 @@ _NEAR_DIAGONALS = 0.01  # and below this not worth supports
 _NEGLIGIBLE = 0.01  # of the distance: savings not worth a sentence
 _CURVATURE_SAMPLES = 501  # of the drawn curve, where its largest curvature is compared with the limit
 _MISSED = 1e-4  # limits broken by less are what the search left open, not what it failed on
-_IN_LENGTHS, _PLURALS = ("end position", "points", "keep-out"), ("points", "stiffness bounds")
+_IN_LENGTHS = ("end position", "points", "keep-out")
 
 
 @dataclass(frozen=True)
@@ -248,12 +248,11 @@ def _missed(near: NearestRod, binding: Binding) -> str:
     if binding.name == "curvature" and binding.limit is not None:
         radius = 1 / float(np.abs(near.rod.curvature).max())
         return f"The least radius of {1 / binding.limit:.3g} mm is missed: this rod has {radius:.3g} mm."
-    said = f"The {binding.name} {'are' if binding.name in _PLURALS else 'is'} missed"
     if binding.name in _IN_LENGTHS:
-        return f"{said} by {binding.broken * near.target.length:.3g} mm."
+        return f"Missed: the {binding.name}, by {binding.broken * near.target.length:.3g} mm."
     if binding.name == "end tangent":
-        return f"{said} by {np.degrees(binding.broken):.3g} degrees."
-    return f"{said}."
+        return f"Missed: the {binding.name}, by {np.degrees(binding.broken):.3g} degrees."
+    return f"Missed: the {binding.name}."
 
 
 def _side(near: NearestRod, index: int) -> str:

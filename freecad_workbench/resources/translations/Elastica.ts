@@ -3383,7 +3383,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The %1 is missed by %2 (lengths of the curve, radians or shares).</source>
+        <source>Missed: the %1, by %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missed: the %1, by %2 degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missed: the %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3399,8 +3399,16 @@
         <translation>eine Lasche, die sich verjüngt, hat weder Eckenradius noch Fase</translation>
     </message>
     <message>
-        <source>The %1 is missed by %2 (lengths of the curve, radians or shares).</source>
-        <translation>%1 wird um %2 verfehlt (Kurvenlängen, Bogenmaß oder Anteile).</translation>
+        <source>Missed: the %1, by %2 mm.</source>
+        <translation>Verfehlt: %1, um %2 mm.</translation>
+    </message>
+    <message>
+        <source>Missed: the %1, by %2 degrees.</source>
+        <translation>Verfehlt: %1, um %2 Grad.</translation>
+    </message>
+    <message>
+        <source>Missed: the %1.</source>
+        <translation>Verfehlt: %1.</translation>
     </message>
     <message>
         <source>The least radius of %1 mm is missed: this rod has %2 mm.</source>

@@ -3399,8 +3399,16 @@
         <translation>有锥度的插片不能有圆角或倒角</translation>
     </message>
     <message>
-        <source>The %1 is missed by %2 (lengths of the curve, radians or shares).</source>
-        <translation>%1 相差 %2（曲线长度、弧度或比例）。</translation>
+        <source>Missed: the %1, by %2 mm.</source>
+        <translation>未满足：%1，相差 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Missed: the %1, by %2 degrees.</source>
+        <translation>未满足：%1，相差 %2 度。</translation>
+    </message>
+    <message>
+        <source>Missed: the %1.</source>
+        <translation>未满足：%1。</translation>
     </message>
     <message>
         <source>The least radius of %1 mm is missed: this rod has %2 mm.</source>

@@ -552,7 +552,7 @@ def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
     verdict, advice = told.stderr.split("What would help the first: ")
     assert "is missed" not in verdict
     assert re.search(
-        r"The end position is missed by \d+(\.\d+)? mm\. Without the curvature limit all limits are met",
+        r"Missed: the end position, by \d+(\.\d+)? mm\. Without the curvature limit all limits are met",
         advice,
     )
     assert "Without the curvature limit all limits are met" in advice

@@ -195,5 +195,5 @@ def test_what_is_missed_is_told_in_millimetres_and_degrees():
     assert near.status is Status.NOT_MET
     broken = {binding.name: binding.broken for binding in near.binding}
     told = list(near.advice)
-    assert f"The end position is missed by {broken['end position'] * arch.length:.3g} mm." in told
-    assert f"The end tangent is missed by {np.degrees(broken['end tangent']):.3g} degrees." in told
+    assert f"Missed: the end position, by {broken['end position'] * arch.length:.3g} mm." in told
+    assert f"Missed: the end tangent, by {np.degrees(broken['end tangent']):.3g} degrees." in told
