@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
@@ -18,9 +18,14 @@ def ours(text, count=33):
     return [edge.at(np.linspace(edge.spans.edges[0], edge.spans.edges[-1], count)) for edge in edges]
 
 
+def _is_place(piece):
+    """All its points are one; its `length` fails for a curve that turns back on itself."""
+    return len({*piece.bpoints()} if hasattr(piece, "bpoints") else {piece.start, piece.end}) == 1
+
+
 def theirs(text, count=33):
     path = svgpathtools.parse_path(text)
-    points = [np.array([s.point(t) for t in np.linspace(0, 1, count)]) for s in path if s.length() > 0]
+    points = [np.array([s.point(t) for t in np.linspace(0, 1, count)]) for s in path if not _is_place(s)]
     return [np.column_stack([p.real, p.imag]) for p in points]
 
 
@@ -75,6 +80,7 @@ def paths(draw):
 
 @settings(max_examples=80, deadline=None)
 @given(text=paths())
+@example(text="M 0.562 0.0 q 5.0 1.0 0.0 0.0")
 def test_random_paths_as_an_independent_reader_takes_them(text):
     try:
         theirs(text, 3)
