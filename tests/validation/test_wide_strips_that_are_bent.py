@@ -12,10 +12,11 @@ from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend, bend_path, resample
+from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.material.anticlastic import SheetCurl, WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
+from elastica_cad.mechanics.rod.resampling import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import sideways_stability_of, stations_of_sideways
 from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection

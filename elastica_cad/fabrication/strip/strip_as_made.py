@@ -26,8 +26,8 @@ from elastica_cad.fabrication.strip.made_stiffness import (
 )
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.mechanics.bending.bend_forward import resample
 from elastica_cad.mechanics.rod.as_bent import as_bent
+from elastica_cad.mechanics.rod.resampling import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 HELD_NODES = 241

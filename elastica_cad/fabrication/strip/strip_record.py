@@ -39,13 +39,14 @@ from elastica_cad.fabrication.strip.tabs import Tab, pair_of_tabs
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.mechanics.bending.bend_forward import bend, resample
+from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
 from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.csv_text import csv_text
+from elastica_cad.mechanics.rod.resampling import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep

@@ -13,9 +13,7 @@ from elastica_cad.mechanics.bending.newton_continuation import Reached, follow, 
 from elastica_cad.mechanics.loads.arguments import require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.stiffness_law import at_stations
-from elastica_cad.mechanics.rod.discrete_rod import edge_positions, tangents
-from elastica_cad.mechanics.rod.nodal_stiffness import nodal_stiffness
+from elastica_cad.mechanics.rod.resampling import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 
@@ -255,26 +253,6 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Edge angles and reactions of a rod's present shape as a first state of `system`."""
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
-
-
-def resample(rod: Rod, samples: int) -> Rod:
-    """The same rod on another number of nodes: stiffness from its profile, the rest interpolated, its law too."""
-    whole_number(samples, "samples", 4)
-    s = np.linspace(0.0, rod.length, samples)
-    K = nodal_stiffness(rod.profile, s)
-
-    def at(values: FloatArray) -> FloatArray:
-        return np.asarray(np.interp(s, rod.s, values))
-
-    middles = (s[:-1] + s[1:]) / 2
-    angles = np.interp(middles, (rod.s[:-1] + rod.s[1:]) / 2, rod.discrete.angles)
-    return replace(
-        rod, s=s, position=edge_positions(rod.position[0], tangents(angles), s[1]), angle=at(rod.angle),
-        curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
-        moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
-        natural_curvature=at_stations(rod.natural_curvature, rod.s, s),
-        law=None if rod.law is None else rod.law.resampled(rod.s, s),
-    )  # fmt: skip
 
 
 def reach(state: RodState, side: int | None, mode: int) -> Reached:
