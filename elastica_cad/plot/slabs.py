@@ -84,9 +84,8 @@ def _blurred(polygons: Sequence[FloatArray], most: float) -> list[FloatArray]:
     Every other corner is looked at, of all polygons at one go, until none goes any more; three always stay.
     """
     points, sizes = np.concatenate(polygons), np.array([len(polygon) for polygon in polygons])
-    left_out = np.zeros(
-        len(points)
-    )  # how far at most corners that are gone lie from the side behind each point
+    # how far at most corners that are gone lie from the side behind each point
+    left_out = np.zeros(len(points))
     turn = idle = 0
     while idle < 2:
         start, size = np.repeat(np.cumsum(sizes) - sizes, sizes), np.repeat(sizes, sizes)

@@ -80,9 +80,8 @@ class RuledStrip:
         """Points and tangents at arc lengths (n,)."""
         nodes, c = self._table
         k = nodes[1:-1].searchsorted(s, side="right")
-        u = np.repeat(s - nodes.take(k), 2).reshape(
-            -1, 2
-        )  # as wide as the rows: twice as fast as to stretch it
+        # as wide as the rows: twice as fast as to stretch it
+        u = np.repeat(s - nodes.take(k), 2).reshape(-1, 2)
         rows = c.take(k, axis=1)
         point, slope = rows[5] * u + rows[4], rows[5]
         for row in rows[3::-1]:  # Horner's scheme, for both at once

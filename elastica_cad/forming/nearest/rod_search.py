@@ -48,7 +48,6 @@ _SPLINE_STIFFNESS = 1.005  # of the least ratio: K is a spline of few coefficien
 _TIE = 1.02  # times the least distance: as near
 _APART = 0.02  # distance of two rods, in diagonals, from which on they are two answers
 _TENSIONS = (0.6, 0.0)  # shares of the tension that alone keeps the margin in a straight rod
-_NO_TENSION = (0.0,)
 _CLOSED = 1e-3  # lengths between the ends of a curve that nothing pulls straight
 _AGREED = 14  # starts that came to rest at the same rod, which breaks its limits: there is no better one near
 _SAME = 2e-3  # distance of two rods, in diagonals, up to which they are the same
@@ -307,7 +306,7 @@ def _attempts(
     task: NearestTask, measure: Measure, problem: RodProblem, first: MappedRod
 ) -> Iterator[_Attempt]:
     """Further attempts."""
-    for tension in _TENSIONS if task.limits.margin is not None else _NO_TENSION:
+    for tension in _TENSIONS if task.limits.margin is not None else _TENSIONS[-1:]:
         yield _Attempt(np.inf, partial(_from_pulled, task, problem, tension))
     length = problem.grid.unknowns.length
     if problem.lower[length] < problem.upper[length]:

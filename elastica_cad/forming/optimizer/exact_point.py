@@ -43,7 +43,7 @@ def _by_least_steps(program: NonlinearProgram[Point], point: Point) -> Point:
         if not any(_is_missed(v, one) for v, one in zip(values, program.one_sided, strict=True)):
             return point
         z, rows = program.rows(point, values)
-        aim = np.where(rows.one_sided, np.maximum(CLEARANCE - rows.value, 0.0), -rows.value)
+        aim = _aim(rows)
         if np.abs(aim).max() > _IN_REACH:
             return point
         step = _least_step(program, rows, z, aim) if k == 0 else _least_step_within(program, rows, z, aim)
@@ -66,14 +66,19 @@ def _by_fine_steps(program: NonlinearProgram[Point], point: Point) -> Point:
         if (broken := worst_broken(program, values)) < least:
             best, least = point, broken
         z, rows = program.rows(point, values)
-        aim = np.where(rows.one_sided, np.maximum(CLEARANCE - rows.value, 0.0), -rows.value)
-        trial = None
-        if np.abs(aim).max(initial=0.0) < _IN_REACH:
-            trial = program.close(point, _least_step(program, rows, z, aim, finely=True))
+        aim = _aim(rows)
+        if not np.abs(aim).max(initial=0.0) < _IN_REACH:
+            break
+        trial = program.close(point, _least_step(program, rows, z, aim, finely=True))
         if trial is None:
             break
         point = trial
     return best
+
+
+def _aim(rows: ConstraintRows) -> FloatArray:
+    """By how much each row (j,) is to change."""
+    return np.where(rows.one_sided, np.maximum(CLEARANCE - rows.value, 0.0), -rows.value)
 
 
 def _is_missed(values: FloatArray, one_sided: bool) -> bool:

@@ -162,16 +162,12 @@ class Arc:
     @classmethod
     def all_of_bulges(cls, starts: FloatArray, ends: FloatArray, bulges: FloatArray) -> list["Arc"]:
         """The arcs between points (n, 2) that differ with bulges (n,) other than 0: nothing is checked."""
-        centers, *shapes = circles_of_bulges(starts, ends, bulges)
-        names = ("center", "radius", "start_angle", "end_angle", "start", "end")
-        points = [points_on_circles(centers, shapes[0], angles) for angles in shapes[1:]]
-        for shared in (centers, *points):
+        centers, radii, first, last = circles_of_bulges(starts, ends, bulges)
+        found = points_on_circles(centers[:, None], radii[:, None], np.stack([first, last], axis=1))
+        for shared in (centers, found):
             shared.setflags(write=False)
-        arcs = [object.__new__(cls) for _ in bulges]
-        numbers = zip(centers, *(row.tolist() for row in shapes), *points, strict=True)
-        for arc, own in zip(arcs, numbers, strict=True):
-            vars(arc).update(zip(names, own, strict=True))
-        return arcs
+        shapes = zip(centers, radii.tolist(), first.tolist(), last.tolist(), found, strict=True)
+        return [cls.of_sound(*shape) for shape in shapes]
 
     @property
     def sweep(self) -> float:

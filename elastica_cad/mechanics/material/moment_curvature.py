@@ -49,8 +49,8 @@ class MaterialLaw(ABC):
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """Integral of m from rest (n,), 1/mm2: the elastic energy per length over K."""
 
-    def resampled(self, s: FloatArray, at: FloatArray) -> "MaterialLaw":  # noqa: ARG002
-        """The law at arc lengths `at` (m,), mm, of a rod that has it at `s` (n,): itself where places are alike."""
+    def resampled(self, _s: FloatArray, _at: FloatArray, /) -> "MaterialLaw":
+        """The law of a rod that has it at arc lengths (n,), at others (m,), mm: itself where places are alike."""
         return self
 
     def require_injective(self, largest_curvature: float) -> None:

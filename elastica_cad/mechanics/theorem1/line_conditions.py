@@ -108,12 +108,13 @@ def _with_line(
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
     check = replace(check, line=line, off_line=off_line)
     largest, allowed = float(np.abs(distance).max()), tolerance * check.length
-    far = largest > allowed
-    near = largest > 1e-10 * check.length or ends_keep_bend(check, natural_curvature)
-    if far or (near and check.realizable):
-        moved = None if far else _moved_onto(line, check, supports, natural_curvature)
+    if largest > allowed:
+        return _refused(check, _off_line_reason(check, normal, allowed))
+    meant = largest > 1e-10 * check.length or ends_keep_bend(check, natural_curvature)
+    if meant and check.realizable:
+        moved = _moved_onto(line, check, supports, natural_curvature)
         if moved is None:
-            return _refused(check, _off_line_reason(check, normal, allowed if far else 0.0))
+            return _refused(check, _off_line_reason(check, normal, 0.0))
         check = moved
     meetings = _line_meetings(check.curve, line, check.zeros)
     if not meetings:

@@ -99,9 +99,8 @@ def _followed(edges: Sequence[Edge]) -> tuple[list[FloatArray], FloatArray, floa
         rise = middles - points[:, :-1] - chords / 2
         strays = np.sqrt(np.einsum("kij,kij->ki", rise, rise))
         size = np.sqrt(np.einsum("kij,kij->ki", chords, chords))
-        if (
-            count >= MOST or (8 * strays <= TURN * size).all()
-        ):  # an arc rises by an eighth of chord times turn
+        # an arc rises by an eighth of chord times turn
+        if count >= MOST or (8 * strays <= TURN * size).all():
             return [t[::2] for t in places], points, SPARE * float(strays.max())
         count = 2 * count - 1
 
