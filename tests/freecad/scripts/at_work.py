@@ -17,13 +17,12 @@ from inside import (
     begun,
     button,
     choose,
-    click,
-    dialog_button,
     fit,
     keys,
     open_panel,
     panel,
     picture,
+    press_button,
     run,
     sketch,
     told,
@@ -193,7 +192,7 @@ def export():
         telling._told.clear()
         open_panel("Elastica_Export", document.getObject("Strip"))
         typed("folder", words)
-        click(dialog_button("Ok"))
+        press_button("Ok")
         until(
             lambda: told() or ":" in panel().form.message.text() or "path" in panel().form.message.text(), 10
         )

@@ -28,6 +28,7 @@ from inside import (
     panel,
     picture,
     press,
+    press_button,
     run,
     still,
     told,
@@ -76,7 +77,7 @@ def new_sketch():
         if until(lambda: Gui.ActiveDocument.getInEdit() is not None, 1):
             break
         if dialog_button("Ok") is not None and not asked.done:  # 1.1 asks in a panel
-            click(dialog_button("Ok"))
+            press_button("Ok")
     asked.stop()
     assert Gui.ActiveDocument.getInEdit() is not None, "no sketch is open"
 
@@ -142,7 +143,7 @@ def work():
     picture("4-dragging.png")
     mouse("mouseup", 1)
     answers["pole moved"] = until(lambda: tuple(splines(sketch)[0].getPole(3)) != pole)
-    click(dialog_button("Close"))
+    press_button("Close")
     until(lambda: Gui.ActiveDocument.getInEdit() is None and live.session() is None)
     until(lambda: Gui.activeWorkbench().name() == "ElasticaWorkbench")
     answers["closed"] = [Gui.ActiveDocument.getInEdit() is None, live.session() is None]
@@ -157,7 +158,7 @@ def work():
     answers["held"] = [strip.Held, panel().form.numbers.text(), panel().form.footnote.text()]
     fit("Isometric")
     picture("5-strip.png")
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(lambda: not Gui.Control.activeDialog())
     press("Elastica_Export")
     until(lambda: Gui.Control.activeDialog() and panel().form.folder.isVisible())
@@ -165,7 +166,7 @@ def work():
     field = panel().form.folder
     (OUT / "files").mkdir()
     type_into(field, str(OUT / "files"))
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(told)
     answers["files"] = sorted(path.name for path in (OUT / "files").iterdir())
     answers["told"] = told()

@@ -17,12 +17,12 @@ from inside import (
     at_rest,
     choose,
     click,
-    dialog_button,
     drag,
     fit,
     keys,
     panel,
     press,
+    press_button,
     run,
     scroll_to,
     sketch,
@@ -53,7 +53,7 @@ def ok():
     boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
     wanted = [box.button(QtWidgets.QDialogButtonBox.Ok) for box in boxes if box.isVisible()]
     scroll_to(next(one for one in wanted if one is not None))
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(lambda: not Gui.Control.activeDialog())
 
 
@@ -133,8 +133,7 @@ def exported(document):
     open_panel("Elastica_Export", document.Flat)
     scroll_to(panel().form.folder)
     type_into(panel().form.folder, str(folder))
-    scroll_to(dialog_button("Ok"))
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(told)
     for box in telling._told:
         box.close()
@@ -153,8 +152,7 @@ def rooms(document):
 
 
 def cancel():
-    scroll_to(dialog_button("Cancel"))
-    click(dialog_button("Cancel"))
+    press_button("Cancel")
     until(lambda: not Gui.Control.activeDialog())
 
 
@@ -172,8 +170,7 @@ def in_error():
     document.recompute()
     before = len(document.Objects)
     open_panel("Elastica_Fixtures", narrow)
-    scroll_to(dialog_button("Ok"))
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(lambda: not Gui.Control.activeDialog() or "wide" in panel().form.message.text(), 10)
     found = [panel().form.message.text() if Gui.Control.activeDialog() else "closed"]
     cancel() if Gui.Control.activeDialog() else None

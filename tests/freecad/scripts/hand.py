@@ -19,7 +19,6 @@ from inside import (
     choose,
     click,
     click_view,
-    dialog_button,
     fit,
     keys,
     live_at_rest,
@@ -28,6 +27,7 @@ from inside import (
     panel,
     picture,
     press,
+    press_button,
     run,
     sketch,
     still,
@@ -65,7 +65,7 @@ def cancel():
     """The open panel by its button, if there is one."""
     if Gui.Control.activeDialog():
         at_rest()
-        click(dialog_button("Cancel"))
+        press_button("Cancel")
     until(lambda: not Gui.Control.activeDialog())
 
 
@@ -186,7 +186,7 @@ def another_curve(document, strip):
     at_rest()
     answers["picked"] = [strip.Curve[0].Name, panel().form.source.text(), panel().form.pick.isChecked()]
     picture("picked.png")
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(lambda: not Gui.Control.activeDialog())
     trigger("Std_Undo")
     until(lambda: strip.Curve[0] is first)
@@ -231,7 +231,7 @@ def export(strip):
     until(is_open)
     panel().form.folder.setText(str(OUT / "files"))
     telling._told.clear()
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(told)
     answers["told"] = told()
     button = telling._told[0].findChild(QtWidgets.QPushButton, "openFolder")

@@ -15,13 +15,13 @@ from inside import (
     at_rest,
     choose,
     click,
-    dialog_button,
     has_focus,
     keys,
     mouse,
     panel,
     picture,
     press,
+    press_button,
     run,
     scroll_to,
     sketch,
@@ -118,7 +118,7 @@ def work():
     until(lambda: abs(panel().value("MaxWidth") - 33) < 0.2)
     answers["elsewhere"] = panel().value("MaxWidth")
     picture("inches.png")
-    click(dialog_button("Ok"))
+    press_button("Ok")
     until(lambda: not Gui.Control.activeDialog())
     choose(strip)
     press("Elastica_Export")
@@ -129,15 +129,13 @@ def work():
     typed_into(panel().form.kerf, "0.15 mm", lambda: panel().value("kerf") != 0.2)
     answers["kerf typed"] = panel().value("kerf")
     answers["version"] = panel().form.version.currentText()
-    scroll_to(dialog_button("Cancel"))
-    click(dialog_button("Cancel"))
+    press_button("Cancel")
     until(lambda: not Gui.Control.activeDialog())
     press("Elastica_Bend")
     until(lambda: Gui.Control.activeDialog() and panel().form.EndX.isVisible())
     typed_into(panel().form.EndX, "120 mm", lambda: panel().value("EndX") != 0)
     answers["bent by"] = panel().value("EndX")
-    scroll_to(dialog_button("Cancel"))
-    click(dialog_button("Cancel"))
+    press_button("Cancel")
     until(lambda: not Gui.Control.activeDialog())
     Gui.ActiveDocument.setEdit(drawn.Name)
     # the verdict comes first, the strip's widths when they are found

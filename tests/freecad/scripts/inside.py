@@ -306,6 +306,25 @@ def dialog_button(kind="Ok"):
     return None
 
 
+def press_button(kind="Ok"):
+    """Press a button of the open task panel by a real mouse, where need be from behind the tab of the model."""
+    if not until(lambda: dialog_button(kind) is not None, 10):
+        picture(f"no-{kind}-button.png")
+        for bar in Gui.getMainWindow().findChildren(QtWidgets.QTabBar):
+            for i in range(bar.count() if bar.isVisible() else 0):
+                if bar.tabText(i) == "Tasks":
+                    click(bar, at=bar.tabRect(i).center())
+        assert until(lambda: dialog_button(kind) is not None), f"no button {kind}: {_buttons()}"
+    scroll_to(dialog_button(kind))
+    click(dialog_button(kind))
+
+
+def _buttons():
+    """What stands in boxes of buttons, and whether it is seen."""
+    boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+    return [(box.isVisible(), [(one.text(), one.isVisible()) for one in box.buttons()]) for box in boxes]
+
+
 def panel():
     """The open panel of the workbench."""
     from freecad.elastica_wb.panels.panel import Panel
@@ -332,10 +351,7 @@ def open_panel(command, *things):
 def button(kind="Ok"):
     """Press it when nothing is put off any more, though the panel was scrolled down."""
     at_rest()
-    boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-    wanted = [box.button(getattr(QtWidgets.QDialogButtonBox, kind)) for box in boxes if box.isVisible()]
-    scroll_to(next(one for one in wanted if one is not None))
-    click(dialog_button(kind))
+    press_button(kind)
     until(lambda: not Gui.Control.activeDialog(), 10)
 
 

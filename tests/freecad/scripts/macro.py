@@ -19,12 +19,12 @@ from inside import (
     button,
     choose,
     click,
-    dialog_button,
     fit,
     live_at_rest,
     open_panel,
     panel,
     press,
+    press_button,
     run,
     scroll_to,
     sketch,
@@ -155,7 +155,7 @@ def change_ones_mind(document):
     button()
     _, second = strips_of(document)
     open_panel("Elastica_Fixtures", second)
-    click(dialog_button())
+    press_button()
     until(lambda: "give the strips tabs" in panel().form.message.text())
     answers["refused"] = panel().form.message.text()
     button("Cancel")

@@ -25,6 +25,7 @@ from inside import (
     panel,
     picture,
     press,
+    press_button,
     run,
     scroll_to,
     sketch,
@@ -70,7 +71,7 @@ def bent_blank(document, strip):
     picture("blank-export.png")
     panel().form.folder.setText(str(OUT / "bent"))
     at_rest()
-    click(dialog_button("Ok"))
+    press_button("Ok")
     answers["blank, written"] = dismissed()
     answers["blank, cut list"] = (OUT / "bent" / "cut-list.csv").read_text(encoding="utf-8")
     strip.NaturalCurvature = 0.0
@@ -195,7 +196,7 @@ def deleted():
     document.removeObject(document.Flat.Name)
     document.removeObject(document.Strip.Name)
     wait(100)
-    click(dialog_button("Ok"))
+    press_button("Ok")
     at_rest()
     message = panel().form.message
     answers["deleted"] = [message.text(), message.visibleRegion().isEmpty(), main.isVisible()]
