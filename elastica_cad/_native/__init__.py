@@ -8,11 +8,54 @@ import os
 from importlib import import_module
 from typing import Protocol, cast
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 
 
 class Kernels(Protocol):
-    """The compiled functions. Arrays are contiguous float64, the last arguments are filled; truth is 0 or 1."""
+    """The compiled functions. Arrays are contiguous float64 or, of places in others, int64; the last arguments are
+    filled; truth is 0 or 1.
+    """
+
+    def legendre_sums(
+        self,
+        coefficients: FloatArray,
+        sizes: tuple[int, int],
+        panel: IntArray,
+        x: FloatArray,
+        values: FloatArray,
+        /,
+    ) -> None:
+        """That of `geometry.polynomials.panel_functions.values_at`."""
+
+    def bernstein_sums(
+        self, series: FloatArray, sizes: tuple[int, int, int, int], piece: IntArray, u: FloatArray,
+        values: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """That of `geometry.curves.curve_derivatives.RationalPieces`; pieces, degree, columns, the first asked."""
+
+    def arc_lengths_at(
+        self, t: FloatArray, s: FloatArray, series: FloatArray, parameters: FloatArray, lengths: FloatArray, /
+    ) -> None:
+        """`length_at` of `geometry.curves.arc_length.ArcLength`."""
+
+    def parameters_at(
+        self, t: FloatArray, s: FloatArray, series: FloatArray, meets: FloatArray, cubics: FloatArray,
+        step_from_cubic: float, last_step: float, lengths: FloatArray, parameters: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`parameter_at` of the same."""
+
+    def extremes(
+        self, coefficients: FloatArray, basis: FloatArray, places: FloatArray, slopes: FloatArray,
+        settings: tuple[int, float, float], table: FloatArray, panel: IntArray, sample: IntArray,
+        x: FloatArray, /,
+    ) -> int:  # fmt: skip
+        """`found_extremes` of `geometry.polynomials.panel_functions.PanelFunction`: how many there are."""
+
+    def vertex_exchange(
+        self, rows: FloatArray, limits: FloatArray, settings: tuple[int, float, float, float],
+        active: IntArray, inverse: FloatArray, vertex: FloatArray, /,
+    ) -> int:  # fmt: skip
+        """`_exchanged` of `mechanics.stiffness.vertex_exchange.VertexExchange`: how it ended."""
 
     def shoot(
         self, bend: FloatArray, rest: FloatArray, pull_x: FloatArray, pull_y: FloatArray, moment: float,

@@ -4,6 +4,8 @@
 
 #include <Python.h>
 
+#include <stdint.h>
+
 #ifdef _MSC_VER
 #define restrict __restrict
 #endif
@@ -24,6 +26,9 @@ typedef struct {
 
 /* The numbers of `object`, which must hold `size` of them; NULL with a Python error where it does not. */
 double *borrow(Borrowed *borrowed, PyObject *object, Py_ssize_t size, int writable, const char *name);
+
+/* The same for whole numbers of eight bytes, numpy's own for places in arrays. */
+int64_t *borrow_whole(Borrowed *borrowed, PyObject *object, Py_ssize_t size, int writable, const char *name);
 
 /* How many numbers an array holds; -1 with a Python error where it is none. */
 Py_ssize_t array_size(PyObject *object);

@@ -33,6 +33,47 @@ typedef struct {
     const double *diagonal, *off, *lengths, *constraints, *polynomials;
 } SecondVariation;
 
+#define MOST_DEGREE 32  /* of curves that are evaluated here */
+#define MOST_ORDER 32   /* of panels */
+#define MOST_NUMBERS 16 /* of a linear program, R among them */
+
+/* `RationalPieces` of geometry/curves/curve_derivatives.py: columns from `first` of series (degree + 1, width) each. */
+typedef struct {
+    Py_ssize_t degree, width, first, columns;
+    const double *series;
+} BernsteinPieces;
+
+/* `ArcLength` of geometry/curves/arc_length.py, */
+typedef struct {
+    Py_ssize_t panels, terms;
+    const double *t, *s, *series;
+} ArcLengths;
+
+/* and where Newton's method starts in it, with when it stops. */
+typedef struct {
+    Py_ssize_t of_each;
+    const double *meets, *cubics;
+    double step_from_cubic, last_step;
+} InverseCells;
+
+/* The constants of `PanelFunction.found_extremes` in geometry/polynomials/panel_functions.py. */
+typedef struct {
+    Py_ssize_t order, samples;
+    int steps;
+    double band, reach;
+    const double *basis, *places, *slopes;
+} ExtremeSearch;
+
+/* `VertexExchange` of mechanics/stiffness/vertex_exchange.py. */
+typedef struct {
+    Py_ssize_t conditions, numbers;
+    int most_exchanges;
+    double feasible, pivot, corrected;
+    const double *rows, *limits;
+} FewNumbers;
+
+enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
+
 /* Four sums at a time, which a processor adds beside each other. */
 static inline double dot(Py_ssize_t n, const double *restrict a, const double *restrict b)
 {
@@ -68,5 +109,23 @@ int interior_points(const Quadratic *program, const InteriorSettings *settings, 
 
 /* 1 where the mode is found and proved the lowest, 0 where it is not, -1 without memory. */
 int lowest_mode(const SecondVariation *variation, double *mode, double *multipliers, double *value);
+
+/* Legendre series (order, columns) of the panels (places,) at x: values (places, columns). */
+void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns, const double *coefficients,
+                   const int64_t *panel, const double *x, double *values);
+
+void bernstein_sums(Py_ssize_t places, const BernsteinPieces *pieces, const int64_t *piece, const double *u,
+                    double *values);
+
+void arc_lengths_at(const ArcLengths *arc, Py_ssize_t places, const double *t, double *s);
+
+void parameters_at(const ArcLengths *arc, const InverseCells *cells, Py_ssize_t places, const double *s, double *t);
+
+/* How many extremes there are: `panel`, `sample` and `x` have room for all samples, and `table` for their values. */
+Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double *coefficients, double *table,
+                    int64_t *panel, int64_t *sample, double *x);
+
+/* One of the three above; `active` and `inverse` are where it begins and where it ends. */
+int vertex_exchange(const FewNumbers *program, int64_t *active, double *inverse, double *vertex);
 
 #endif

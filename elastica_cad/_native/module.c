@@ -1,18 +1,5 @@
-/* What Python sees: each function checks and borrows its arrays, runs a kernel without Python, and gives them back. */
-#include "kernels.h"
-
-#define BORROW(target, object, size, name) \
-    if ((target = borrow(&arrays, object, size, 0, name)) == NULL) goto done
-#define BORROW_OUT(target, object, size, name) \
-    if ((target = borrow(&arrays, object, size, 1, name)) == NULL) goto done
-
-/* NULL with the error that is set, or else with this one. */
-static PyObject *refused(const char *why)
-{
-    if (!PyErr_Occurred())
-        PyErr_SetString(PyExc_ValueError, why);
-    return NULL;
-}
+/* What Python sees of the kernels for rods and their programs, and the list of all. */
+#include "doors.h"
 
 static PyObject *py_shoot(PyObject *module, PyObject *arguments)
 {
@@ -246,6 +233,12 @@ done:
 }
 
 static PyMethodDef functions[] = {
+    {"legendre_sums", py_legendre_sums, METH_VARARGS, NULL},
+    {"bernstein_sums", py_bernstein_sums, METH_VARARGS, NULL},
+    {"arc_lengths_at", py_arc_lengths_at, METH_VARARGS, NULL},
+    {"parameters_at", py_parameters_at, METH_VARARGS, NULL},
+    {"extremes", py_extremes, METH_VARARGS, NULL},
+    {"vertex_exchange", py_vertex_exchange, METH_VARARGS, NULL},
     {"shoot", py_shoot, METH_VARARGS, NULL},
     {"sensitivities", py_sensitivities, METH_VARARGS, NULL},
     {"weighted_gram", py_weighted_gram, METH_VARARGS, NULL},

@@ -6,6 +6,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev, series_at
 from elastica_cad.geometry.running_sums import numbers_in_groups
@@ -57,6 +58,10 @@ class ArcLength:
         """Arc lengths (n,) of parameters (n,)."""
         if not t.size:
             return np.zeros(0)
+        if kernels is not None:
+            s = np.empty(t.size)
+            kernels.arc_lengths_at(self.t, self.s, self.series, np.ascontiguousarray(t), s)
+            return s
         panel = np.searchsorted(self.t[1:-1], t, side="right")
         x = np.minimum(np.maximum(2 * (t - self.t[panel]) / self._widths[panel] - 1, -1.0), 1.0)
         s = self.s[panel] + series_at(self.series, panel, chebyshev(x, self.series.shape[1]))
@@ -65,6 +70,11 @@ class ArcLength:
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Parameters (n,) of arc lengths (n,)."""
         meets, cubics = self._inverse
+        if kernels is not None:
+            t = np.empty(s.size)
+            table = (self.t, self.s, self.series, meets, cubics)
+            kernels.parameters_at(*table, _STEP_FROM_CUBIC, _LAST_NEWTON_STEP, np.ascontiguousarray(s), t)
+            return t
         cell = meets.searchsorted(s, side="right")
         panel = cell // _CELLS
         start, pace, c0, c1, c2, c3 = cubics.take(cell, axis=0).T

@@ -6,6 +6,7 @@ from math import comb
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.tangent_angle import TangentCones, cut_into_tangent_cones, hodograph
@@ -67,11 +68,7 @@ class RationalPieces:
         """The same at local coordinates u (n,) of spans (n,)."""
         size = self._dimension
         columns = size * (order + 1)
-        basis = scaled_bernstein(self.spans.degree, u)
-        if len(self._series) == 1:
-            values = basis @ self._series[0, :, :columns]
-        else:
-            values = np.einsum("nj,njc->nc", basis, self._series[:, :, :columns].take(index, axis=0))
+        values = self._sums(index, u, 0, columns)
         rows = [values[:, k : k + size] for k in range(0, columns, size)]
         if self.rational:
             parts = quotient([row[:, :2].T for row in rows], [row[:, 2] for row in rows])
@@ -97,8 +94,22 @@ class RationalPieces:
         u = np.minimum(np.maximum(u, 0.0), 1.0)
         if self.rational:
             return norm(self.within(index, u, 1)[1])
-        velocity = self._series[:, :, 2:4].take(index, axis=0)
-        return norm(np.einsum("nj,njc->nc", scaled_bernstein(self.spans.degree, u), velocity))
+        return norm(self._sums(index, u, 2, 4))
+
+    def _sums(self, index: IntArray, u: FloatArray, first: int, end: int) -> FloatArray:
+        """Columns (n, ...) from `first` to `end` of `_series` at local coordinates u (n,) of spans (n,)."""
+        series, degree = self._series, self.spans.degree
+        if kernels is not None and degree <= _MOST_COMPILED:
+            values = np.empty((u.size, end - first))
+            sizes = (len(series), degree, series.shape[2], first)
+            kernels.bernstein_sums(
+                series, sizes, np.ascontiguousarray(index, dtype=np.intp), np.ascontiguousarray(u), values
+            )
+            return values
+        basis = scaled_bernstein(degree, u)
+        if len(series) == 1:
+            return np.asarray(basis @ series[0, :, first:end])
+        return np.asarray(np.einsum("nj,njc->nc", basis, series[:, :, first:end].take(index, axis=0)))
 
     def stationary(self) -> FloatArray:
         """Parameters (k,) of the knots and of all places where x or y is stationary."""
@@ -154,6 +165,7 @@ class RationalPieces:
 
 
 _ORDERS = 4  # position and three derivatives
+_MOST_COMPILED = 32  # the degree up to which the compiled sums have room
 
 
 @lru_cache(maxsize=64)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 
 _BOX = 1e7
@@ -17,6 +18,10 @@ _CORRECTED = 1e-13
 """Share of the numbers at a vertex that its conditions may lack, after they have corrected it."""
 
 _MOST_EXCHANGES = 200  # several times what a program in four numbers takes
+_MOST_COMPILED = 16  # numbers, R among them, that the compiled exchanges have room for
+
+_NO_VERTEX, _FOUND, _WORN = 0, 1, 2
+"""How exchanges end: with none, with the one that is sought, or with an inverse that has lost digits."""
 
 
 class VertexExchange:
@@ -37,7 +42,7 @@ class VertexExchange:
         box = np.eye(count)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.concatenate([np.full(unknowns, -_BOX), [0.0], np.full(unknowns, -_BOX)])
-        self.active = np.arange(count)
+        self.active = np.arange(count, dtype=np.intp)
         self.inverse = box
 
     def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
@@ -51,10 +56,32 @@ class VertexExchange:
         """(x, R), or None where this method comes to no vertex of all conditions: an unbounded program, none at all
         that meets them, or one that is all but degenerate."""
         unknowns = self.rows.shape[1] - 1
+        for _ in range(_MOST_EXCHANGES):
+            ended, vertex = self._exchanged()
+            if ended != _WORN:
+                break
+            try:
+                self.inverse = _inverse(self.rows[self.active])
+            except np.linalg.LinAlgError:
+                return None
+        boxed = self.active[self.active < 2 * unknowns + 1] != unknowns
+        return vertex if ended == _FOUND and np.isfinite(vertex).all() and not boxed.any() else None
+
+    def _exchanged(self) -> tuple[int, FloatArray]:
+        """How the exchanges end from where they stand, and the vertex where they do."""
+        count = self.rows.shape[1]
+        if kernels is not None and count <= _MOST_COMPILED:
+            vertex = np.empty(count)
+            settings = (_MOST_EXCHANGES, _FEASIBLE, _PIVOT, _CORRECTED)
+            ended = kernels.vertex_exchange(
+                self.rows, self.limits, settings, self.active, self.inverse, vertex
+            )
+            return ended, vertex
         holds_largest = self.rows[:, -1]
-        active, inverse = self.active, self.inverse
+        active = self.active
         rows, limits = self.rows[active], self.limits[active]
         for _ in range(_MOST_EXCHANGES):
+            inverse = self.inverse
             vertex = inverse @ limits
             vertex += inverse @ (limits - rows @ vertex)  # to rounding of the conditions themselves
             excess = self.rows @ vertex - self.limits
@@ -62,26 +89,19 @@ class VertexExchange:
                 excess /= 1.0 + holds_largest * (vertex[-1] - 1.0)
             worst = int(excess.argmin())
             if not excess[worst] < -_FEASIBLE:
-                if not np.abs(limits - rows @ vertex).max() <= _CORRECTED * np.abs(vertex).max():
-                    try:
-                        inverse = _inverse(rows)
-                    except np.linalg.LinAlgError:
-                        return None
-                    continue
-                self.inverse = inverse
-                boxed = active[active < 2 * unknowns + 1] != unknowns
-                return vertex if np.isfinite(vertex).all() and not boxed.any() else None
+                lack = np.abs(limits - rows @ vertex).max()
+                return (_FOUND if lack <= _CORRECTED * np.abs(vertex).max() else _WORN), vertex
             # the entering row is so much of each active one; R is the sum of the active ones by `share`
             parts, share = self.rows[worst] @ inverse, inverse[-1]
             leaving = (parts > _PIVOT * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
-                return None
+                return _NO_VERTEX, vertex
             out = leaving[(share[leaving] / parts[leaving]).argmin()]
             active[out], rows[out], limits[out] = worst, self.rows[worst], self.limits[worst]
             column = inverse[:, out] / parts[out]
-            inverse = inverse - column[:, None] * parts
-            inverse[:, out] = column
-        return None
+            self.inverse = inverse - column[:, None] * parts
+            self.inverse[:, out] = column
+        return _NO_VERTEX, vertex
 
 
 def _inverse(matrix: FloatArray) -> FloatArray:

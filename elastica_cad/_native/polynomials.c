@@ -1,0 +1,187 @@
+/* Piecewise polynomials at many places at once, each place in a piece of its own, and arc length by its series. */
+#include "kernels.h"
+
+#include <math.h>
+#include <string.h>
+
+void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns, const double *coefficients,
+                   const int64_t *panel, const double *x, double *values)
+{
+    for (Py_ssize_t i = 0; i < places; i++) {
+        const double *restrict row = coefficients + panel[i] * order * columns;
+        double *restrict sum = values + i * columns;
+        double before = 1.0, now = x[i];
+        for (Py_ssize_t j = 0; j < columns; j++)
+            sum[j] = order > 1 ? row[j] + now * row[columns + j] : row[j];
+        for (Py_ssize_t k = 2; k < order; k++) {
+            const double following = ((2 * k - 1) * x[i] * now - (k - 1) * before) / k;
+            before = now;
+            now = following;
+            for (Py_ssize_t j = 0; j < columns; j++)
+                sum[j] += now * row[k * columns + j];
+        }
+    }
+}
+
+void bernstein_sums(Py_ssize_t places, const BernsteinPieces *pieces, const int64_t *piece, const double *u,
+                    double *values)
+{
+    const Py_ssize_t degree = pieces->degree, columns = pieces->columns;
+    double before[MOST_DEGREE + 1], after[MOST_DEGREE + 1];
+    for (Py_ssize_t i = 0; i < places; i++) {
+        const double *restrict row = pieces->series + piece[i] * (degree + 1) * pieces->width + pieces->first;
+        double *restrict sum = values + i * columns;
+        before[0] = after[0] = 1.0;
+        for (Py_ssize_t k = 1; k <= degree; k++) {
+            before[k] = before[k - 1] * u[i];
+            after[k] = after[k - 1] * (1.0 - u[i]);
+        }
+        for (Py_ssize_t j = 0; j < columns; j++)
+            sum[j] = 0.0;
+        for (Py_ssize_t k = 0; k <= degree; k++) {
+            const double share = before[k] * after[degree - k];
+            for (Py_ssize_t j = 0; j < columns; j++)
+                sum[j] += share * row[k * pieces->width + j];
+        }
+    }
+}
+
+/* The sum of a Chebyshev series and its slope by x, by Clenshaw's recurrences. */
+static double chebyshev_sum(Py_ssize_t count, const double *restrict series, double x, double *slope)
+{
+    double one = 0.0, two = 0.0, slope_one = 0.0, slope_two = 0.0;
+    for (Py_ssize_t k = count - 1; k > 0; k--) {
+        const double next_slope = 2 * x * slope_one - slope_two + 2 * one, next = 2 * x * one - two + series[k];
+        slope_two = slope_one;
+        slope_one = next_slope;
+        two = one;
+        one = next;
+    }
+    *slope = x * slope_one - slope_two + one;
+    return x * one - two + series[0];
+}
+
+static double between(double low, double x, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+/* Of how many of rising numbers `sought` is at or beyond. */
+static Py_ssize_t passed(Py_ssize_t count, const double *rising, double sought)
+{
+    Py_ssize_t low = 0;
+    while (low < count) {
+        const Py_ssize_t middle = (low + count) / 2;
+        if (rising[middle] <= sought)
+            low = middle + 1;
+        else
+            count = middle;
+    }
+    return low;
+}
+
+void arc_lengths_at(const ArcLengths *arc, Py_ssize_t places, const double *t, double *s)
+{
+    double slope;
+    for (Py_ssize_t i = 0; i < places; i++) {
+        const Py_ssize_t p = passed(arc->panels - 1, arc->t + 1, t[i]);
+        const double width = arc->t[p + 1] - arc->t[p];
+        const double x = between(-1.0, 2 * (t[i] - arc->t[p]) / width - 1, 1.0);
+        if (x <= -1 || x >= 1)
+            s[i] = arc->s[p + (x >= 1)];
+        else
+            s[i] = arc->s[p] + chebyshev_sum(arc->terms, arc->series + p * arc->terms, x, &slope);
+    }
+}
+
+void parameters_at(const ArcLengths *arc, const InverseCells *cells, Py_ssize_t places, const double *s, double *t)
+{
+    const Py_ssize_t count = arc->panels * cells->of_each;
+    for (Py_ssize_t i = 0; i < places; i++) {
+        const Py_ssize_t cell = passed(count - 1, cells->meets, s[i]), p = cell / cells->of_each;
+        const double *cubic = cells->cubics + 6 * cell, *series = arc->series + p * arc->terms;
+        const double target = s[i] - arc->s[p], whole = arc->s[p + 1] - arc->s[p];
+        double x, slope;
+        if (target <= 0 || target >= whole)
+            x = target <= 0 ? -1.0 : 1.0;
+        else {
+            const double share = (s[i] - cubic[0]) * cubic[1];
+            const double rate = (cubic[3] + share * (2 * cubic[4] + share * (3 * cubic[5]))) * cubic[1];
+            x = between(-1.0, cubic[2] + share * (cubic[3] + share * (cubic[4] + share * cubic[5])), 1.0);
+            double low = -1.0, high = 1.0, gap = chebyshev_sum(arc->terms, series, x, &slope) - target;
+            double following = between(-1.0, x - gap * rate, 1.0), enough = cells->step_from_cubic;
+            for (int step = 0; step < 60 && fabs(following - x) > enough; step++) {
+                if (gap < 0)
+                    low = x;
+                else
+                    high = x;
+                x = following;
+                gap = chebyshev_sum(arc->terms, series, x, &slope) - target;
+                following = x - gap / slope;
+                if (!(following >= low && following <= high))
+                    following = (low + high) / 2;
+                enough = cells->last_step;
+            }
+            x = following;
+        }
+        t[i] = arc->t[p] + (arc->t[p + 1] - arc->t[p]) * (1 + x) / 2;
+    }
+}
+
+/* Coefficients of a Legendre series' derivative by x, from a matrix (order, order). */
+static void derive(Py_ssize_t order, const double *slopes, const double *series, double *derivative)
+{
+    for (Py_ssize_t k = 0; k < order; k++)
+        derivative[k] = dot(order, slopes + k * order, series);
+}
+
+/* Halley's steps towards the extreme of a series that lies next to `start`. */
+static double extreme_near(const ExtremeSearch *search, const double *series, double start)
+{
+    const Py_ssize_t order = search->order;
+    const double low = fmax(start - search->reach, -1.0), high = fmin(start + search->reach, 1.0);
+    double derivatives[3][MOST_ORDER], x = start;
+    const int64_t first_panel = 0;
+    for (int d = 0; d < 3; d++)
+        derive(order, search->slopes, d ? derivatives[d - 1] : series, derivatives[d]);
+    for (int step = 0; step < search->steps; step++) {
+        double at[3];
+        for (int d = 0; d < 3; d++)
+            legendre_sums(1, order, 1, derivatives[d], &first_panel, &x, &at[d]);
+        const double bend = 2 * at[1] * at[1] - at[0] * at[2];
+        x = between(low, bend != 0 ? x + -2 * at[0] * at[1] / bend : x, high);
+    }
+    return x;
+}
+
+Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double *coefficients, double *table,
+                    int64_t *panel, int64_t *sample, double *x)
+{
+    const Py_ssize_t order = search->order, samples = search->samples, count = panels * samples;
+    Py_ssize_t least = 0, most = 0, found = 0;
+    for (Py_ssize_t i = 0; i < panels; i++)
+        for (Py_ssize_t j = 0; j < samples; j++)
+            table[i * samples + j] = dot(order, coefficients + i * order, search->basis + j * order);
+    for (Py_ssize_t i = 1; i < count; i++) {
+        if (table[i] < table[least])
+            least = i;
+        if (table[i] > table[most])
+            most = i;
+    }
+    const double band = search->band * (table[most] - table[least]);
+    const double above = table[most] - band, below = table[least] + band;
+    for (Py_ssize_t i = 0; i < count; i++) {
+        const Py_ssize_t j = i % samples;
+        const double here = table[i];
+        if (i != least && i != most) {
+            if (!(here > above || here < below) || j == 0 || j == samples - 1)
+                continue;
+            if (!((here >= table[i - 1] && here >= table[i + 1]) || (here <= table[i - 1] && here <= table[i + 1])))
+                continue;
+        }
+        panel[found] = i / samples;
+        sample[found] = j;
+        x[found++] = extreme_near(search, coefficients + i / samples * order, search->places[j]);
+    }
+    return found;
+}
