@@ -44,6 +44,21 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """`parameter_at` of the same."""
 
+    def speed_panels(
+        self, series: FloatArray, sizes: tuple[int, int, int, int], edges: FloatArray, shares: FloatArray,
+        to_series: FloatArray, integrate: FloatArray, settings: tuple[float, float, float, float],
+        starts: FloatArray, lengths: FloatArray, /,
+    ) -> int:  # fmt: skip
+        """The panels of `geometry.curves.arc_length.arc_length_table`: how many, -1 where they need more room."""
+
+    def evaluate_panels(
+        self, series: FloatArray, sizes: tuple[int, int, int, int], edges: FloatArray,
+        rule: tuple[FloatArray, FloatArray, FloatArray, FloatArray],
+        cut: tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray], rest: float,
+        t: FloatArray, velocity: FloatArray, stretch: FloatArray, curvature: FloatArray, tails: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """Those of `mechanics.stiffness.quadrature_panels`."""
+
     def extremes(
         self, coefficients: FloatArray, basis: FloatArray, places: FloatArray, slopes: FloatArray,
         settings: tuple[int, float, float], table: FloatArray, panel: IntArray, sample: IntArray,

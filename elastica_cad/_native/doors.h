@@ -26,6 +26,8 @@ PyObject *py_legendre_sums(PyObject *module, PyObject *arguments);
 PyObject *py_bernstein_sums(PyObject *module, PyObject *arguments);
 PyObject *py_arc_lengths_at(PyObject *module, PyObject *arguments);
 PyObject *py_parameters_at(PyObject *module, PyObject *arguments);
+PyObject *py_speed_panels(PyObject *module, PyObject *arguments);
+PyObject *py_evaluate_panels(PyObject *module, PyObject *arguments);
 PyObject *py_extremes(PyObject *module, PyObject *arguments);
 PyObject *py_vertex_exchange(PyObject *module, PyObject *arguments);
 

@@ -39,7 +39,7 @@ typedef struct {
 
 /* `RationalPieces` of geometry/curves/curve_derivatives.py: columns from `first` of series (degree + 1, width) each. */
 typedef struct {
-    Py_ssize_t degree, width, first, columns;
+    Py_ssize_t count, degree, width, first, columns;
     const double *series;
 } BernsteinPieces;
 
@@ -55,6 +55,25 @@ typedef struct {
     const double *meets, *cubics;
     double step_from_cubic, last_step;
 } InverseCells;
+
+/* How that is made, */
+typedef struct {
+    int order;
+    double fine, noise, narrowest, short_share;
+    const double *shares, *to_series, *integrate;
+} SpeedPanels;
+
+/* and the panels of mechanics/stiffness/quadrature_panels.py: the rule on each, and which there are. */
+typedef struct {
+    int order;
+    const double *nodes, *left, *right, *last;
+} PanelRule;
+
+typedef struct {
+    Py_ssize_t count, zeros_count;
+    double rest;
+    const double *left, *right, *zero_left, *zero_right, *zeros;
+} CutPanels;
 
 /* The constants of `PanelFunction.found_extremes` in geometry/polynomials/panel_functions.py. */
 typedef struct {
@@ -73,6 +92,25 @@ typedef struct {
 } FewNumbers;
 
 enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
+
+static inline double between(double low, double x, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+/* How many of rising numbers `sought` is at or beyond. */
+static inline Py_ssize_t passed(Py_ssize_t count, const double *rising, double sought)
+{
+    Py_ssize_t low = 0;
+    while (low < count) {
+        const Py_ssize_t middle = (low + count) / 2;
+        if (rising[middle] <= sought)
+            low = middle + 1;
+        else
+            count = middle;
+    }
+    return low;
+}
 
 /* Four sums at a time, which a processor adds beside each other. */
 static inline double dot(Py_ssize_t n, const double *restrict a, const double *restrict b)
@@ -120,6 +158,13 @@ void bernstein_sums(Py_ssize_t places, const BernsteinPieces *pieces, const int6
 void arc_lengths_at(const ArcLengths *arc, Py_ssize_t places, const double *t, double *s);
 
 void parameters_at(const ArcLengths *arc, const InverseCells *cells, Py_ssize_t places, const double *s, double *t);
+
+/* How many panels there are; -1 where `room` has no place for them, -2 without memory. */
+Py_ssize_t speed_panels(const SpeedPanels *how, const BernsteinPieces *pieces, const double *edges, Py_ssize_t room,
+                        double *starts, double *series);
+
+void evaluate_panels(const PanelRule *rule, const BernsteinPieces *pieces, const double *edges, const CutPanels *cut,
+                     double *t, double *velocity, double *stretch, double *kappa, double *tails);
 
 /* How many extremes there are: `panel`, `sample` and `x` have room for all samples, and `table` for their values. */
 Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double *coefficients, double *table,

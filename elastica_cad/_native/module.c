@@ -237,6 +237,8 @@ static PyMethodDef functions[] = {
     {"bernstein_sums", py_bernstein_sums, METH_VARARGS, NULL},
     {"arc_lengths_at", py_arc_lengths_at, METH_VARARGS, NULL},
     {"parameters_at", py_parameters_at, METH_VARARGS, NULL},
+    {"speed_panels", py_speed_panels, METH_VARARGS, NULL},
+    {"evaluate_panels", py_evaluate_panels, METH_VARARGS, NULL},
     {"extremes", py_extremes, METH_VARARGS, NULL},
     {"vertex_exchange", py_vertex_exchange, METH_VARARGS, NULL},
     {"shoot", py_shoot, METH_VARARGS, NULL},

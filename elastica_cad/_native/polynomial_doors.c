@@ -41,30 +41,37 @@ done:
     return answer;
 }
 
+/* The series of pieces whose sizes are known; 0 with a Python error where they do not fit. */
+static int borrow_pieces(Borrowed *arrays, PyObject *series, BernsteinPieces *pieces)
+{
+    if (pieces->degree < 0 || pieces->degree > MOST_DEGREE || pieces->count < 1 || pieces->first < 0 ||
+        pieces->columns < 0 || pieces->first + pieces->columns > pieces->width)
+        return refused("pieces are of a degree of at most 32, and have the columns that are asked for") != NULL;
+    const Py_ssize_t size = pieces->count * (pieces->degree + 1) * pieces->width;
+    return (pieces->series = borrow(arrays, series, size, 0, "series")) != NULL;
+}
+
 PyObject *py_bernstein_sums(PyObject *module, PyObject *arguments)
 {
     PyObject *series, *which, *at, *out, *answer = NULL;
     BernsteinPieces pieces;
-    Py_ssize_t count;
-    if (!PyArg_ParseTuple(arguments, "O(nnnn)OOO", &series, &count, &pieces.degree, &pieces.width, &pieces.first,
-                          &which, &at, &out))
+    if (!PyArg_ParseTuple(arguments, "O(nnnn)OOO", &series, &pieces.count, &pieces.degree, &pieces.width,
+                          &pieces.first, &which, &at, &out))
         return NULL;
     Borrowed arrays = {.count = 0};
     const Py_ssize_t places = array_size(at), values = array_size(out);
-    if (places < 0 || values < 0 || (places && values % places) || pieces.degree < 0 || pieces.degree > MOST_DEGREE)
-        return refused("sums of Bernstein polynomials need places, room for as many values at each, and a degree "
-                       "of at most 32");
+    if (places < 0 || values < 0 || (places && values % places))
+        return refused("sums of Bernstein polynomials need places, and room for as many values at each");
     pieces.columns = places ? values / places : 0;
-    if (pieces.first < 0 || pieces.first + pieces.columns > pieces.width)
-        return refused("there are not so many columns");
     const double *u;
     const int64_t *piece;
     double *sums;
-    BORROW(pieces.series, series, count * (pieces.degree + 1) * pieces.width, "series");
+    if (!borrow_pieces(&arrays, series, &pieces))
+        goto done;
     BORROW_WHOLE(piece, which, places, "piece");
     BORROW(u, at, places, "u");
     BORROW_OUT(sums, out, places * pieces.columns, "values");
-    if (!within(count, places, piece, "piece"))
+    if (!within(pieces.count, places, piece, "piece"))
         goto done;
     Py_BEGIN_ALLOW_THREADS
     bernstein_sums(places, &pieces, piece, u, sums);
@@ -131,6 +138,86 @@ PyObject *py_parameters_at(PyObject *module, PyObject *arguments)
     BORROW_OUT(t, out, places, "parameters");
     Py_BEGIN_ALLOW_THREADS
     parameters_at(&arc, &cells, places, s, t);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_speed_panels(PyObject *module, PyObject *arguments)
+{
+    PyObject *series, *ends, *of_how[3], *out[2], *answer = NULL;
+    SpeedPanels how;
+    BernsteinPieces pieces = {.columns = 2};
+    Py_ssize_t found;
+    if (!PyArg_ParseTuple(arguments, "O(nnnn)OOOO(dddd)OO", &series, &pieces.count, &pieces.degree, &pieces.width,
+                          &pieces.first, &ends, &of_how[0], &of_how[1], &of_how[2], &how.fine, &how.noise,
+                          &how.narrowest, &how.short_share, &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *edges;
+    double *starts, *lengths;
+    const Py_ssize_t order = array_size(of_how[0]), room = array_size(out[0]);
+    if (order < 3 || order > MOST_ORDER || room < 1)
+        return refused("the speed has 3 to 32 coefficients on a panel, and there is room for one panel or more");
+    how.order = (int)order;
+    if (!borrow_pieces(&arrays, series, &pieces))
+        goto done;
+    BORROW(edges, ends, pieces.count + 1, "edges");
+    BORROW(how.shares, of_how[0], order, "shares");
+    BORROW(how.to_series, of_how[1], order * order, "to_series");
+    BORROW(how.integrate, of_how[2], order * (order + 1), "integrate");
+    BORROW_OUT(starts, out[0], room, "starts");
+    BORROW_OUT(lengths, out[1], room * (order + 1), "lengths");
+    Py_BEGIN_ALLOW_THREADS
+    found = speed_panels(&how, &pieces, edges, room, starts, lengths);
+    Py_END_ALLOW_THREADS
+    answer = found == -2 ? PyErr_NoMemory() : PyLong_FromSsize_t(found);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_evaluate_panels(PyObject *module, PyObject *arguments)
+{
+    PyObject *series, *ends, *of_rule[4], *of_cut[5], *out[5], *answer = NULL;
+    PanelRule rule;
+    CutPanels cut;
+    BernsteinPieces pieces = {.columns = 6};
+    if (!PyArg_ParseTuple(arguments, "O(nnnn)O(OOOO)(OOOOO)dOOOOO", &series, &pieces.count, &pieces.degree,
+                          &pieces.width, &pieces.first, &ends, &of_rule[0], &of_rule[1], &of_rule[2], &of_rule[3],
+                          &of_cut[0], &of_cut[1], &of_cut[2], &of_cut[3], &of_cut[4], &cut.rest, &out[0], &out[1],
+                          &out[2], &out[3], &out[4]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *edges;
+    double *t, *velocity, *stretch, *kappa, *tails;
+    const Py_ssize_t order = array_size(of_rule[0]), count = array_size(of_cut[0]);
+    cut.count = count;
+    cut.zeros_count = array_size(of_cut[4]);
+    if (order < 2 || order > MOST_ORDER || count < 0 || cut.zeros_count < 0)
+        return refused("a rule has 2 to 32 nodes");
+    rule.order = (int)order;
+    if (!borrow_pieces(&arrays, series, &pieces))
+        goto done;
+    BORROW(edges, ends, pieces.count + 1, "edges");
+    BORROW(rule.nodes, of_rule[0], order, "nodes");
+    BORROW(rule.left, of_rule[1], order * order, "left");
+    BORROW(rule.right, of_rule[2], order * order, "right");
+    BORROW(rule.last, of_rule[3], 2 * order, "last");
+    BORROW(cut.left, of_cut[0], count, "left");
+    BORROW(cut.right, of_cut[1], count, "right");
+    BORROW(cut.zero_left, of_cut[2], count, "zero_left");
+    BORROW(cut.zero_right, of_cut[3], count, "zero_right");
+    BORROW(cut.zeros, of_cut[4], cut.zeros_count, "zeros");
+    BORROW_OUT(t, out[0], count * order, "t");
+    BORROW_OUT(velocity, out[1], 2 * count * order, "velocity");
+    BORROW_OUT(stretch, out[2], count * order, "stretch");
+    BORROW_OUT(kappa, out[3], count * order, "curvature");
+    BORROW_OUT(tails, out[4], count, "tails");
+    Py_BEGIN_ALLOW_THREADS
+    evaluate_panels(&rule, &pieces, edges, &cut, t, velocity, stretch, kappa, tails);
     Py_END_ALLOW_THREADS
     answer = Py_NewRef(Py_None);
 done:

@@ -61,25 +61,6 @@ static double chebyshev_sum(Py_ssize_t count, const double *restrict series, dou
     return x * one - two + series[0];
 }
 
-static double between(double low, double x, double high)
-{
-    return x < low ? low : x > high ? high : x;
-}
-
-/* Of how many of rising numbers `sought` is at or beyond. */
-static Py_ssize_t passed(Py_ssize_t count, const double *rising, double sought)
-{
-    Py_ssize_t low = 0;
-    while (low < count) {
-        const Py_ssize_t middle = (low + count) / 2;
-        if (rising[middle] <= sought)
-            low = middle + 1;
-        else
-            count = middle;
-    }
-    return low;
-}
-
 void arc_lengths_at(const ArcLengths *arc, Py_ssize_t places, const double *t, double *s)
 {
     double slope;

@@ -8,7 +8,9 @@ from elastica_cad.geometry.curves import arc_length, curve_derivatives
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials import panel_functions
 from elastica_cad.geometry.polynomials.panel_functions import ORDER, PanelFunction, legendre_basis
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
 from elastica_cad.mechanics.stiffness import vertex_exchange
+from elastica_cad.mechanics.stiffness.quadrature_panels import cut_into_panels
 from elastica_cad.mechanics.stiffness.vertex_exchange import VertexExchange
 from tests.unit.test_compiled_twins import CLOSE, SEEDS, both, distance
 
@@ -84,7 +86,7 @@ def test_curves_of_a_degree_beyond_the_compiled_room(both):
 def test_arc_lengths_and_back(both, seed, curve):
     """Lengths and parameters at the ends, at random places and where panels meet; and there and back again."""
     one = curve(seed)
-    table = one._arc_length
+    table = one._pieces.arc_length
     t = np.concatenate([table.t, np.random.default_rng(seed).uniform(*one.domain, 200)])
     lengths, plain = both(arc_length, lambda: table.length_at(t))
     assert distance(lengths, plain) < CLOSE
@@ -96,11 +98,48 @@ def test_arc_lengths_and_back(both, seed, curve):
 def test_arc_length_of_a_curve_that_all_but_stops(both):
     """Where three control points all but meet Newton's steps need their bracket."""
     near = [(0, 0), (50, 0), (50, 1e-7), (50, 2e-7), (100, 40)]
-    table = PlaneCurve(np.repeat([0.0, 1.0], 5), np.array(near, dtype=float), 4)._arc_length
+    table = PlaneCurve(np.repeat([0.0, 1.0], 5), np.array(near, dtype=float), 4)._pieces.arc_length
     s = np.linspace(0, table.s[-1], 4001)
     compiled, plain = both(arc_length, lambda: table.parameter_at(s))
     assert np.abs(compiled - plain).max() < 1e-9
     assert np.abs(table.length_at(compiled) - s).max() < 1e-11 * table.s[-1]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_panels_of_arc_length(seed):
+    """The compiled table has the panels of the one in Python, and their series."""
+    pieces = drawn(seed)._pieces
+    plain = arc_length.arc_length_table(pieces.speed, pieces.edges)
+    np.testing.assert_allclose(pieces.arc_length.t, plain.t, rtol=0, atol=1e-15 * np.ptp(plain.t))
+    assert distance(pieces.arc_length.series, plain.series) < CLOSE
+    assert distance(pieces.arc_length.s, plain.s) < CLOSE
+
+
+def test_arc_length_beyond_the_compiled_room(monkeypatch):
+    """Where panels need more room than a kernel was given the table is made in Python."""
+    near = np.array([(0, 0), (50, 0), (50, 1e-7), (50, 2e-7), (100, 40)])
+    curve = PlaneCurve(np.repeat([0.0, 1.0], 5), near, 4)
+    monkeypatch.setattr(arc_length, "_ROOM", 1)
+    assert arc_length.compiled_arc_length(*curve.compiled_series.from_derivative(1)) is None
+    assert curve.length == pytest.approx(
+        arc_length.arc_length_table(curve._pieces.speed, curve._pieces.edges).s[-1], rel=1e-14
+    )
+
+
+@pytest.mark.parametrize("rest", [0.0, 0.004])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_panels_of_a_curve(both, seed, rest):
+    """The same panels and numbers at their nodes, beside zeros of the curvature too."""
+
+    def cut():
+        curve = drawn(seed)
+        zeros = [one.t for one in ExcessCurvature(curve, rest).zeros]
+        return cut_into_panels(curve, zeros, natural_curvature=rest)
+
+    compiled, plain = both(curve_derivatives, cut)
+    assert compiled.count == plain.count
+    for name, value in vars(plain).items():
+        assert distance(1.0 * getattr(compiled, name), 1.0 * value) < CLOSE, name
 
 
 @pytest.mark.parametrize("seed", range(60))

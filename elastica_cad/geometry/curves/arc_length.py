@@ -26,6 +26,11 @@ _FINE = 2e-15
 _NOISE_SHARE = 1e-8
 """Coefficients below this share of the speed that halving no longer lessens are rounding."""
 
+_SHORT_SHARE = 1e-15
+"""Of the whole length: what the last coefficients of a panel leave out at most, where they are no rounding."""
+
+_ROOM = 64  # panels of a span, on the average, up to which the compiled search has room
+
 _CELLS = 32
 _STEPS = np.linspace(-1.0, 1.0, _CELLS + 1)
 _AT_STEPS = chebyshev(_STEPS, _DEGREE + 2)
@@ -154,10 +159,34 @@ def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges:
     """
     spans, owner = np.arange(edges.size - 1), np.zeros(edges.size - 1, dtype=int)
     _, t, _, series = _panels(speed, spans, owner, edges[:-1], edges[1:] - edges[:-1], edges[-1:] - edges[:1])
+    return _tabulated(t, series, edges[-1:])
+
+
+def compiled_arc_length(
+    velocity: FloatArray, sizes: tuple[int, int, int, int], edges: FloatArray
+) -> ArcLength | None:
+    """The same of a curve without weights, from a kernel; None where it takes more panels than that has room for.
+
+    Parameters
+    ----------
+    velocity, sizes
+        Scaled Bernstein coefficients and which of them are those of d/dt, see `BernsteinSeries.from_derivative`.
+    """
+    assert kernels is not None
+    starts, series = np.empty(_ROOM * sizes[0]), np.empty((_ROOM * sizes[0], _DEGREE + 2))
+    settings = (_FINE, _NOISE_SHARE, _NARROWEST, _SHORT_SHARE)
+    count = kernels.speed_panels(velocity, sizes, edges, *_chebyshev(), settings, starts, series)
+    return None if count < 0 else _tabulated(starts[:count], series[:count], edges[-1:])
+
+
+def _tabulated(t: FloatArray, series: FloatArray, end: FloatArray) -> ArcLength:
+    """Panels that begin at t (k,), in any order, as a table; the last ends at `end` (1,)."""
     order = t.argsort()
     series = series[order]
-    s = np.append(0.0, series.sum(axis=1).cumsum())
-    return ArcLength(np.append(t[order], edges[-1]), s, series)
+    s = np.empty(t.size + 1)
+    s[0] = 0.0
+    series.sum(axis=1).cumsum(out=s[1:])
+    return ArcLength(np.concatenate([t[order], end]), s, series)
 
 
 def arc_lengths(
@@ -210,7 +239,7 @@ def _panels(
         tail = np.abs(coefficients[:, -3:]).max(axis=1)
         fine = (
             (tail <= _FINE * mean)
-            | (tail * width <= 1e-15 * total[owner])
+            | (tail * width <= _SHORT_SHARE * total[owner])
             | (width < _NARROWEST * whole[owner])
             | ((tail < _NOISE_SHARE * mean) & (tail > 0.3 * parent))
         )

@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table, compiled_arc_length
 from elastica_cad.geometry.curves.tangent_angle import TangentCones, cut_into_tangent_cones, hodograph
 from elastica_cad.geometry.polynomials.bernstein import (
     binomials,
@@ -17,6 +18,27 @@ from elastica_cad.geometry.polynomials.bernstein import (
     scaled_bernstein,
 )
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans
+
+
+@dataclass(frozen=True, eq=False)
+class BernsteinSeries:
+    """A curve without weights as the kernels take it.
+
+    Attributes
+    ----------
+    edges : (p + 1,) array
+        Parameters at which the pieces meet.
+    numbers : (p, degree + 1, 8) array
+        Scaled Bernstein coefficients of x, y and their first three derivatives d/dt.
+    """
+
+    edges: FloatArray
+    numbers: FloatArray
+
+    def from_derivative(self, order: int) -> tuple[FloatArray, tuple[int, int, int, int], FloatArray]:
+        """The numbers, the sizes that tell a kernel to begin at this derivative, and the edges."""
+        pieces, terms, width = self.numbers.shape
+        return self.numbers, (pieces, terms - 1, width, 2 * order), self.edges
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,6 +140,20 @@ class RationalPieces:
         return np.array(
             [*edges, *(edges[r.piece] + r.u * (edges[r.piece + 1] - edges[r.piece]) for r in inner)]
         )
+
+    @cached_property
+    def arc_length(self) -> ArcLength:
+        """By the parameter."""
+        series = self.compiled_series
+        table = None if series is None else compiled_arc_length(*series.from_derivative(1))
+        return arc_length_table(self.speed, self.edges) if table is None else table
+
+    @property
+    def compiled_series(self) -> BernsteinSeries | None:
+        """What kernels evaluate, None where there are none, weights differ or the degree is beyond their room."""
+        if kernels is None or self.rational or self.spans.degree > _MOST_COMPILED:
+            return None
+        return BernsteinSeries(self.edges, self._series)
 
     @cached_property
     def tangent_cones(self) -> TangentCones:

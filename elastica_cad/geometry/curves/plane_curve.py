@@ -11,7 +11,6 @@ from elastica_cad._notebook import BLUE, svg_of_lines
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves import curvature_zeros as zeros
-from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.curves.continuity import (
     ORDERS_OF_SIDES,
     SHORT_SPAN_SHARE,
@@ -19,7 +18,7 @@ from elastica_cad.geometry.curves.continuity import (
     agreeing_orders,
     knot_orders,
 )
-from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope, norm
+from elastica_cad.geometry.curves.curve_derivatives import BernsteinSeries, curvature, curvature_slope, norm
 from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections
@@ -100,12 +99,12 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def length(self) -> float:
         """Arc length, mm."""
-        return float(self._arc_length.s[-1])
+        return float(self._pieces.arc_length.s[-1])
 
     def arc_length(self, t: ArrayLike) -> FloatArray:
         """Arc length from the start, mm, at parameters t."""
         t = np.asarray(t, dtype=float)
-        return self._arc_length.length_at(self._pieces.inside(t.ravel())).reshape(t.shape)
+        return self._pieces.arc_length.length_at(self._pieces.inside(t.ravel())).reshape(t.shape)
 
     def parameter(self, s: ArrayLike) -> FloatArray:
         """Parameters at arc lengths s (mm)."""
@@ -114,12 +113,12 @@ class PlaneCurve(NurbsCurve):
         if s.size and not (np.all(s >= -slack) and np.all(s <= self.length + slack)):
             raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
         inside = np.minimum(np.maximum(s.ravel(), 0.0), self.length)
-        return self._arc_length.parameter_at(inside).reshape(s.shape)
+        return self._pieces.arc_length.parameter_at(inside).reshape(s.shape)
 
     @property
     def smooth_panels(self) -> FloatArray:
         """Parameters, both ends included, between which a Gauss rule of 16 points integrates to rounding."""
-        return self._arc_length.t
+        return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:
         """Position, angle and curvature at arc lengths s (n,)."""
@@ -255,9 +254,10 @@ class PlaneCurve(NurbsCurve):
     def _turning(self) -> TangentAngle:
         return tabulate_tangent_angle(self._pieces.tangent_cones)
 
-    @cached_property
-    def _arc_length(self) -> ArcLength:
-        return arc_length_table(self._pieces.speed, self._pieces.edges)
+    @property
+    def compiled_series(self) -> BernsteinSeries | None:
+        """What kernels evaluate of the curve, None where they cannot."""
+        return self._pieces.compiled_series
 
     @cached_property
     def _continuity(self) -> IntArray:

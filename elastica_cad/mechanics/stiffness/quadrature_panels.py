@@ -7,8 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
+from elastica_cad.geometry.curves.curve_derivatives import BernsteinSeries, curvature, curvature_slope
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.panel_functions import (
     DENSE_PARTS,
@@ -24,7 +25,7 @@ from elastica_cad.geometry.polynomials.panel_functions import (
     locate_in_panels,
 )
 from elastica_cad.geometry.running_sums import numbers_in_groups
-from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 
 MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
@@ -41,6 +42,7 @@ ROUGH_AT_ZERO = 2
 """Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
 
 FROM_LEFT = 1 + NODES
+_LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,16 +129,14 @@ def cut_into_panels(
     narrow = NARROWEST_SHARE * (high - low)
     others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
-    places = sorted(fixed + [t for t, apart in others if _distance(t, fixed) > apart])
+    away = _distances(np.array([t for t, _ in others]), fixed).tolist()
+    places = sorted(fixed + [t for (t, apart), far in zip(others, away, strict=True) if far > apart])
     # where the speed is resolved already
-    smooth = curve.smooth_panels.tolist()
-    widths = [b - a for a, b in pairwise(smooth)]
-    finer = [
-        t for t, a, b in zip(smooth[1:-1], widths[:-1], widths[1:], strict=True)
-        if _distance(t, places) > APART_SHARE * min(a, b)
-    ]  # fmt: skip
-    edges = _graded(_distinct(sorted(places + finer), close), vanishing, close)
-    flags = np.array([_distance(t, vanishing) <= close for t in edges.tolist()])
+    smooth = curve.smooth_panels
+    between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
+    finer = between[_distances(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])]
+    edges = _graded(_distinct(sorted(places + finer.tolist()), close), vanishing, close)
+    flags = _distances(edges, vanishing) <= close
     cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
     both = cut.zero_left & cut.zero_right
     if both.any():
@@ -159,10 +159,9 @@ def cut_into_panels(
         cut = cut.chosen(rough, tail[rough]).into(parts)
 
 
-def _distance(t: float, places: list[float]) -> float:
-    """How far the nearest of rising places is."""
-    at = bisect_left(places, t)
-    return min((abs(t - place) for place in places[max(at - 1, 0) : at + 1]), default=np.inf)
+def _distances(t: FloatArray, places: list[float]) -> FloatArray:
+    """How far (n,) the nearest of the places is from each of t (n,)."""
+    return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
 
 
 def _distinct(places: list[float], close: float) -> list[float]:
@@ -268,6 +267,9 @@ def _evaluated(
     excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
     """The panels at their nodes, and how much of each is unresolved; `zeros` are the parameters of all."""
+    series = excess.curve.compiled_series
+    if series is not None and law is None and not isinstance(excess.rest, RestCurvature):
+        return _compiled(series, excess.rest, cut, zeros)
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT
     t = cut.left[:, None] + from_left
@@ -293,9 +295,25 @@ def _evaluated(
         functions[1, beside] = np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1)
     with np.errstate(divide="ignore", invalid="ignore"):
         functions[1] /= kappa
-        tails = np.abs(functions @ TO_COEFFICIENTS[-2:].T).max(axis=-1) / np.abs(functions).max(axis=-1)
+        tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)
     nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa)
     return nodes, np.asarray(tails.max(axis=0))
+
+
+def _compiled(
+    series: BernsteinSeries, rest: float, cut: _Cut, zeros: FloatArray
+) -> tuple[_Nodes, FloatArray]:
+    """The same by a kernel, which knows curves without weights and one rest curvature."""
+    assert kernels is not None
+    count = cut.left.size
+    t, stretch, kappa = np.empty((3, count, ORDER))
+    velocity, tails = np.empty((count, ORDER, 2)), np.empty(count)
+    flags = cut.zero_left.astype(float), cut.zero_right.astype(float)
+    kernels.evaluate_panels(
+        *series.from_derivative(1), (NODES, LEFT, RIGHT, _LAST), (cut.left, cut.right, *flags, zeros),
+        float(rest), t, velocity, stretch, kappa, tails,
+    )  # fmt: skip
+    return _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa), tails
 
 
 def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
