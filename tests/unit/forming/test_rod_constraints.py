@@ -86,6 +86,19 @@ def test_a_point_is_passed_at_its_foot(grid, z):
         np.testing.assert_allclose(rows[:, j], numeric, atol=1e-7)
 
 
+def test_feet_of_points_beside_a_rod_are_those_of_its_cubics(grid, z):
+    """Each of two points has its own foot, told once for a rod; numpy's polynomials say where it is."""
+    rod = grid.shoot(z)
+    for k, aside in ((20, 0.01), (45, -0.02)):
+        nodes = np.arange(k - 1, k + 3)
+        cubics = [np.polynomial.Polynomial.fit(range(4), rod.position[nodes, i], 3) for i in (0, 1)]
+        on, along = (np.array([c(1.3) for c in part]) for part in (cubics, [c.deriv() for c in cubics]))
+        normal = np.array([-along[1], along[0]]) / np.hypot(*along)
+        constraint = kept.Through(target=tuple(on + aside * normal), place=k / EDGES)
+        for _ in range(2):
+            np.testing.assert_allclose(constraint.values(rod), [-aside], atol=1e-12)
+
+
 @pytest.fixture(scope="module")
 def wish():
     return TargetCurve.of(PlaneCurve.spline([(0, 0), (30, 50), (60, 45), (80, -10), (130, 0)], degree=4))

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import hypot
 
 import numpy as np
 
@@ -91,34 +92,40 @@ class Through(Constraint):
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Distance across the rod (1,)."""
-        share, nodes, normal = self._foot(rod.position)
+        share, nodes, normal = self._foot(rod)
         off = share @ rod.position[nodes] - np.asarray(self.target)
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The one."""
-        rod = sensitivities.rod
-        share, nodes, normal = self._foot(rod.position)
+        share, nodes, normal = self._foot(sensitivities.rod)
         return all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
-    def _foot(self, position: FloatArray) -> tuple[FloatArray, IntArray, FloatArray]:
+    def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
         """The cubic through four nodes that passes nearest: its shares at the foot, the nodes, the normal there."""
+        found: tuple[FloatArray, slice, FloatArray] = rod.remembered(
+            self, lambda: self._find_foot(rod.position)
+        )
+        return found
+
+    def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
         n = position.shape[0] - 1
         window = np.arange(n + 1)
         window = window[np.abs(window / n - self.place) < 0.15]
         off = position[window] - np.asarray(self.target)
         nearest = int(window[np.argmin((off**2).sum(axis=1))])
         first = int(np.clip(nearest - 1, 0, n - 3))
-        nodes = np.arange(first, first + 4)
-        x, u = position[nodes], float(nearest - first)
+        nodes = slice(first, first + 4)
+        x, y = (position[nodes] - np.asarray(self.target)).T.tolist()
+        u = float(nearest - first)
         share, slope = _lagrange(u)
-        for _ in range(8):
-            tangent = slope @ x
-            u -= float(tangent @ (share @ x - np.asarray(self.target)) / (tangent @ tangent))
-            u = float(np.clip(u, -0.5 if first == 0 else 0.0, 3.0))
+        for _ in range(8):  # plain floats: arrays of four would cost fifty times as much
+            along, across = _summed(slope, x), _summed(slope, y)
+            u -= (along * _summed(share, x) + across * _summed(share, y)) / (along * along + across * across)
+            u = min(max(u, -0.5 if first == 0 else 0.0), 3.0)
             share, slope = _lagrange(u)
-        tangent = slope @ x
-        return share, nodes, np.array([-tangent[1], tangent[0]]) / np.hypot(*tangent)
+        along, across = _summed(slope, x), _summed(slope, y)
+        return np.array(share), nodes, np.array([-across, along]) / hypot(along, across)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -214,13 +221,18 @@ def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
     return sorted(nodes), sorted(edges)
 
 
-def _lagrange(u: float) -> tuple[FloatArray, FloatArray]:
+def _lagrange(u: float) -> tuple[list[float], list[float]]:
     """Shares of the nodes 0, 1, 2, 3 in their cubic's value at u, and in its slope."""
-    k = np.arange(4)
-    share, slope = np.empty(4), np.empty(4)
-    for i in k:
-        others = k[k != i]
-        scale = float(np.prod(i - others))
-        share[i] = np.prod(u - others) / scale
-        slope[i] = sum(np.prod(u - others[others != j]) for j in others) / scale
+    a, b, c, d = u, u - 1, u - 2, u - 3
+    share = [-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6]
+    slope = [
+        -(b * c + b * d + c * d) / 6, (a * c + a * d + c * d) / 2,
+        -(a * b + a * d + b * d) / 2, (a * b + a * c + b * c) / 6,
+    ]  # fmt: skip
     return share, slope
+
+
+def _summed(factors: list[float], values: list[float]) -> float:
+    a, b, c, d = factors
+    x, y, z, w = values
+    return a * x + b * y + c * z + d * w
