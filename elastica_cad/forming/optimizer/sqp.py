@@ -45,6 +45,7 @@ _SAME = 0.02  # the same of an optimum that breaks its limits
 _BROKEN = 1e-6  # of a constraint's value
 _AS_BROKEN = 0.9  # of what is broken at an optimum known: less of it may lead elsewhere
 _CLOSER = 0.1  # of its defect: a trial that is off by less is worth more than the point it came from
+_ENDED = 1e-5  # of a constraint's value: more is not put right at the end of a search
 _STUCK = 0.01  # radius, in scales: where longer steps than it are no use, something else is tried
 _WATCHED = 6  # steps by which what is broken must come down
 _HOPELESS = 0.5  # share of it that the steps left would put right at that pace: the search ends
@@ -136,6 +137,7 @@ def minimize(
     found: tuple[ConstraintRows, QuadraticSolution] | None = None
     settled, iteration, ease = False, 0, 1.0
     broken, hopeless = [here.violation], False
+    ended: Point | None = None
     while iteration < steps and not (settled or hopeless) and radius > SMALLEST_RADIUS:
         for other in known:
             if _leads_to(here, other):
@@ -161,6 +163,8 @@ def minimize(
                 # a step for the worse solves no program: a shorter one, damped, is found better
                 settled, ease, radius = False, 1.0, 0.25 * radius
                 continue
+            if settled and (ended := _last_point(here, step, prices, merit - 1e-4 * worth)) is not None:
+                break
             touched = _touched(here, step, solution)
             trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
             gain = -np.inf if trial is None else (merit - trial.merit(prices)) / worth
@@ -181,7 +185,9 @@ def minimize(
                 radius, ease = (0.5 if accepted else 0.3) * size, 1.0
         broken.append(here.violation)
         hopeless = not settled and _is_hopeless(broken, steps - iteration)
-    point = close_iterate(here, active) or program.close(here.local.point) or program.fallback()
+    point = (
+        ended or close_iterate(here, active) or program.close(here.local.point) or program.fallback()
+    )
     point = make_exact(program, point)
     values = program.values(point)
     multipliers, low, high = _multipliers(program, values, found)
@@ -212,6 +218,28 @@ def _leads_to(here: Iterate[Point], known: Outcome[Point]) -> bool:
     alike = _ALIKE if known.violation < _BROKEN else _SAME
     near = here.program.apart(here.local.point, known.point) < alike**2 * known.objective
     return near and here.violation >= _AS_BROKEN * known.violation
+
+
+def _last_point(
+    here: Iterate[Point], step: FloatArray, prices: FloatArray, enough: float
+) -> Point | None:
+    """The closed point after the last step, whose state is shot anew; None where its merit is not low `enough`.
+
+    What is broken there is left to the end of the search, which puts little right.
+    """
+    program = here.program
+    point = program.close(here.local.point, step)
+    if point is None:
+        return None
+    values = program.values(point)
+    if worst_broken(program, values) > _ENDED:
+        return None
+    broken = (
+        float((np.maximum(-value, 0.0) if one_sided else np.abs(value)).sum())
+        for value, one_sided in zip(values, program.one_sided, strict=True)
+    )
+    merit = program.objective(point) + sum(p * b for p, b in zip(prices, broken, strict=True))
+    return point if merit < enough else None
 
 
 def _closer(
