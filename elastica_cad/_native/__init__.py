@@ -78,6 +78,12 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """The recursion of `mechanics.rod.shooting.shoot`."""
 
+    def shape(
+        self, angles: FloatArray, force: FloatArray, start: FloatArray, edge_length: float,
+        tangents: FloatArray, position: FloatArray, pull: FloatArray, shear: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """Those of `mechanics.rod.discrete_rod.DiscreteRod`, of edges of one length."""
+
     def sensitivities(
         self, stiffness: FloatArray, moments: FloatArray, all_angles: FloatArray, tangents: FloatArray,
         pull: FloatArray, shear: FloatArray, shares: FloatArray, rest: FloatArray, basis: FloatArray,
@@ -94,6 +100,12 @@ class Kernels(Protocol):
 
     def largest_distance(self, points: FloatArray, chain: FloatArray, bounds: FloatArray, /) -> float:
         """That of `forming.nearest.curve_distance`; `bounds` (n,) is room."""
+
+    def hermite(
+        self, position: FloatArray, slopes: FloatArray, s: FloatArray, places: FloatArray,
+        directions: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """The cubics of `forming.nearest.target_curve.hermite`."""
 
     def active_sets(
         self, hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray,

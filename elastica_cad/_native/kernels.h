@@ -128,6 +128,10 @@ static inline double dot(Py_ssize_t n, const double *restrict a, const double *r
 void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *pull_x, const double *pull_y,
            double moment, double angle, double wound_up, double *angles, double *moments);
 
+/* Tangents (n, 2), nodes (n + 1, 2), pull and shear (n,) of edges of one length at `angles` (n,) under `force` (n, 2). */
+void shape(Py_ssize_t n, const double *angles, const double *force, const double *start, double edge, double *tangents,
+           double *position, double *pull, double *shear);
+
 void sensitivities(const RodAt *rod, double *angles, double *moments, double *position);
 
 void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const double *added, const double *weights,
@@ -136,6 +140,10 @@ void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const d
 /* The largest distance of points (count, 2) from a chain (nodes, 2) that runs beside them, NaN where a place is; `bounds`
    is room. */
 double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes, const double *chain, double *bounds);
+
+/* Places and derivatives (count, 2) at s (count,) in 0..1 on the cubics through nodes (nodes, 2) at equal steps. */
+void hermite(Py_ssize_t nodes, const double *position, const double *slopes, Py_ssize_t count, const double *s,
+             double *places, double *directions);
 
 /* The guess that settled, counted from 1; 0 where none did, -1 without memory. */
 int active_sets(const Quadratic *program, double *at_low, double *at_high, double *met, double *broken,

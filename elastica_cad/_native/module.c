@@ -29,6 +29,35 @@ done:
     return answer;
 }
 
+static PyObject *py_shape(PyObject *module, PyObject *arguments)
+{
+    PyObject *given[3], *out[4], *answer = NULL;
+    double edge;
+    if (!PyArg_ParseTuple(arguments, "OOOdOOOO", &given[0], &given[1], &given[2], &edge, &out[0], &out[1], &out[2],
+                          &out[3]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *angles, *force, *start;
+    double *tangents, *position, *pull, *shear;
+    const Py_ssize_t n = array_size(given[0]);
+    if (n < 1)
+        return refused("a shape has one edge or more");
+    BORROW(angles, given[0], n, "angles");
+    BORROW(force, given[1], 2 * n, "force");
+    BORROW(start, given[2], 2, "start");
+    BORROW_OUT(tangents, out[0], 2 * n, "tangents");
+    BORROW_OUT(position, out[1], 2 * n + 2, "position");
+    BORROW_OUT(pull, out[2], n, "pull");
+    BORROW_OUT(shear, out[3], n, "shear");
+    Py_BEGIN_ALLOW_THREADS
+    shape(n, angles, force, start, edge, tangents, position, pull, shear);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
 static PyObject *py_sensitivities(PyObject *module, PyObject *arguments)
 {
     PyObject *of_rod[6], *of_grid[4], *of_weight[2], *out[3], *answer = NULL;
@@ -132,6 +161,31 @@ static PyObject *py_largest_distance(PyObject *module, PyObject *arguments)
     distance = largest_distance(count, points, entries / 2, chain, bounds);
     Py_END_ALLOW_THREADS
     answer = PyFloat_FromDouble(distance);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+static PyObject *py_hermite(PyObject *module, PyObject *arguments)
+{
+    PyObject *given[3], *out[2], *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOOOO", &given[0], &given[1], &given[2], &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *position, *slopes, *s;
+    double *places, *directions;
+    const Py_ssize_t entries = array_size(given[0]), count = array_size(given[2]);
+    if (entries < 4 || entries % 2 || count < 0)
+        return refused("cubics pass through two nodes or more");
+    BORROW(position, given[0], entries, "position");
+    BORROW(slopes, given[1], entries, "slopes");
+    BORROW(s, given[2], count, "s");
+    BORROW_OUT(places, out[0], 2 * count, "places");
+    BORROW_OUT(directions, out[1], 2 * count, "directions");
+    Py_BEGIN_ALLOW_THREADS
+    hermite(entries / 2, position, slopes, count, s, places, directions);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
 done:
     give_back(&arrays);
     return answer;
@@ -242,9 +296,11 @@ static PyMethodDef functions[] = {
     {"extremes", py_extremes, METH_VARARGS, NULL},
     {"vertex_exchange", py_vertex_exchange, METH_VARARGS, NULL},
     {"shoot", py_shoot, METH_VARARGS, NULL},
+    {"shape", py_shape, METH_VARARGS, NULL},
     {"sensitivities", py_sensitivities, METH_VARARGS, NULL},
     {"weighted_gram", py_weighted_gram, METH_VARARGS, NULL},
     {"largest_distance", py_largest_distance, METH_VARARGS, NULL},
+    {"hermite", py_hermite, METH_VARARGS, NULL},
     {"active_sets", py_active_sets, METH_VARARGS, NULL},
     {"lowest_mode", py_lowest_mode, METH_VARARGS, NULL},
     {"interior_points", py_interior_points, METH_VARARGS, NULL},

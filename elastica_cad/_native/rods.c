@@ -24,6 +24,25 @@ void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *p
     angles[n + 1] = alpha + bend[n] * M + rest[n];
 }
 
+void shape(Py_ssize_t n, const double *angles, const double *force, const double *start, double edge, double *tangents,
+           double *position, double *pull, double *shear)
+{
+    double x = 0.0, y = 0.0;
+    position[0] = start[0];
+    position[1] = start[1];
+    for (Py_ssize_t i = 0; i < n; i++) {
+        const double Tx = cos(angles[i]), Ty = sin(angles[i]), fx = force[2 * i], fy = force[2 * i + 1];
+        tangents[2 * i] = Tx;
+        tangents[2 * i + 1] = Ty;
+        pull[i] = fx * Tx + fy * Ty;
+        shear[i] = fy * Tx - fx * Ty;
+        x += edge * Tx;
+        y += edge * Ty;
+        position[2 * i + 2] = x + start[0];
+        position[2 * i + 3] = y + start[1];
+    }
+}
+
 WIDE void sensitivities(const RodAt *rod, double *angles, double *moments, double *position)
 {
     const Py_ssize_t n = rod->edges, m = rod->coefficients, c = rod->columns;
@@ -171,5 +190,23 @@ double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes
         if (!(exact < bounds[farthest]))
             return sqrt(exact);
         bounds[farthest] = exact;
+    }
+}
+
+WIDE void hermite(Py_ssize_t nodes, const double *position, const double *slopes, Py_ssize_t count, const double *s,
+                  double *places, double *directions)
+{
+    const double spans = (double)(nodes - 1);
+    for (Py_ssize_t k = 0; k < count; k++) {
+        const double along = s[k] * spans;
+        const Py_ssize_t i = !(along > 0.0) ? 0 : (along >= spans ? nodes - 2 : (Py_ssize_t)along);
+        const double u = along - (double)i;
+        for (int j = 0; j < 2; j++) {
+            const double start = position[2 * i + j], chord = position[2 * i + 2 + j] - start;
+            const double d0 = slopes[2 * i + j], d1 = slopes[2 * i + 2 + j];
+            const double a = 3.0 * chord - 2.0 * d0 - d1, b = d0 + d1 - 2.0 * chord;
+            places[2 * k + j] = start + u * (d0 + u * (a + u * b));
+            directions[2 * k + j] = (d0 + u * (2.0 * a + 3.0 * u * b)) * spans;
+        }
     }
 }

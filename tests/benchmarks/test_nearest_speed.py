@@ -8,7 +8,7 @@ import pytest
 
 from elastica_cad import _native
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest import curve_distance, rod_map
+from elastica_cad.forming.nearest import curve_distance, rod_map, target_curve
 from elastica_cad.forming.nearest.nearest_record import Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.forming.optimizer import dense_solves, quadratic_program
@@ -18,7 +18,15 @@ from elastica_cad.mechanics.rod import banded_matrices, shooting
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 
-WITH_KERNELS = (curve_distance, rod_map, dense_solves, quadratic_program, banded_matrices, shooting)
+WITH_KERNELS = (
+    curve_distance,
+    rod_map,
+    target_curve,
+    dense_solves,
+    quadratic_program,
+    banded_matrices,
+    shooting,
+)
 
 
 def unclamped(control_points):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import _native
-from elastica_cad.forming.nearest import curve_distance, rod_map
+from elastica_cad.forming.nearest import curve_distance, rod_map, target_curve
 from elastica_cad.forming.nearest.stiffness_basis import spline_basis
 from elastica_cad.forming.optimizer import dense_solves, quadratic_program
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
@@ -72,6 +72,30 @@ def test_shooting_that_winds_up(both):
     for one, other in zip(compiled, plain, strict=True):
         np.testing.assert_array_equal(np.isnan(one), np.isnan(other))
     assert np.isnan(compiled[0]).any()
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_shapes(both, seed):
+    rng, *_ = bent(seed)
+    e = rng.normal(size=2) * 4 * (seed % 2)
+    grid = rod_map.StripGrid(spline_basis(np.linspace(0, 1, 201), 20), e)
+    z = np.concatenate([rng.uniform(1, 3, 20), [2.0, *rng.normal(size=2) * 5, 0.1, 0.2, 0.3, 1.1]])
+
+    def shape():
+        rod = grid.shoot(z)
+        return rod.tangents, rod.position, rod.pull, rod.shear
+
+    compiled, plain = both(rod_map, shape)
+    assert max(map(distance, compiled, plain)) < CLOSE
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_cubics_through_nodes(both, seed):
+    rng = np.random.default_rng(seed)
+    nodes, slopes = rng.normal(size=(2, int(rng.integers(2, 60)), 2))
+    s = np.concatenate([rng.uniform(-0.1, 1.1, 40), np.linspace(0, 1, nodes.shape[0])])
+    compiled, plain = both(target_curve, lambda: target_curve.hermite(nodes, slopes, s))
+    assert max(map(distance, compiled, plain)) < CLOSE
 
 
 @pytest.mark.parametrize("closing", [False, True])

@@ -17,6 +17,8 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
 from elastica_cad.mechanics.rod.shooting import shoot
 
+_SHAPE = "tangents", "position", "pull", "shear"  # of a rod, computed together where that is compiled
+
 WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 
@@ -318,7 +320,13 @@ class StripGrid:
         self, z: FloatArray, angles: FloatArray, moments: FloatArray, K: FloatArray, force: FloatArray,
         length: float,
     ) -> MappedRod:  # fmt: skip
-        return MappedRod(
+        rod = MappedRod(
             K, angles[1:-1], force[1:-1], length / self.edges, self.supports, z[self.unknowns.position],
             z=z, moments=moments, all_angles=angles, all_forces=force, length=length,
         )  # fmt: skip
+        if kernels is not None:
+            n = self.edges
+            shape = np.empty((n, 2)), np.empty((n + 1, 2)), np.empty(n), np.empty(n)
+            kernels.shape(rod.angles, rod.force, rod.start, length / n, *shape)
+            rod.__dict__.update(zip(_SHAPE, shape, strict=True))
+        return rod

@@ -69,7 +69,8 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     def clip(self, point: MappedRod) -> MappedRod:
         """The rod with its unknowns moved into the box, angles and moments as they are."""
-        return self.grid.assemble(self._inside(point.z), point.all_angles, point.moments)
+        z = self._inside(point.z)
+        return point if np.array_equal(z, point.z) else self.grid.assemble(z, point.all_angles, point.moments)
 
     def fallback(self) -> MappedRod:
         """An even rod without forces."""

@@ -185,9 +185,7 @@ def minimize(
                 radius, ease = (0.5 if accepted else 0.3) * size, 1.0
         broken.append(here.violation)
         hopeless = not settled and _is_hopeless(broken, steps - iteration)
-    point = (
-        ended or close_iterate(here, active) or program.close(here.local.point) or program.fallback()
-    )
+    point = ended or close_iterate(here, active) or program.close(here.local.point) or program.fallback()
     point = make_exact(program, point)
     values = program.values(point)
     multipliers, low, high = _multipliers(program, values, found)
@@ -220,9 +218,7 @@ def _leads_to(here: Iterate[Point], known: Outcome[Point]) -> bool:
     return near and here.violation >= _AS_BROKEN * known.violation
 
 
-def _last_point(
-    here: Iterate[Point], step: FloatArray, prices: FloatArray, enough: float
-) -> Point | None:
+def _last_point(here: Iterate[Point], step: FloatArray, prices: FloatArray, enough: float) -> Point | None:
     """The closed point after the last step, whose state is shot anew; None where its merit is not low `enough`.
 
     What is broken there is left to the end of the search, which puts little right.

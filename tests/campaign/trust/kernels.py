@@ -122,6 +122,9 @@ def ask_distances(kernels, rng, case):
         points[0] = np.inf
     kernels.largest_distance(points, chain, np.empty(count))
     kernels.weighted_gram(chain, rng.random(nodes), rng.random(nodes), np.empty((2, 2)))
+    kernels.hermite(chain, chain, points[:, 0].copy(), np.empty((count, 2)), np.empty((count, 2)))
+    shape = np.empty((count, 2)), np.empty((count + 1, 2)), np.empty(count), np.empty(count)
+    kernels.shape(points[:, 0].copy(), points, chain[0].copy(), 0.1, *shape)
 
 
 def refused_arrays(kernels):
