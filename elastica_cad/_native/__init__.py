@@ -1,4 +1,4 @@
-"""Compiled twins of the inner loops of form-finding; without them Python does the same more slowly.
+"""Compiled twins of the inner loops of curves and rods; without them Python does the same more slowly.
 
 `kernels` is None where the package was built without a C compiler, and where the environment has ELASTICA_PURE. The
 functions in Python stay what is meant: tests compare each kernel with its twin to 1e-12.

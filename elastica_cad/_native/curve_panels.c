@@ -83,8 +83,8 @@ Py_ssize_t speed_panels(const SpeedPanels *how, const BernsteinPieces *pieces, c
                 continue;
             }
             const double halvings = ceil(log2(tail / (how->fine * mean)) / (how->order - 1));
-            const int parts = 1 << (int)between(1.0, halvings, 3.0);
-            if (!(halvings == halvings) || next + parts > room) {
+            const int parts = isnan(halvings) ? 0 : 1 << (int)between(1.0, halvings, 3.0);
+            if (parts == 0 || next + parts > room) {
                 found = -1;
                 break;
             }

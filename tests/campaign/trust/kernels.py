@@ -11,6 +11,7 @@ import subprocess
 import sys
 import sysconfig
 import tomllib
+from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -69,6 +70,9 @@ def ask_here(cases, seed):
             ask_programs(rng, case)
         ask_modes(kernels, rng, case)
         ask_distances(kernels, rng, case)
+        ask_polynomials(kernels, rng, case)
+        ask_arc_lengths(kernels, rng, case)
+        ask_vertices(kernels, rng, case)
     return refused_arrays(kernels)
 
 
@@ -125,6 +129,78 @@ def ask_distances(kernels, rng, case):
     kernels.hermite(chain, chain, points[:, 0].copy(), np.empty((count, 2)), np.empty((count, 2)))
     shape = np.empty((count, 2)), np.empty((count + 1, 2)), np.empty(count), np.empty(count)
     kernels.shape(points[:, 0].copy(), points, chain[0].copy(), 0.1, *shape)
+
+
+def odd(rng, case, *shape):
+    """Numbers of any size, one of them none now and then."""
+    numbers = rng.normal(size=shape) * 10 ** rng.uniform(-9, 300 if case % 40 == 0 else 6)
+    if case % 9 == 0 and numbers.size:
+        numbers.flat[int(rng.integers(numbers.size))] = rng.choice([np.nan, np.inf, 0.0])
+    return numbers
+
+
+def ask_polynomials(kernels, rng, case):
+    """Sums at places within their pieces and far outside; extremes; places of arrays that are none of them."""
+    pieces, terms, columns, places = (int(n) for n in rng.integers(1, 33, 4))
+    which, out = rng.integers(0, pieces, places), np.empty((places, columns))
+    series, x = odd(rng, case, pieces, terms, columns), odd(rng, case, places)
+    kernels.legendre_sums(series, (pieces, terms), which, x, out)
+    kernels.bernstein_sums(series, (pieces, terms - 1, columns, 0), which, x, out)
+    count, found = pieces * 25, np.empty((2, pieces * 25), dtype=np.intp)
+    kernels.extremes(
+        odd(rng, case, pieces, 12), rng.normal(size=(25, 12)), np.linspace(-1, 1, 25),
+        rng.normal(size=(12, 12)), (int(rng.integers(0, 4)), 0.05, 0.15), np.empty(count), *found, np.empty(count),
+    )  # fmt: skip
+    which[0] = rng.choice([-1, pieces, 2**62])
+    for ask, sizes in ((kernels.legendre_sums, (pieces, terms)),
+                       (kernels.bernstein_sums, (pieces, terms - 1, columns, 0))):  # fmt: skip
+        with suppress(IndexError):
+            ask(series, sizes, which, x, out)
+            raise AssertionError("a place outside its array was taken")
+
+
+def ask_arc_lengths(kernels, rng, case):
+    """Curves that stand still, run to infinity or have knots in no order; rooms that are too small."""
+    from elastica_cad.geometry.curves import arc_length
+    from elastica_cad.mechanics.stiffness import quadrature_panels as panels
+
+    pieces, degree, room = int(rng.integers(1, 9)), int(rng.integers(0, 9)), int(rng.integers(1, 300))
+    edges, series = odd(rng, case, pieces + 1), odd(rng, case, pieces, degree + 1, 8)
+    if case % 3:
+        edges.sort()
+    if case % 5 == 0:
+        series[:] = 0
+    curve = series, (pieces, degree, 8, 2), edges
+    starts, lengths = np.empty(room), np.empty((room, 17))
+    settings = (2e-15, 1e-8, 2.0**-40, 1e-15)
+    kernels.speed_panels(*curve, *arc_length._chebyshev(), settings, starts, lengths)
+    count, met = room // 8 + 1, odd(rng, case, 32 * pieces - 1)
+    table = edges, odd(rng, case, pieces + 1), odd(rng, case, pieces, 17)
+    kernels.arc_lengths_at(*table, odd(rng, case, count), np.empty(count))
+    kernels.parameters_at(
+        *table, met, odd(rng, case, 32 * pieces, 6), 2e-8, 1e-8, odd(rng, case, count), np.empty(count)
+    )
+    flags = (rng.random((2, count)) < 0.3).astype(float)
+    cut = odd(rng, case, count), odd(rng, case, count), *flags, odd(rng, case, int(rng.integers(0, 4)))
+    rule = panels.NODES, panels.LEFT, panels.RIGHT, panels._LAST
+    grid = (count, panels.ORDER)
+    kernels.evaluate_panels(
+        *curve, rule, cut, rng.normal(), np.empty(grid), np.empty((*grid, 2)), np.empty(grid), np.empty(grid),
+        np.empty(count),
+    )  # fmt: skip
+
+
+def ask_vertices(kernels, rng, case):
+    """Programs that contradict themselves, go without end or say the same twice."""
+    numbers = int(rng.integers(1, 17))
+    conditions = numbers + int(rng.integers(0, 40))
+    rows = odd(rng, case, conditions, numbers)
+    rows[rng.random(conditions) < 0.2] = rows[0]
+    active = rng.permutation(conditions)[:numbers]
+    kernels.vertex_exchange(
+        rows, odd(rng, case, conditions), (200, 1e-10, 1e-9, 1e-13), active, odd(rng, case, numbers, numbers),
+        np.empty(numbers),
+    )  # fmt: skip
 
 
 def refused_arrays(kernels):
