@@ -30,6 +30,9 @@ _SLOPES_AT_NODES = VANDER @ SLOPES
 
 _SETTLED = 1e-9  # of the least ratio, by which it may still move
 
+_SAME = 4 * float(np.finfo(float).eps)
+"""Share of the numbers by which two solutions of one program differ, where its vertex is reached by another way."""
+
 _ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
 
 BOUNDED = 1e-7
@@ -127,7 +130,8 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
         rows, offset = family.extremes(y)
         values = rows @ y + offset
         rounded = np.zeros(len(values))
-        if np.array_equal(y, before):  # what is beyond its bounds still is so by the solver's own tolerance
+        if np.abs(y - before).max() <= _SAME * np.abs(y).max():
+            # what is beyond its bounds still is so by the solver's own tolerance
             tolerance = BOUNDED
             rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # or because large terms cancel
         before = y
