@@ -12,7 +12,7 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import Key, slot_walls, tab_key, tab_seats
-from elastica_cad.fabrication.holding.rest_in_seats import Lean, lean_against, what_leans
+from elastica_cad.fabrication.holding.lean import Lean, lean_against, what_leans
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
@@ -218,15 +218,17 @@ def _leans(
     ends: Iterable[tuple[Key, Strip, int]], seats: Mapping[Key, TabSeat], before: Mapping[Key, Lean]
 ) -> dict[Key, Lean]:
     """How the holder of each tab is to be moved, ends that are loaded and held alike reckoned once."""
-    found, known = dict[Key, Lean](), dict[tuple[int | float, ...], Lean]()
+    found, known, last = dict[Key, Lean](), dict[tuple[int | float, ...], Lean](), dict[int, Lean]()
     for key, strip, index in ends:
         if key in seats:
             loaded = strip.as_made.loaded
             ratio = strip.as_made.tab_ratios(loaded)[index]
             alike = what_leans(loaded, index, seats[key], ratio)
             if alike not in known:
-                known[alike] = lean_against(loaded, index, seats[key], ratio, before.get(key))
-            found[key] = known[alike]
+                # the strip before is mostly one like this
+                near = before.get(key) or last.get(index)
+                known[alike] = lean_against(loaded, index, seats[key], ratio, near)
+            found[key] = last[index] = known[alike]
     return found
 
 

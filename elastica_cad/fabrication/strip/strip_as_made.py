@@ -137,9 +137,12 @@ class StripAsMade:
 
     @cached_property
     def loaded(self) -> Rod:
-        """Its shape with both ends held as designed, with what it does to its holders; the design where none."""
+        """Its shape with both ends held as designed, with what it does to its holders; the design where none.
+
+        As `rest` has it: stiffness and law are those of the strip before it is bent.
+        """
         try:
-            return as_bent(self.rest())
+            return self.rest()
         except NotConvergedError:
             return self.design
 

@@ -19,7 +19,10 @@ from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
 from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_key, tab_seats
-from elastica_cad.fabrication.holding.rest_in_seats import lean_against, rest_in_seats, what_leans
+from elastica_cad.fabrication.holding import lean as leaning
+from elastica_cad.fabrication.holding.lean import lean_against, what_leans
+from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.seated_end import step_within
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.placed_strip import Placed
@@ -357,6 +360,18 @@ def test_a_seat_that_leans_leaves_the_loaded_tab_as_designed(play, stiffness):
         left = lean_against(bow, index, seat.moved(lean.shift, lean.turn), stiffness)
         assert abs(left.shift) < 1e-4
         assert abs(left.turn) < 1e-5
+
+
+def test_a_seat_that_leans_is_found_in_a_few_steps(monkeypatch):
+    steps = []
+    monkeypatch.setattr(leaning, "step_within", lambda *q, **how: steps.append(q) or step_within(*q, **how))
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+    seat = TabSeat.pocket(length=13, thickness=0.25, play=0.3)
+    first = lean_against(bow, 0, seat, 0.9)
+    assert len(steps) <= 8
+    steps.clear()
+    lean_against(bow, 0, seat.moved(first.shift, first.turn), 0.9, first)
+    assert len(steps) <= 3
 
 
 def test_a_tab_too_short_for_the_lower_plate_is_refused_with_its_length(strip):
