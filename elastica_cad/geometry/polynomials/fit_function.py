@@ -185,7 +185,10 @@ def _with_wide_neighbours(bad: IntArray, width: FloatArray) -> IntArray:
     beside = np.concatenate([bad - 1, bad + 1])
     inside = (beside >= 0) & (beside < width.size)
     beside, narrow = beside[inside], np.tile(bad, 2)[inside]
-    return np.asarray(np.union1d(bad, beside[width[beside] > _WIDER_TIMES * width[narrow]]))
+    cut = np.zeros(width.size, dtype=bool)
+    cut[bad] = True
+    cut[beside[width[beside] > _WIDER_TIMES * width[narrow]]] = True
+    return cut.nonzero()[0]
 
 
 def _parts(excess: FloatArray, degree: int) -> IntArray:
