@@ -1,36 +1,24 @@
 """Drawings as DXF files, R12 to R2018."""
 
-import io
-import logging
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from functools import cache, lru_cache
-from importlib import import_module
-from threading import Lock
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from itertools import count
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_path
+from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS, DxfFrame, dxf_frame
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
 from elastica_cad.geometry.paths.trim import trim_segment
 
-if TYPE_CHECKING:
-    from ezdxf.document import Drawing as Document
-
-R12 = "AC1009"
-DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
-
-_TRUE_COLOR = DXF_VERSIONS[2:]
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
-_OPTIONS = Lock()
 _KEPT_KNOTS = 16384  # some 10 MB
 
 
@@ -79,29 +67,23 @@ def encode_dxf(
         _check_old_names(styles)
         curves = "arc" if curves in ("spline", EXACT) else curves
     bounds = drawing.bounds
-    with _plain_ezdxf():
-        document = _new_document(version, styles, drawing.layers, bounds)
-        writer = _Writer(document, curves, tolerance)
-        writer.draw(drawing, styles)
-        _sort_classes(document)
-        stream = io.StringIO()
-        if version == "R12":
-            stream.write("999\nall lengths in mm\n")
-        document.write(stream)
-        return document.encode(writer.within(stream.getvalue()))
+    shown = tuple((layer, styles[layer]) for layer in drawing.layers)
+    writer = _Writer(dxf_frame(version, shown, grouped=False), curves, tolerance, old=version == "R12")
+    writer.draw(drawing, styles)
+    frame = dxf_frame(version, shown, grouped=True) if writer.groups else writer.frame
+    return frame.around(writer.entities, writer.groups, bounds, free=next(writer.numbers))
 
 
 class _Writer:
-    """Turns paths into the text of entities under numbers of one document.
+    """Turns paths into the text of entities under numbers of one file.
 
     ezdxf makes all that is around them; made by it one by one they would take eight times as long.
     """
 
-    def __init__(self, document: "Document", curves: str, tolerance: float) -> None:
-        self.document = document
-        self.old = document.dxfversion == R12
-        self.owner = document.modelspace().layout_key
-        self.number = document.entitydb.next_handle
+    def __init__(self, frame: DxfFrame, curves: str, tolerance: float, *, old: bool) -> None:
+        self.frame = frame
+        self.old = old
+        self.numbers = count(frame.first)
         self.curves = curves
         self.tolerance = tolerance
         self.entities: list[str] = []
@@ -125,33 +107,19 @@ class _Writer:
             for segment, number in zip(path.segments, numbers, strict=True):
                 self._segment(segment, layer, number, group, path.closed and alone)
 
-    def within(self, text: str) -> str:
-        """The text of the document, with its entities and groups."""
-        head, section, tail = text.partition("  0\nSECTION\n  2\nENTITIES\n")
-        if self.groups:
-            first = self.groups[0][0]
-            before, _, after = tail.partition(_name_of_group(1, first))
-            names = [_name_of_group(k, number) for k, (number, _) in enumerate(self.groups, 1)]
-            # the empty first one shows how all are written
-            begin = after.index(f"  0\nGROUP\n  5\n{first}\n")
-            end = after.index("\n  0\n", begin) + 1
-            empty = after[begin:end].partition(first)
-            filled = [
-                "".join((empty[0], number, empty[2], *[f"340\n{member}\n" for member in members]))
-                for number, members in self.groups
-            ]
-            tail = "".join((before, *names, after[:begin], *filled, after[end:]))
-        return "".join((head, section, *self.entities, tail))
+    def number(self) -> str:
+        """A new one."""
+        return f"{next(self.numbers):X}"
 
     def _group(self, members: list[str]) -> str:
-        """The number of a new group that binds a loop; ezdxf makes the first."""
-        number = self.number() if self.groups else str(self.document.groups.new("LOOP_1").dxf.handle)
+        """The number of a new group that binds a loop."""
+        number = self.number()
         self.groups.append((number, members))
         return number
 
     def _add(self, kind: str, layer: str, number: str, rest: str, group: str = "") -> None:
         bound = f"102\n{{ACAD_REACTORS\n330\n{group}\n102\n}}\n" if group else ""
-        owned = "" if self.old else f"{bound}330\n{self.owner}\n100\nAcDbEntity\n"
+        owned = "" if self.old else f"{bound}330\n{self.frame.owner}\n100\nAcDbEntity\n"
         self.entities.append(f"  0\n{kind}\n  5\n{number}\n{owned}  8\n{layer}\n{rest}")
 
     def _class(self, name: str) -> str:
@@ -192,10 +160,6 @@ class _Writer:
         return f"{self._class('Circle')}{_place(10, arc.center)} 40\n{float(arc.radius)}\n"
 
 
-def _name_of_group(count: int, number: str) -> str:
-    return f"  3\nLOOP_{count}\n350\n{number}\n"
-
-
 def _place(code: int, point: Sequence[float] | FloatArray, *, flat: bool = False) -> str:
     x, y = np.asarray(point, dtype=float).tolist()
     return f" {code}\n{x}\n {code + 10}\n{y}\n" + ("" if flat else f" {code + 20}\n0.0\n")
@@ -228,70 +192,9 @@ def _up_to_half_turns(segment: Segment) -> list[Segment]:
     return [segment]
 
 
-def _new_document(
-    version: str, styles: Mapping[str, LayerStyle], layers: Sequence[str], bounds: np.ndarray
-) -> "Document":
-    ezdxf = _ezdxf()
-    document: Document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
-    for layer in layers:
-        style = styles[layer]
-        index = _nearest_index(style.rgb)
-        row = document.layers.add(style.name, color=index)
-        if version in _TRUE_COLOR and ezdxf.colors.aci2rgb(index) != style.rgb:
-            row.rgb = style.rgb
-        if layer == SHEET and version != "R12":
-            row.dxf.plot = 0  # seen, not worked
-    low, high = bounds
-    document.modelspace().reset_extents((*low, 0.0), (*high, 0.0))
-    # ezdxf takes a corner in the origin for none, and the header would tell an empty drawing
-    document.header["$EXTMIN"], document.header["$EXTMAX"] = (*low, 0.0), (*high, 0.0)
-    width, height = high - low
-    document.set_modelspace_vport(1.1 * max(float(height), float(width) / 2), tuple((low + high) / 2))
-    return document
-
-
-def _sort_classes(document: "Document") -> None:
-    """ezdxf keeps the classes that a version needs in a set: their order would change with every process."""
-    document.classes.add_required_classes(document.dxfversion)
-    document.classes.classes = dict(sorted(document.classes.classes.items()))
-
-
-@cache
-def _nearest_index(rgb: tuple[int, int, int]) -> int:
-    """The AutoCAD colour index nearest to a colour; black is 7, which is drawn in the ink of the screen."""
-    from ezdxf.colors import aci2rgb
-
-    if rgb == (0, 0, 0):
-        return 7
-    return min(range(1, 256), key=lambda i: sum((a - b) ** 2 for a, b in zip(aci2rgb(i), rgb, strict=True)))
-
-
 def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
     for style in styles.values():
         if not re.fullmatch(r"[A-Za-z0-9_$-]{1,31}", style.name):
             raise InputError(
                 f"DXF R12 takes no layer named {style.name!r}: use up to 31 letters, digits, $, - and _"
             )
-
-
-def _ezdxf() -> Any:
-    try:
-        return import_module("ezdxf")
-    except ImportError:
-        raise MissingDependencyError(f"writing DXF needs ezdxf: {how_to_install('ezdxf')}") from None
-
-
-@contextmanager
-def _plain_ezdxf() -> Iterator[None]:
-    """ezdxf without time stamps and random identifiers, by which files would differ, and without chatter."""
-    ezdxf = _ezdxf()
-    logger = logging.getLogger("ezdxf")
-    with _OPTIONS:
-        before, level = ezdxf.options.write_fixed_meta_data_for_testing, logger.level
-        ezdxf.options.write_fixed_meta_data_for_testing = True
-        logger.setLevel(logging.ERROR)
-        try:
-            yield
-        finally:
-            ezdxf.options.write_fixed_meta_data_for_testing = before
-            logger.setLevel(level)

@@ -1,5 +1,6 @@
 import subprocess
 import sys
+from itertools import pairwise
 from xml.etree import ElementTree
 
 import ezdxf
@@ -19,7 +20,8 @@ from elastica_cad.fabrication.drawings.drawing import (
 )
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.formats.drawing_files.curve_style import CURVES
-from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, encode_dxf
+from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
+from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS
 from elastica_cad.formats.drawing_files.layers import style_layers
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
@@ -264,6 +266,30 @@ def test_without_ezdxf_one_sentence_says_so(monkeypatch, tmp_path):
 
 def test_standard_styles():
     assert style_layers()["CUT_OUTER"].rgb == (255, 0, 0)
+
+
+@pytest.mark.parametrize("version", DXF_VERSIONS)
+def test_drawings_share_one_frame_and_have_their_own_numbers(version, monkeypatch, tmp_path):
+    """ezdxf writes what stands around the entities once; corners of drawings may lie in the origin."""
+    encode_dxf(drawing(), version=version)
+    monkeypatch.setattr(ezdxf, "new", None)
+    for k, (x, y) in enumerate([(0.0, 0.0), (-40.0, -10.0), (7.25, 1e4)]):
+        plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10).moved(x, y))] * (1 + k))
+        chained = Drawing("both", [*plate.paths, LayeredPath(CUT_INNER, waved().moved(x, y + 3))])
+        for one in (plate, chained):
+            path = tmp_path / f"{one.name}-{k}.dxf"
+            path.write_bytes(encode_dxf(one, version=version))
+            document = ezdxf.readfile(path)
+            corners = [document.header[name][:2] for name in ("$EXTMIN", "$EXTMAX")]
+            assert np.array(corners) == pytest.approx(one.bounds)
+            lines = path.read_text().split("\n")
+            numbers = [int(number, 16) for code, number in pairwise(lines) if code == "  5"]
+            assert len(numbers) == len(set(numbers))
+            assert max(numbers) == numbers[0]  # what the header says is free
+            auditor = document.audit()
+            assert not auditor.errors
+            assert not auditor.fixes
+            assert not [line for line in lines if line.startswith("FADE0") or line.endswith("e+77")]
 
 
 def test_chains_are_bound_as_ezdxf_binds_them(tmp_path):
