@@ -20,9 +20,11 @@ from elastica_cad.geometry.paths.path_intersections import encloses, polylines_c
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline, fit_spans
 from elastica_cad.geometry.polynomials.knot_runs import greville
+from elastica_cad.geometry.running_sums import numbers_in_groups
 
 FIT_MM = 2e-5
 """Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""
@@ -135,13 +137,23 @@ class DiamondPattern:
     def width_cut(self, ends: Ends, s: FloatArray) -> FloatArray:
         """Summed width (n,), mm, of sharp holes at stations `s` (n,): what a line across their loops meets."""
         order = np.argsort(s, kind="stable")
-        at, cut = s[order], np.zeros(s.size)
-        for row in self._rows_within(ends):
-            for one in row.stretches:
-                first, last = np.searchsorted(at, one.knots[[0, -1]])
-                w, m, diamond = (bezier_spans(one.knots, 3).basis(at[first:last]) @ one.values).T
-                full = self.columns * diamond
-                cut[order[first:last]] += full if row.full else w - m - full
+        at = s[order]
+        rows = self._rows_within(ends)
+        pieces = [one.pieces for row in rows for one in row.stretches]
+        if not pieces:
+            return np.zeros(s.size)
+        full = np.repeat([row.full for row in rows for _ in row.stretches], [len(low) for low, _, _ in pieces])
+        low, high, points = (np.concatenate(part) for part in zip(*pieces, strict=True))
+        first = np.searchsorted(at, low)
+        count = np.searchsorted(at, high) - first
+        piece = np.repeat(np.arange(low.size), count)
+        station = numbers_in_groups(count) + np.repeat(first, count)
+        u = (at[station] - low[piece]) / (high - low)[piece]
+        shares = scaled_bernstein(3, u) * binomials(3)
+        w, m, diamond = np.einsum("ni,nij->jn", shares, points[piece])
+        diamonds = self.columns * diamond
+        cut = np.zeros(s.size)
+        cut[order] = np.bincount(station, np.where(full[piece], diamonds, w - m - diamonds), s.size)
         return cut
 
     def _rows_within(self, ends: Ends) -> list["_Row"]:
@@ -258,6 +270,8 @@ class _Row:
 
     def within(self, low: float, high: float) -> "_Row | None":
         """The part between two stations; None where there is none."""
+        if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
+            return self
         kept = tuple(part for one in self.stretches if (part := one.within(low, high)) is not None)
         if not kept:
             return None
@@ -287,6 +301,14 @@ class _Stretch:
     @property
     def middle(self) -> float:
         return float(self.knots[0] + self.knots[-1]) / 2
+
+    @property
+    def pieces(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """From where to where (p,) each polynomial runs, and its Bezier coefficients (p, 4, 3)."""
+        if self.knots.size == 8:  # coefficients of one span are its own
+            return self.knots[:1], self.knots[-1:], self.values[None]
+        spans = bezier_spans(self.knots, 3)
+        return spans.edges[:-1], spans.edges[1:], spans.bezier(self.values)
 
     def within(self, low: float, high: float) -> "_Stretch | None":
         """The part between two stations; None where there is none."""
