@@ -22,7 +22,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline, fit_spans
+from elastica_cad.geometry.polynomials.fit_function import adaptive_splines, fit_spans
 from elastica_cad.geometry.polynomials.knot_runs import greville
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
@@ -142,7 +142,9 @@ class DiamondPattern:
         pieces = [one.pieces for row in rows for one in row.stretches]
         if not pieces:
             return np.zeros(s.size)
-        full = np.repeat([row.full for row in rows for _ in row.stretches], [len(low) for low, _, _ in pieces])
+        full = np.repeat(
+            [row.full for row in rows for _ in row.stretches], [len(low) for low, _, _ in pieces]
+        )
         low, high, points = (np.concatenate(part) for part in zip(*pieces, strict=True))
         first = np.searchsorted(at, low)
         count = np.searchsorted(at, high) - first
@@ -223,17 +225,20 @@ class DiamondPattern:
         broken = [any(a < s < b for s, _ in rough) for a, b in pairwise(cuts.tolist())]
         starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
         ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
+        cut = np.flatnonzero((parts > 1) | broken)
+        inside = [(low[i] + inset[i], high[i] - inset[i]) for i in cut]
+        begun = [
+            np.linspace(*within, 1 + (1 if broken[i] else parts[i]))[1:-1]
+            for i, within in zip(cut, inside, strict=True)
+        ]
+        splines = adaptive_splines(
+            self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, knots=begun, rounding=FIT_ROUNDING
+        )
+        of_several = dict(zip(cut.tolist(), splines, strict=True))
         found = []
         for i, (a, b) in enumerate(pairwise(cuts.tolist())):
-            knots, values = np.repeat([a, b], 4), single[i]
-            if parts[i] > 1 or broken[i]:
-                inside = (a + inset[i], b - inset[i])
-                begin = np.linspace(*inside, 1 + (1 if broken[i] else parts[i]))[1:-1]
-                knots, values = adaptive_spline(
-                    self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, knots=begin,
-                    rounding=FIT_ROUNDING,
-                )  # fmt: skip
-                knots[:4], knots[-4:] = a, b
+            knots, values = of_several[i] if i in of_several else (np.repeat([a, b], 4), single[i])
+            knots[:4], knots[-4:] = a, b
             values[0], values[-1] = starts[i], ends[i]
             found.append(_Stretch(knots, values))
         return found

@@ -47,9 +47,7 @@ class Spans:
 
     def bezier(self, control_points: FloatArray) -> FloatArray:
         """Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
-        local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
-        pieces = self.matrix @ local.reshape(*local.shape[:2], -1)
-        return np.asarray(pieces.reshape(local.shape), dtype=float)
+        return bezier_pieces(control_points, self.first, self.matrix)
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
         """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
@@ -98,6 +96,13 @@ def _spans(written: bytes, degree: int) -> Spans:
     for shared in (edges, first, matrix):
         shared.setflags(write=False)
     return Spans(knots.size - degree - 1, edges, first, matrix)
+
+
+def bezier_pieces(control_points: FloatArray, first: IntArray, matrix: FloatArray) -> FloatArray:
+    """Bezier points (p, degree + 1, ...) of spans on which points (m, ...) act from the `first` (p,) on."""
+    local = control_points[first[:, None] + np.arange(matrix.shape[-1])]
+    pieces = matrix @ local.reshape(*local.shape[:2], -1)
+    return np.asarray(pieces.reshape(local.shape), dtype=float)
 
 
 def extraction(near: FloatArray) -> FloatArray:

@@ -1,17 +1,19 @@
 """Splines that follow a given function to a tolerance, with knots where they are needed."""
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
-from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_pieces, extraction
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
-from elastica_cad.geometry.polynomials.knot_runs import clamped_knots
+from elastica_cad.geometry.polynomials.knot_runs import knot_repeats
+from elastica_cad.geometry.running_sums import numbers_in_groups
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
@@ -64,31 +66,61 @@ def adaptive_spline(
     NotConvergedError
         When it cannot be followed: an undeclared jump or kink, or noise above the tolerance.
     """
-    order = _break_orders(breaks, domain)
-    edges = _with_knots(np.array([domain[0], *sorted(order), domain[1]]), np.asarray(knots, dtype=float))
+    found = adaptive_splines(
+        function,
+        [domain],
+        degree=degree,
+        tolerance=tolerance,
+        breaks=breaks,
+        knots=[knots],
+        rounding=rounding,
+    )
+    return found[0]
+
+
+def adaptive_splines(
+    function: Callable[[FloatArray], FloatArray],
+    domains: Sequence[tuple[float, float]],
+    *,
+    degree: int,
+    tolerance: float,
+    breaks: Sequence[tuple[float, int]] = (),
+    knots: Sequence[FloatArray | Sequence[float]] = (),
+    rounding: float = 1e-13,
+) -> list[tuple[FloatArray, FloatArray]]:
+    """The same on many domains, each by itself, at one go; `knots` to begin with are those of each, or of none."""
+    if not domains:
+        return []
     sites, weight = gauss_rule(degree + 3)
     places, inner, probing = _places(degree)
-    samples = _sampled(function, edges[:-1], edges[1:], places)
+    begun = knots if len(knots) else [()] * len(domains)
+    spans = _Spans.between(domains, breaks, [np.asarray(own, dtype=float) for own in begun], degree)
+    samples = _sampled(function, spans.low, spans.high, places)
+    names = np.arange(len(domains))
+    found = dict[int, tuple[FloatArray, FloatArray]]()
     while True:
-        repeated = clamped_knots(edges, order, degree)
-        spans = bezier_spans(repeated, degree)
         coefficients = _least_squares(spans, samples[:, : sites.size], inner, weight)
         error = _largest_errors(spans, coefficients, samples[:, sites.size :], probing)
-        accepted = max(tolerance, rounding * float(np.abs(samples).max()))
+        accepted = np.maximum(tolerance, rounding * spans.largest(np.abs(samples)))
         # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
-        bad = np.flatnonzero(error > max(accepted, _REFINED_SHARE * error.max()))
-        if not bad.size:
-            return repeated, coefficients
-        worst = int(bad[error[bad].argmax()])
-        too_narrow = np.diff(edges)[bad].min() < _NARROWEST_SHARE * (edges[-1] - edges[0])
-        if too_narrow or edges.size + bad.size > _MOST_SPANS:
-            raise NotConvergedError(
-                f"no spline follows the function to {tolerance:g}: near {edges[worst]:.6g} the error stays "
-                f"{error[worst]:.3g}; declare the break there or ask for less"
-            )
-        bad = _with_wide_neighbours(bad, np.diff(edges))
-        parts = _parts(error[bad] / accepted, degree)
-        edges, samples = _refined(function, edges, samples, bad, parts=parts, places=places)
+        bad = error > np.maximum(accepted, _REFINED_SHARE * spans.largest(error))[spans.owner]
+        is_open = np.zeros(names.size, dtype=bool)
+        is_open[spans.owner[bad]] = True
+        for k in np.flatnonzero(~is_open).tolist():
+            found[int(names[k])] = spans.knots[spans.own_knots(k)], coefficients[spans.own(k)]
+        if not bad.any():
+            return [found[k] for k in range(len(domains))]
+        if not is_open.all():
+            left = is_open[spans.owner]
+            names, accepted, bad, error = names[is_open], accepted[is_open], bad[left], error[left]
+            spans, samples = spans.of_owners(is_open), samples[left]
+        _refuse_endless(spans, bad, error, tolerance)
+        worst = spans.with_wide_neighbours(np.flatnonzero(bad))
+        parts = np.ones(bad.size, dtype=int)
+        parts[worst] = _parts(error[worst] / accepted[spans.owner[worst]], degree)
+        spans = spans.cut(parts)
+        samples, fresh = samples.repeat(parts, axis=0), (parts > 1).repeat(parts)
+        samples[fresh] = _sampled(function, spans.low[fresh], spans.high[fresh], places)
 
 
 def fit_spans(
@@ -161,34 +193,19 @@ def _sampled(
     return values.reshape(*x.shape, *values.shape[1:])
 
 
-def _refined(
-    function: Callable[[FloatArray], FloatArray],
-    edges: FloatArray,
-    samples: FloatArray,
-    bad: IntArray,
-    *,
-    parts: IntArray,
-    places: FloatArray,
-) -> tuple[FloatArray, FloatArray]:
-    """Bad spans cut into equal parts; values are asked for on the new spans only."""
-    fresh = [np.linspace(edges[i], edges[i + 1], n + 1) for i, n in zip(bad, parts, strict=True)]
-    low = np.concatenate([f[:-1] for f in fresh])
-    high = np.concatenate([f[1:] for f in fresh])
-    kept = np.delete(np.arange(edges.size - 1), bad)
-    values = np.concatenate([samples[kept], _sampled(function, low, high, places)])
-    order = np.argsort(np.concatenate([edges[kept], low]))
-    return np.append(np.concatenate([edges[kept], low])[order], edges[-1]), values[order]
-
-
-def _with_wide_neighbours(bad: IntArray, width: FloatArray) -> IntArray:
-    """Bad spans and those beside them that are far wider: a narrow span can't mend what a wide one imposes."""
-    beside = np.concatenate([bad - 1, bad + 1])
-    inside = (beside >= 0) & (beside < width.size)
-    beside, narrow = beside[inside], np.tile(bad, 2)[inside]
-    cut = np.zeros(width.size, dtype=bool)
-    cut[bad] = True
-    cut[beside[width[beside] > _WIDER_TIMES * width[narrow]]] = True
-    return cut.nonzero()[0]
+def _refuse_endless(spans: "_Spans", bad: BoolArray, error: FloatArray, tolerance: float) -> None:
+    """A domain of too many spans, or of one too narrow for its length, cannot be followed."""
+    length = spans.high[np.append(spans.begin[1:], 0) - 1] - spans.low[spans.begin]
+    too_narrow = bad & (spans.widths < _NARROWEST_SHARE * length[spans.owner])
+    too_many = np.bincount(spans.owner) + 1 + np.bincount(spans.owner[bad]) > _MOST_SPANS
+    given_up = np.flatnonzero(bad & (too_narrow | too_many[spans.owner]))
+    if given_up.size:
+        own = np.flatnonzero(bad & (spans.owner == spans.owner[given_up[0]]))
+        worst = int(own[error[own].argmax()])
+        raise NotConvergedError(
+            f"no spline follows the function to {tolerance:g}: near {spans.low[worst]:.6g} the error stays "
+            f"{error[worst]:.3g}; declare the break there or ask for less"
+        )
 
 
 def _parts(excess: FloatArray, degree: int) -> IntArray:
@@ -208,7 +225,130 @@ def _places(degree: int) -> tuple[FloatArray, FloatArray, FloatArray]:
     return places, basis[: sites.size], basis[sites.size :]
 
 
-def _least_squares(spans: Spans, values: FloatArray, inner: FloatArray, weight: FloatArray) -> FloatArray:
+@dataclass(frozen=True, eq=False)
+class _Spans:
+    """Knot spans (p,) of splines side by side: from where to where each runs, and whose it is.
+
+    `repeats` (p,) is how often the knot at its start stands there.
+    """
+
+    low: FloatArray
+    high: FloatArray
+    owner: IntArray
+    repeats: IntArray
+    degree: int
+
+    @classmethod
+    def between(
+        cls,
+        domains: Sequence[tuple[float, float]],
+        breaks: Sequence[tuple[float, int]],
+        inside: Sequence[FloatArray],
+        degree: int,
+    ) -> "_Spans":
+        """Those between breaks and further knots inside of each domain."""
+        edges, repeats = [], []
+        for (first, last), knots in zip(domains, inside, strict=True):
+            order = _break_orders(breaks, (first, last))
+            own = _with_knots(np.array([first, *sorted(order), last]), knots)
+            edges.append(own)
+            repeats.append(knot_repeats(own, order, degree)[:-1])
+        return cls(
+            np.concatenate([own[:-1] for own in edges]),
+            np.concatenate([own[1:] for own in edges]),
+            np.repeat(np.arange(len(edges)), [own.size - 1 for own in edges]),
+            np.concatenate(repeats),
+            degree,
+        )
+
+    @cached_property
+    def widths(self) -> FloatArray:
+        """Lengths (p,)."""
+        return np.asarray(self.high - self.low)
+
+    @cached_property
+    def begin(self) -> IntArray:
+        """The first span (k,) of each owner."""
+        return np.flatnonzero(np.append(True, self.owner[1:] != self.owner[:-1]))
+
+    @cached_property
+    def knots(self) -> FloatArray:
+        """Those of all owners, one behind the other."""
+        starts, ends = np.arange(self.low.size) + self.owner, np.append(self.begin[1:], self.low.size) - 1
+        edges = np.empty(self.low.size + ends.size)
+        counts = np.full(edges.size, self.degree + 1)
+        edges[starts], counts[starts] = self.low, self.repeats
+        edges[starts[ends] + 1] = self.high[ends]
+        return edges.repeat(counts)
+
+    @cached_property
+    def _last_knots(self) -> IntArray:
+        """The last knot (p,) at the start of each span."""
+        return np.cumsum(self.repeats) - 1 + self.owner * (self.degree + 1)
+
+    @cached_property
+    def first(self) -> IntArray:
+        """The first coefficient (p,) that acts on each span."""
+        return self._last_knots - self.degree - self.owner * (self.degree + 1)
+
+    @cached_property
+    def matrix(self) -> FloatArray:
+        """See `Spans.matrix`."""
+        reach = np.arange(1 - self.degree, self.degree + 1)[:, None]
+        return extraction(self.knots[self._last_knots + reach])
+
+    @property
+    def count(self) -> int:
+        """Number of coefficients of all."""
+        return int(self.first[-1]) + self.degree + 1
+
+    def of_owner(self, k: int) -> slice:
+        """The spans of one owner."""
+        return slice(self.begin[k], self.begin[k + 1] if k + 1 < len(self.begin) else None)
+
+    def own(self, k: int) -> slice:
+        """The coefficients of one owner."""
+        own = self.first[self.of_owner(k)]
+        return slice(own[0], own[-1] + self.degree + 1)
+
+    def own_knots(self, k: int) -> slice:
+        """The knots of one owner."""
+        own = self._last_knots[self.of_owner(k)]
+        return slice(own[0] - self.degree, own[-1] + self.degree + 2)
+
+    def largest(self, values: FloatArray) -> FloatArray:
+        """The largest (k,) of the values (p, ...) of each owner."""
+        return np.maximum.reduceat(values.reshape(self.low.size, -1).max(axis=1), self.begin)
+
+    def of_owners(self, chosen: BoolArray) -> "_Spans":
+        """Those of the chosen owners (k,) alone, numbered anew."""
+        kept = chosen[self.owner]
+        owner = (np.cumsum(chosen) - 1)[self.owner[kept]]
+        return _Spans(self.low[kept], self.high[kept], owner, self.repeats[kept], self.degree)
+
+    def with_wide_neighbours(self, bad: IntArray) -> IntArray:
+        """Bad spans and those beside them that are far wider: a narrow one can't mend what a wide one imposes."""
+        beside, narrow = np.concatenate([bad - 1, bad + 1]), np.tile(bad, 2)
+        inside = (beside >= 0) & (beside < self.low.size)
+        beside, narrow = beside[inside], narrow[inside]
+        wide = self.widths[beside] > _WIDER_TIMES * self.widths[narrow]
+        cut = np.zeros(self.low.size, dtype=bool)
+        cut[bad] = True
+        cut[beside[wide & (self.owner[beside] == self.owner[narrow])]] = True
+        return cut.nonzero()[0]
+
+    def cut(self, parts: IntArray) -> "_Spans":
+        """Each cut into so many equal parts."""
+        number = numbers_in_groups(parts)
+        low = number * (self.widths / parts).repeat(parts) + self.low.repeat(parts)
+        high, repeats = self.high.repeat(parts), self.repeats.repeat(parts)
+        inner = number[1:] > 0
+        high[:-1][inner] = low[1:][inner]
+        repeats[1:][inner] = 1
+        return _Spans(low, high, self.owner.repeat(parts), repeats, self.degree)
+
+
+def _least_squares(spans: _Spans, values: FloatArray, inner: FloatArray, weight: FloatArray) -> FloatArray:
     """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at the sites of spans."""
     degree, count = spans.degree, spans.count
     basis = inner @ spans.matrix
@@ -231,9 +371,9 @@ def _least_squares(spans: Spans, values: FloatArray, inner: FloatArray, weight: 
 
 
 def _largest_errors(
-    spans: Spans, coefficients: FloatArray, values: FloatArray, probing: FloatArray
+    spans: _Spans, coefficients: FloatArray, values: FloatArray, probing: FloatArray
 ) -> FloatArray:
-    pieces = spans.bezier(coefficients)
+    pieces = bezier_pieces(coefficients, spans.first, spans.matrix)
     approximate = probing @ pieces.reshape(*pieces.shape[:2], -1)
     error = np.abs(approximate - values.reshape(approximate.shape))
     return np.asarray(error.reshape(len(error), -1).max(axis=1))

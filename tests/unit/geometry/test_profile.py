@@ -5,7 +5,7 @@ from scipy.interpolate import BSpline
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline, fit_spans
+from elastica_cad.geometry.polynomials.fit_function import adaptive_spline, adaptive_splines, fit_spans
 
 pytestmark = pytest.mark.core
 
@@ -255,3 +255,23 @@ def test_polynomials_side_by_side_are_those_of_adaptive_splines():
         assert np.array_equal(begun, knots)
         assert np.array_equal(same, coefficients)
     assert 0 < enough.sum() < len(found)
+
+
+def test_splines_side_by_side_are_those_of_each_domain():
+    def both(s):
+        return np.column_stack([bump(s), np.abs(s - 101.0), np.where(s < 203.0, s, 0.0)])
+
+    rough = [(101.0, 0), (203.0, -1)]
+    edges = np.linspace(0.0, 300.0, 12)
+    domains = list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
+    begun = [np.linspace(*domain, 1 + k % 4)[1:-1] for k, domain in enumerate(domains)]
+    found = adaptive_splines(both, domains, degree=3, tolerance=1e-5, breaks=rough, knots=begun)
+    spans = set()
+    for domain, inside, (knots, coefficients) in zip(domains, begun, found, strict=True):
+        alone = adaptive_spline(both, domain, degree=3, tolerance=1e-5, breaks=rough, knots=inside)
+        assert np.array_equal(knots, alone[0])
+        assert coefficients == pytest.approx(alone[1], abs=1e-12)
+        spans.add(knots.size)
+    assert len(spans) > 3
+    with pytest.raises(NotConvergedError, match="near 203"):
+        adaptive_splines(both, domains, degree=3, tolerance=1e-5, breaks=rough[:1])
