@@ -158,6 +158,38 @@ class DiamondPattern:
         cut[order] = np.bincount(station, np.where(full[piece], diamonds, w - m - diamonds), s.size)
         return cut
 
+    def left_by_tips(self, s: FloatArray) -> FloatArray:
+        """About how much (n,), mm, rounded tips leave beyond sharp ones at stations `s` (n,), away from the ends.
+
+        As if sides were straight: a circle of radius r touches both sides of a tip of half angle a, its centre
+        r / sin a from the tip. Halves have half the angle of the others, and one side that is not theirs.
+        """
+        left, radius = np.zeros(s.size), self.corner_radius
+        if radius == 0:
+            return left
+        joint = self.joints[1:-1]
+        slope, at_gaps = self.slopes(joint), np.arange(joint.size) % 2 == 0
+        order = np.argsort(s, kind="stable")
+        at = s[order]
+        for side in (-1.0, 1.0):
+            tip = joint + side * self.bridge / 2
+            for half, count in (
+                (False, np.where(at_gaps, self.columns - 1, self.columns)),
+                (True, 2 * at_gaps),
+            ):
+                angle = np.arctan(slope) / (2 if half else 1)
+                reach = radius * np.cos(angle) ** 2 / np.sin(angle)
+                ends = np.sort([tip, tip + side * reach], axis=0)
+                first, last = np.searchsorted(at, ends)
+                which = np.repeat(np.arange(tip.size), last - first)
+                station = numbers_in_groups(last - first) + np.repeat(first, last - first)
+                x, a = np.abs(at[station] - tip[which]), angle[which]
+                circle = np.sqrt(np.maximum(radius**2 - (x - radius / np.sin(a)) ** 2, 0.0))
+                left += np.bincount(station, count[which] * 2 * (x * np.tan(a) - circle), s.size)
+        found = np.empty_like(left)
+        found[order] = left
+        return found
+
     def _rows_within(self, ends: Ends) -> list["_Row"]:
         """What the tabs leave of the rows."""
         length = self.width.length

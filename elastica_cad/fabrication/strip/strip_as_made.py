@@ -12,7 +12,7 @@ from elastica_cad.fabrication.holding.held_shape import ANTICLASTIC, HeldShape, 
 from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.as_built import material_width, rod_as_built
+from elastica_cad.fabrication.strip.as_built import cell_stations, material_width, rod_as_built
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.flat_outline import Ends, end_holes, fix_tab_widths, flat_rim
 from elastica_cad.fabrication.strip.made_stiffness import (
@@ -32,6 +32,9 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 
 HELD_NODES = 241
 """Of the rod that is bent in its holders: its own error is some millionths of the length."""
+
+FEW_HOLES = 300
+"""Rounded holes that are drawn and measured in no longer than a strip is bent."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,10 +80,12 @@ class StripAsMade:
         slots: Sequence[Slot],
         plates: LapPlates | None,
         whole: Callable[[], Sequence[Layer]],
+        beyond: FloatArray | None = None,
     ) -> "StripAsMade":
         """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates.
 
-        `whole` gives its layers without slots, where they are needed.
+        `whole` gives its layers without slots, where they are needed; with `beyond` holes need not be drawn: see
+        `left_beyond`.
         """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
@@ -94,7 +99,7 @@ class StripAsMade:
             design,
             layout.bending_stiffness,
             (first, last),
-            rod_as_built(design, layout, _widths_left(layout, ends, whole)),
+            rod_as_built(design, layout, _widths_left(layout, ends, whole, beyond)),
             shares,
             layout.pattern is not None or layout.backing is not None,
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
@@ -182,15 +187,38 @@ class StripAsMade:
         return self._curling(made) if self.as_plate else made
 
 
+def left_beyond(
+    design: Rod, layout: Layout, ends: Ends, whole: Callable[[], Sequence[Layer]]
+) -> FloatArray | None:
+    """What rounded and arc-sided holes leave (n,), mm, at `cell_stations` beyond what is reckoned without loops.
+
+    None where there are no such holes, or so few that they are drawn as fast.
+    """
+    pattern = layout.pattern
+    if layout.backing is not None or not isinstance(pattern, DiamondPattern) or pattern.is_sharp:
+        return None
+    base, s = whole()[0], cell_stations(design)
+    return base.material(s) - _left_by(pattern, layout, ends)(s) if len(base.holes) > FEW_HOLES else None
+
+
 def _widths_left(
-    layout: Layout, ends: Ends, whole: Callable[[], Sequence[Layer]]
+    layout: Layout, ends: Ends, whole: Callable[[], Sequence[Layer]], beyond: FloatArray | None
 ) -> list[Callable[[FloatArray], FloatArray]]:
     """Of each layer the width (n,), mm, left at stations (n,); sharp holes are reckoned without their loops."""
     pattern = layout.pattern
-    if layout.backing is not None or not (isinstance(pattern, DiamondPattern) and pattern.is_sharp):
-        return [layer.material for layer in whole()]
+    if layout.backing is None and isinstance(pattern, DiamondPattern):
+        left = _left_by(pattern, layout, ends)
+        if pattern.is_sharp:
+            return [left]
+        if beyond is not None:
+            return [lambda s: left(s) + beyond]
+    return [layer.material for layer in whole()]
+
+
+def _left_by(pattern: DiamondPattern, layout: Layout, ends: Ends) -> Callable[[FloatArray], FloatArray]:
+    """The width left, reckoned without loops: right for sharp holes, about right at rounded tips."""
     rim, holes = flat_rim(layout.width, ends), end_holes(layout.width, ends)
-    return [lambda s: material_width(rim, holes, s) - pattern.width_cut(ends, s)]
+    return lambda s: material_width(rim, holes, s) - pattern.width_cut(ends, s) + pattern.left_by_tips(s)
 
 
 def _lapped(made: Rod, lap: LapJoint) -> Rod:
