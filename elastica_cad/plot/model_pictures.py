@@ -1,6 +1,7 @@
 """Models and bodies in space, drawn from behind to before."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import pairwise
 from textwrap import fill
 
@@ -15,6 +16,7 @@ from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_polygons
@@ -39,6 +41,9 @@ OUTLINE_MM = 0.1
 
 NAME_SHARE = 0.045
 """Of the longest flat part: room for its name."""
+
+_FLATS = 64
+"""Strips of late whose trapezoids are kept: a model is drawn as it stands and taken apart."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
 """Towards the light: from above, the left and the front."""
@@ -216,9 +221,8 @@ def rule_strip(
     strip = placed.strip
     rod = strip.rod
     (first, low), (last, high) = strip.outline.bounds
-    stations = np.concatenate([np.linspace(0.0, rod.length, 81), _crossings(placed, faces, (first, last))])
-    half = FLAT_SHARE * (last - first) / 2
-    flat = trapezoids((strip.outline, *strip.holes), stations, half, blur=half)
+    crossings = _crossings(placed, faces, (first, last))
+    flat = _flat(strip, tuple(crossings.tolist()))
     across = np.diff(flat[..., 1:], axis=-1)
     rim = np.minimum(min(RIM_SHARE * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
@@ -227,6 +231,17 @@ def rule_strip(
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
     lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
+
+
+@lru_cache(maxsize=_FLATS)
+def _flat(strip: Strip, crossings: tuple[float, ...]) -> FloatArray:
+    """Its trapezoids, cut at even stations and at crossings, arc lengths in mm."""
+    (first, _), (last, _) = strip.outline.bounds
+    stations = np.concatenate([np.linspace(0.0, strip.rod.length, 81), crossings])
+    half = FLAT_SHARE * (last - first) / 2
+    flat = trapezoids((strip.outline, *strip.holes), stations, half, blur=half)
+    flat.setflags(write=False)
+    return flat
 
 
 def _faces(plate: BasePlate | Ring) -> tuple[Frame, Frame]:
