@@ -18,7 +18,7 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.plot.canvas import INK, paint_polygons
+from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
@@ -145,13 +145,12 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     whole = order >= len(patches)
     for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
         if run[0] < len(patches):
-            polygons: Any = patches[run] @ screen
-            inks: dict[str, Any] = {"facecolors": colors[run], "edgecolors": colors[run]}
-        else:
-            some = [outlines[k - len(patches)] for k in run]
-            polygons = [outline @ screen for outline, _, _ in some]
-            inks = {"facecolors": [color for _, _, color in some], "edgecolors": INK}
-        paint_polygons(axes, polygons, **inks, linewidths=0.4, rasterized=True)
+            paint_patches(axes, patches[run] @ screen, colors[run])
+            continue
+        some = [outlines[k - len(patches)] for k in run]
+        polygons = [outline @ screen for outline, _, _ in some]
+        fills = [color for _, _, color in some]
+        paint_polygons(axes, polygons, facecolors=fills, edgecolors=INK, linewidths=0.4, rasterized=True)
     numbered = len(model.placed) * 2 <= MOST_NUMBERS
     targets = dict(_targets([*model.plates, *holders], far))
     for tab in place_tabs(spread):

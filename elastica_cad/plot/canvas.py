@@ -97,6 +97,39 @@ def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **st
     axes.update_datalim(box_about(corners))
 
 
+def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray) -> None:
+    """Convex patches (n, k, 2) of one colour each (n, 3), one over the other without seams, as pixels.
+
+    As triangles, which matplotlib takes as arrays and makes half a pixel larger on all sides: it takes polygons one
+    by one, each with an outline.
+    """
+    from matplotlib import artist
+    from matplotlib.collections import Collection
+    from matplotlib.path import Path
+    from matplotlib.transforms import IdentityTransform
+
+    fan = np.array([(0, k, k + 1) for k in range(1, patches.shape[1] - 1)])
+    rasterizable: Any = artist.allow_rasterization
+
+    def paint(collection: Any, renderer: Any) -> None:
+        placed = collection.get_transform().transform(patches.reshape(-1, 2)).reshape(patches.shape)
+        inks = np.repeat(collection.get_facecolor(), 3 * len(fan), axis=0).reshape(-1, 3, 4)
+        context = renderer.new_gc()
+        context.set_clip_rectangle(axes.bbox)
+        renderer.draw_gouraud_triangles(context, placed[:, fan].reshape(-1, 3, 2), inks, IdentityTransform())
+        context.restore()
+
+    class Patches(Collection):
+        draw: Any = rasterizable(paint)
+
+        def get_paths(self) -> list[Path]:
+            return [Path(patch) for patch in patches]
+
+    painted = Patches(facecolors=colors, rasterized=True)
+    axes.add_collection(painted, autolim=False)
+    axes.update_datalim(box_about(patches.reshape(-1, 2)))
+
+
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
     """A figure `WIDTH_INCHES` wide with axes one above the other.
 

@@ -19,7 +19,7 @@ from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_polygons
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
 from elastica_cad.plot.holder_pictures import holder_patches, level_plates
 from elastica_cad.plot.slabs import trapezoids
 from elastica_cad.plot.strip_pictures import paint_flat
@@ -148,8 +148,7 @@ def _seen(
     figure, (axes, *lower) = new_page([Panel(tall), *([] if flat is None else [Panel(below)])], headed)
     if flat is not None:
         _draw_flats(lower[0], *flat)
-    tints = colors[order]
-    paint_polygons(axes, plane[order], facecolors=tints, edgecolors=tints, linewidths=0.6)
+    paint_patches(axes, plane[order], colors[order])
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_axis_off()

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from elastica_cad import plot
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
@@ -175,3 +176,20 @@ def test_what_holds_the_strips_is_drawn():
     assert printed > 100
     wide = np.ptp(base.outline.bounds, axis=0)
     assert f"{wide[0]:.0f} by {wide[1]:.0f} by " in stood.get_suptitle()
+
+
+def test_patches_are_painted_without_seams_and_as_pixels_in_vector_files(tmp_path):
+    straight = make_strip(PlaneCurve.line((0, 0), (100, 0)), "card-200gsm", max_width=20)
+    figure = plot.model(Model((Placed(straight),)), elevation=0.0, azimuth=90.0)
+    canvas, axes = FigureCanvasAgg(figure), figure.axes[0]
+    canvas.draw()
+    pixels = np.asarray(canvas.buffer_rgba())[::-1, :, :3]
+    (left, low), (right, high) = axes.transData.transform(axes.dataLim.get_points()).astype(int)
+    inside = pixels[(low + high) // 2, left + 3 : right - 3]
+    assert len(inside) > 300
+    assert np.ptp(inside, axis=0).max() <= 1
+    assert inside.max() < 255
+    figure.savefig(tmp_path / "strip.svg")
+    text = (tmp_path / "strip.svg").read_text()
+    assert "<image" in text
+    assert text.count("<path") < 100
