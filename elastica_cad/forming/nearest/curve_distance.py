@@ -45,7 +45,11 @@ class MeanDistance:
 
     def value(self, rod: MappedRod) -> float:
         """Half the mean square distance."""
-        off = rod.position - self.targets
+        found: float = rod.remembered(self, lambda: self._value(rod.position))
+        return found
+
+    def _value(self, position: FloatArray) -> float:
+        off = position - self.targets
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:

@@ -58,7 +58,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
             return None
         return Linearization(
             point, point.z, _stack_rows(self.constraints, sensitivities),
-            self.distance.model(point, sensitivities), sensitivities.angles,
+            partial(self.distance.model, point, sensitivities), sensitivities.angles,
             partial(self._moved, sensitivities),
         )  # fmt: skip
 

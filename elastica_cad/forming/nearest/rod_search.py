@@ -83,7 +83,7 @@ def find_rod(
     task = NearestTask.of(
         curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
     )
-    task = replace(task, grows=grown)
+    task = task if grown else replace(task, grows=False)
     found = _search(task, measure, None if start is None else start.ended)
     steps = found.steps
     smaller = task.in_smaller_sections
@@ -97,7 +97,9 @@ def find_rod(
             break
         found = _search(settled, measure, found.ended)
         steps += found.steps
-    task, problem, outcome = replace(task, section=found.task.section), found.problem, found.best
+    if found.task.section is not task.section:
+        task = replace(task, section=found.task.section)
+    problem, outcome = found.problem, found.best
     target = task.target
 
     def rod_of(point: MappedRod) -> Rod:

@@ -70,18 +70,25 @@ class Iterate(Generic[Point]):
     @cached_property
     def violation(self) -> float:
         """By how much the worst constraint of the closed point is broken, to first order."""
-        return float(self._broken(self.change[:-1]).max(initial=0.0))
+        return float(self._broken_closed.max(initial=0.0))
+
+    @cached_property
+    def _broken_closed(self) -> FloatArray:
+        """By how much each row of the closed point is broken, to first order."""
+        return self._broken(self.change[:-1])
 
     def merit(self, prices: FloatArray) -> float:
         """Objective and price of what is broken, once closed."""
-        return self.objective + self._cost(self.change[:-1], prices)
+        return self.objective + self._cost(self._broken_closed, prices)
 
     def predicted_merit(self, step: FloatArray, prices: FloatArray) -> float:
         """The merit that the local program expects after a step."""
-        return self._expected(step) + self._cost(step, prices)
+        return self._expected(step) + self._cost(self._broken(step), prices)
 
     def is_reliable(self, promise: float, highest_price: float) -> bool:
         """Is what closing the point may still change, beyond the first order, small beside a promise?"""
+        if not self.defect**2 * highest_price < _RELIABLE * promise:  # whatever the objective
+            return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
         return self.defect**2 * (weight + highest_price) < _RELIABLE * promise
 
@@ -103,10 +110,9 @@ class Iterate(Generic[Point]):
         value = rows.value + rows.jacobian @ step
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
 
-    def _cost(self, step: FloatArray, prices: FloatArray) -> float:
-        if not self.local.rows.value.size:
-            return 0.0
-        return float(prices[self.local.rows.constraint] @ self._broken(step))
+    def _cost(self, broken: FloatArray, prices: FloatArray) -> float:
+        """The price of rows that are broken by so much."""
+        return float(prices[self.local.rows.constraint] @ broken)
 
 
 def iterate_at(

@@ -7,6 +7,7 @@ runs over points that are not quite closed: what it is told of one is to first o
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Generic, TypeVar
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
@@ -67,8 +68,10 @@ class Linearization(Generic[Point]):
     point : Point
     z : (p,) array
         Its unknowns.
-    rows, model
-        Constraints and objective in steps (p,) from the closed point.
+    rows : ConstraintRows
+        Constraints in steps (p,) from the closed point.
+    modelled : callable
+        The objective in the same steps, computed where it is asked for: see `model`.
     state_jacobian : (k, p + 1) array
         Of the part of the state that tells how far linearity holds, in numbers of order 1 where it ends.
     moved : callable
@@ -78,9 +81,14 @@ class Linearization(Generic[Point]):
     point: Point
     z: FloatArray
     rows: ConstraintRows
-    model: LocalModel
+    modelled: Callable[[], LocalModel]
     state_jacobian: FloatArray
     moved: Callable[[FloatArray], Point]
+
+    @cached_property
+    def model(self) -> LocalModel:
+        """The objective in steps (p,) from the closed point."""
+        return self.modelled()
 
 
 @dataclass(frozen=True, eq=False)
