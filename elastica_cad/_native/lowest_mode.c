@@ -150,28 +150,33 @@ static int orthonormalise(int k, Py_ssize_t n, double *rows, double rank_toleran
 }
 
 /* The best of the given polynomials (n, smooth) that keeps to the rows. */
-static double best_polynomial(const SecondVariation *v, const double *diagonal, const double *off, const double *basis,
+WIDE static double best_polynomial(const SecondVariation *v, const double *diagonal, const double *off, const double *basis,
                               double *x)
 {
     const Py_ssize_t n = v->edges;
     const int s = v->smooth, k = v->rows;
     double energy[MOST_SMOOTH * MOST_SMOOTH] = {0.0}, held[MOST_ROWS * MOST_SMOOTH] = {0.0};
     double mixed[MOST_SMOOTH * MOST_SMOOTH] = {0.0}, mode[MOST_SMOOTH];
+    double wide[MOST_SMOOTH][MOST_SMOOTH] = {{0.0}}, here[MOST_SMOOTH] = {0.0}; /* loops of one length are fast */
     for (Py_ssize_t i = 0; i < n; i++) {
         const double *restrict row = v->polynomials + i * s;
+        memcpy(here, row, (size_t)s * sizeof(double));
         for (int a = 0; a < s; a++) {
             double turned = diagonal[i] * row[a];
             if (i > 0)
                 turned += off[i - 1] * row[a - s];
             if (i + 1 < n)
                 turned += off[i] * row[a + s];
-            for (int b = 0; b < s; b++)
-                energy[b * s + a] += row[b] * turned;
+            for (int b = 0; b < MOST_SMOOTH; b++)
+                wide[a][b] += here[b] * turned;
         }
         for (int j = 0; j < k; j++)
             for (int a = 0; a < s; a++)
                 held[j * s + a] += basis[j * n + i] * row[a];
     }
+    for (int a = 0; a < s; a++)
+        for (int b = 0; b < s; b++)
+            energy[b * s + a] = wide[a][b];
     if (!orthonormalise(k, s, held, v->rank_tolerance))
         return NAN;
     /* P E P + lift (1 - P): what the rows hold is lifted above all else */
@@ -262,23 +267,26 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
 {
     const Py_ssize_t n = v->edges;
     const int k = v->rows, columns = k + 1;
-    double *work = malloc((size_t)(n * (7 + 3 * MOST_ROWS + columns)) * sizeof(double));
+    double *work = malloc((size_t)(n * (8 + 3 * MOST_ROWS + columns)) * sizeof(double));
     if (work == NULL)
         return -1;
     double *diagonal = work, *off = diagonal + n, *basis = off + n, *right = basis + n * MOST_ROWS;
     const Bands bands = {right + n * columns, right + n * (columns + 1), right + n * (columns + 2),
                          right + n * (columns + 3)};
+    double *root = right + n * (columns + 4);
     int found = 0;
     double largest = 0.0, aside = 0.0;
+    for (Py_ssize_t i = 0; i < n; i++)
+        root[i] = sqrt(v->lengths[i]);
     for (Py_ssize_t i = 0; i < n; i++) {
         diagonal[i] = v->diagonal[i] / v->lengths[i];
         largest = fmax(largest, fabs(diagonal[i]));
         if (i + 1 < n) {
-            off[i] = v->off[i] / (sqrt(v->lengths[i]) * sqrt(v->lengths[i + 1]));
+            off[i] = v->off[i] / (root[i] * root[i + 1]);
             aside = fmax(aside, fabs(off[i]));
         }
         for (int j = 0; j < k; j++)
-            basis[j * n + i] = v->constraints[j * n + i] / sqrt(v->lengths[i]);
+            basis[j * n + i] = v->constraints[j * n + i] / root[i];
     }
     const double reach = largest + 2.0 * aside;
     if (!isfinite(reach) || !orthonormalise(k, n, basis, v->rank_tolerance))
@@ -329,7 +337,7 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
     /* back from unit weights, the largest entry upwards; then what the constraints do to it */
     Py_ssize_t peak = 0;
     for (Py_ssize_t i = 0; i < n; i++) {
-        mode[i] /= sqrt(v->lengths[i]);
+        mode[i] /= root[i];
         peak = fabs(mode[i]) > fabs(mode[peak]) ? i : peak;
     }
     if (mode[peak] < 0.0)

@@ -223,11 +223,12 @@ class DiscreteRod:
         of the angles leaves there is no row.
         """
         sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
-        rows = [
-            sign * self.edge_length * (side if np.abs(side).max() > RANK_TOLERANCE else np.zeros_like(side))
-            for sign, side in (sides[i] for i in self.held)
-        ]
-        return np.array(rows).reshape(len(rows), self.angles.size)
+        rows = np.zeros((len(self.held), self.angles.size))
+        for row, i in zip(rows, self.held, strict=True):
+            sign, side = sides[i]
+            if np.abs(side).max() > RANK_TOLERANCE:
+                np.multiply(sign * self.edge_length, side, out=row)
+        return rows
 
     @cached_property
     def unstable_modes(self) -> int:
@@ -249,11 +250,16 @@ class DiscreteRod:
         v, nu, lengths = self.margin.mode, self.margin.multipliers, self.edge_lengths
         total = float(lengths.sum())
         square = total**2 * lengths * v**2
-        per_stiffness = total**2 * np.diff(v, prepend=0.0, append=0.0) ** 2 / self.node_lengths
+        per_stiffness = np.empty(v.size + 1)
+        per_stiffness[0], per_stiffness[-1] = v[0], v[-1]
+        np.subtract(v[1:], v[:-1], out=per_stiffness[1:-1])
+        per_stiffness *= per_stiffness
+        per_stiffness *= total**2
+        per_stiffness /= self.node_lengths
         self._drop_free(per_stiffness)
         per_force = -square[:, None] * self.tangents
         per_angle = -square * self.shear + 2 * total**2 * lengths * v * (self.tangents @ nu)
-        per_length = 2 / total * float(np.sum(per_force * self.force))
+        per_length = 2 / total * float((per_force * self.force).sum())
         return MarginDerivatives(per_stiffness, per_force, per_angle, per_length)
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
