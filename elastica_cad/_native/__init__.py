@@ -84,6 +84,13 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """Those of `mechanics.rod.discrete_rod.DiscreteRod`, of edges of one length."""
 
+    def second_variation(
+        self, stiffness: FloatArray, node_lengths: FloatArray, edge_lengths: FloatArray, pull: FloatArray,
+        tangents: FloatArray, free_start: bool, free_end: bool, held_x: bool, held_y: bool, straight: float,
+        diagonal: FloatArray, off: FloatArray, rows: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`hessian` and `constraint_rows` of `mechanics.rod.discrete_rod.DiscreteRod`."""
+
     def sensitivities(
         self, stiffness: FloatArray, moments: FloatArray, all_angles: FloatArray, tangents: FloatArray,
         pull: FloatArray, shear: FloatArray, shares: FloatArray, rest: FloatArray, basis: FloatArray,

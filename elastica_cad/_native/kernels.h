@@ -132,6 +132,11 @@ void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *p
 void shape(Py_ssize_t n, const double *angles, const double *force, const double *start, double edge, double *tangents,
            double *position, double *pull, double *shear);
 
+/* The tridiagonal matrix and the rows of `DiscreteRod` in mechanics/rod/discrete_rod.py, a row for each axis that is held. */
+void second_variation(Py_ssize_t n, const double *stiffness, const double *weights, const double *lengths,
+                      const double *pull, const double *tangents, const int *free_ends, const int *held,
+                      double straight, double *diagonal, double *off, double *rows);
+
 void sensitivities(const RodAt *rod, double *angles, double *moments, double *position);
 
 void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const double *added, const double *weights,

@@ -58,6 +58,37 @@ done:
     return answer;
 }
 
+static PyObject *py_second_variation(PyObject *module, PyObject *arguments)
+{
+    PyObject *given[5], *out[3], *answer = NULL;
+    int free_ends[2], held[2];
+    double straight;
+    if (!PyArg_ParseTuple(arguments, "OOOOOppppdOOO", &given[0], &given[1], &given[2], &given[3], &given[4],
+                          &free_ends[0], &free_ends[1], &held[0], &held[1], &straight, &out[0], &out[1], &out[2]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *stiffness, *weights, *lengths, *pull, *tangents;
+    double *diagonal, *off, *rows;
+    const Py_ssize_t n = array_size(given[2]);
+    if (n < 1)
+        return refused("a rod has one edge or more");
+    BORROW(stiffness, given[0], n + 1, "stiffness");
+    BORROW(weights, given[1], n + 1, "node_lengths");
+    BORROW(lengths, given[2], n, "edge_lengths");
+    BORROW(pull, given[3], n, "pull");
+    BORROW(tangents, given[4], 2 * n, "tangents");
+    BORROW_OUT(diagonal, out[0], n, "diagonal");
+    BORROW_OUT(off, out[1], n - 1, "off");
+    BORROW_OUT(rows, out[2], (held[0] + held[1]) * n, "rows");
+    Py_BEGIN_ALLOW_THREADS
+    second_variation(n, stiffness, weights, lengths, pull, tangents, free_ends, held, straight, diagonal, off, rows);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
 static PyObject *py_sensitivities(PyObject *module, PyObject *arguments)
 {
     PyObject *of_rod[6], *of_grid[4], *of_weight[2], *out[3], *answer = NULL;
@@ -297,6 +328,7 @@ static PyMethodDef functions[] = {
     {"vertex_exchange", py_vertex_exchange, METH_VARARGS, NULL},
     {"shoot", py_shoot, METH_VARARGS, NULL},
     {"shape", py_shape, METH_VARARGS, NULL},
+    {"second_variation", py_second_variation, METH_VARARGS, NULL},
     {"sensitivities", py_sensitivities, METH_VARARGS, NULL},
     {"weighted_gram", py_weighted_gram, METH_VARARGS, NULL},
     {"largest_distance", py_largest_distance, METH_VARARGS, NULL},

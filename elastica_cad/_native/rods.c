@@ -43,6 +43,31 @@ void shape(Py_ssize_t n, const double *angles, const double *force, const double
     }
 }
 
+WIDE void second_variation(Py_ssize_t n, const double *stiffness, const double *weights, const double *lengths,
+                           const double *pull, const double *tangents, const int *free_ends, const int *held,
+                           double straight, double *diagonal, double *off, double *rows)
+{
+    for (Py_ssize_t i = 0; i < n; i++) {
+        const double before = i == 0 && free_ends[0] ? 0.0 : stiffness[i] / weights[i];
+        const double after = i == n - 1 && free_ends[1] ? 0.0 : stiffness[i + 1] / weights[i + 1];
+        diagonal[i] = before + after - lengths[i] * pull[i];
+        if (i + 1 < n)
+            off[i] = -after;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        if (!held[axis])
+            continue;
+        const double *side = tangents + 1 - axis, sign = axis == 0 ? -1.0 : 1.0;
+        double largest = 0.0;
+        for (Py_ssize_t i = 0; i < n; i++)
+            if (!(fabs(side[2 * i]) <= largest) && !isnan(largest)) /* what is no number is the largest */
+                largest = fabs(side[2 * i]);
+        for (Py_ssize_t i = 0; i < n; i++)
+            rows[i] = largest > straight ? sign * lengths[i] * side[2 * i] : 0.0;
+        rows += n;
+    }
+}
+
 WIDE void sensitivities(const RodAt *rod, double *angles, double *moments, double *position)
 {
     const Py_ssize_t n = rod->edges, m = rod->coefficients, c = rod->columns;

@@ -14,7 +14,7 @@ from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.forming.optimizer import dense_solves, quadratic_program
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.rod import banded_matrices, shooting
+from elastica_cad.mechanics.rod import banded_matrices, discrete_rod, shooting
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 
@@ -25,6 +25,7 @@ WITH_KERNELS = (
     dense_solves,
     quadratic_program,
     banded_matrices,
+    discrete_rod,
     shooting,
 )
 

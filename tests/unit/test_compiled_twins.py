@@ -13,7 +13,7 @@ from elastica_cad.forming.nearest.stiffness_basis import spline_basis
 from elastica_cad.forming.optimizer import dense_solves, quadratic_program
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
 from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.rod import banded_matrices, shooting
+from elastica_cad.mechanics.rod import banded_matrices, discrete_rod, shooting
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, node_weights
 
 CLOSE = 1e-12
@@ -96,6 +96,26 @@ def test_cubics_through_nodes(both, seed):
     s = np.concatenate([rng.uniform(-0.1, 1.1, 40), np.linspace(0, 1, nodes.shape[0])])
     compiled, plain = both(target_curve, lambda: target_curve.hermite(nodes, slopes, s))
     assert max(map(distance, compiled, plain)) < CLOSE
+
+
+@pytest.mark.parametrize("angle", [None, 0.0, np.pi / 2])
+@pytest.mark.parametrize(
+    "supports",
+    [
+        Supports(),
+        Supports(End(True, True, False), End(True, False, True)),
+        Supports(end=End(False, False, False)),
+    ],
+)
+def test_second_variations(both, supports, angle):
+    """Along a straight rod the row of one axis is empty."""
+    rng, K, angles = bent(3)
+    angles = angles if angle is None else np.full(200, angle)
+    force, edge = rng.normal(size=2) * 8, (1 / 200 if angle is None else rng.uniform(0.5, 1.5, 200) / 200)
+    rod = DiscreteRod(K, angles, force, edge, supports)
+    compiled, plain = both(discrete_rod, lambda: rod._second_variation)
+    for one, other in zip(compiled, plain, strict=True):
+        np.testing.assert_array_equal(one, other)
 
 
 @pytest.mark.parametrize("closing", [False, True])

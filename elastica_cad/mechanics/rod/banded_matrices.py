@@ -130,13 +130,13 @@ def _inertia(diagonal: FloatArray, off: FloatArray, basis: FloatArray, shift: fl
 
 
 def lowest_constrained(
-    diagonal: FloatArray, off: FloatArray, rows: FloatArray, count: int = 1
+    diagonal: FloatArray, off: FloatArray, rows: FloatArray, count: int = 1, *, rough: bool = False
 ) -> tuple[FloatArray, FloatArray]:
     """Lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
 
     The lowest mode alone is sought among smooth ones, refined by Rayleigh quotients, and proved the lowest by
     the inertia just below it; several modes, or a rough one, by shifted inverse Lanczos iteration, every step
-    one positive definite tridiagonal solve: O(n).
+    one positive definite tridiagonal solve: O(n). Where the mode is known to be `rough`, at once.
 
     Returns
     -------
@@ -152,7 +152,7 @@ def lowest_constrained(
     if n <= 6:
         return _dense(diagonal, off, basis, count)
     reach = _reach(diagonal, off)
-    if count == 1 and n >= _ROUGH:
+    if count == 1 and n >= _ROUGH and not rough:
         found = _smooth_mode(diagonal, off, basis, reach)
         if found is not None:
             return found
@@ -213,6 +213,7 @@ def lowest_weighted(
 
     v^t W v = 1, its largest entry positive.
     """
+    rough = False
     if kernels is not None and diagonal.size >= _ROUGH:
         mode, nu = np.empty(diagonal.size), np.empty(2)
         settings = _SMOOTH, _REFINEMENTS, RANK_TOLERANCE, _SINGULAR, _EPS, _SETTLED
@@ -221,8 +222,13 @@ def lowest_weighted(
         )
         if value is not None:
             return ConstrainedMode(value, mode, nu[: len(rows)])
+        rough = len(orthonormal_rows(rows / np.sqrt(lengths))) == len(
+            rows
+        )  # dependent rows are left to Python
     root = np.sqrt(lengths)
-    values, vectors = lowest_constrained(diagonal / lengths, off / (root[:-1] * root[1:]), rows / root)
+    values, vectors = lowest_constrained(
+        diagonal / lengths, off / (root[:-1] * root[1:]), rows / root, rough=rough
+    )
     v = vectors[0] / root
     v = v if v[np.argmax(np.abs(v))] > 0 else -v
     if not len(rows):

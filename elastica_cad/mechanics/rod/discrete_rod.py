@@ -10,6 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import RANK_TOLERANCE, constrained_inertia, lowest_weighted
@@ -239,7 +240,8 @@ class DiscreteRod:
     def margin(self) -> Margin:
         """Stability margin, O(n); positive means stable."""
         lengths = self.edge_lengths
-        lowest = lowest_weighted(*self.hessian, lengths, self.constraint_rows)
+        diagonal, off, rows = self._second_variation
+        lowest = lowest_weighted(diagonal, off, lengths, rows)
         nu = np.zeros(2)
         nu[list(self.held)] = lowest.multipliers
         return Margin(lowest.value * float(lengths.sum()) ** 2, lowest.mode, nu)
@@ -261,6 +263,19 @@ class DiscreteRod:
         per_angle = -square * self.shear + 2 * total**2 * lengths * v * (self.tangents @ nu)
         per_length = 2 / total * float((per_force * self.force).sum())
         return MarginDerivatives(per_stiffness, per_force, per_angle, per_length)
+
+    @property
+    def _second_variation(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """The Hessian's diagonal (n,) and off-diagonal (n-1,), and the constraints' rows (p, n)."""
+        if kernels is None:
+            return *self.hessian, self.constraint_rows
+        n, (start, end) = self.angles.size, self.held_angles
+        out = np.empty(n), np.empty(n - 1), np.empty((len(self.held), n))
+        kernels.second_variation(
+            np.ascontiguousarray(self.stiffness, dtype=float), self.node_lengths, self.edge_lengths, self.pull,
+            self.tangents, not start, not end, 0 in self.held, 1 in self.held, RANK_TOLERANCE, *out,
+        )  # fmt: skip
+        return out
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
         """M_{i-1} - M_i + l_i <b_i, T_i> of every edge (n,), 1/mm: the energy's gradient in the edge angles."""

@@ -129,6 +129,12 @@ def ask_distances(kernels, rng, case):
     kernels.hermite(chain, chain, points[:, 0].copy(), np.empty((count, 2)), np.empty((count, 2)))
     shape = np.empty((count, 2)), np.empty((count + 1, 2)), np.empty(count), np.empty(count)
     kernels.shape(points[:, 0].copy(), points, chain[0].copy(), 0.1, *shape)
+    nodes, edges = rng.random(count + 1), rng.random(count)
+    held = [bool(rng.integers(2)) for _ in range(4)]
+    rows = np.empty((sum(held[2:]), count))
+    kernels.second_variation(
+        nodes, nodes, edges, edges, points, *held, 1e-9, edges.copy(), np.empty(count - 1), rows
+    )
 
 
 def odd(rng, case, *shape):
