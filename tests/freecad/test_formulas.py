@@ -55,7 +55,7 @@ def test_a_formula_within_range_is_taken(document, made):
     assert told(made).startswith("Strip.Style has the formula Cells.kind, which gives 3: ")
 
 
-@pytest.mark.parametrize("formula", ["7", "-1", "3", "1e9"])
+@pytest.mark.parametrize("formula", ["7", "-1", "3", "1e9", "<<Nope>>", "<<>>"])
 def test_a_formula_that_is_taken_away_leaves_what_was_chosen(made, formula):
     made.Style = "Perforated"
     made.setExpression("Style", formula)
@@ -80,23 +80,46 @@ def test_every_list_of_choices_outlives_its_formula(document, made):
     assert with_choices == {type(obj.Proxy) for obj in everything}
     for obj in everything:
         for name in obj.Proxy.choices:
-            choices, chosen = obj.getEnumerationsOfProperty(name), getattr(obj, name)
-            obj.setExpression(name, str(len(choices)))
-            document.recompute()
-            assert "Invalid" in obj.State
-            assert [getattr(obj, name), obj.getEnumerationsOfProperty(name)] == [chosen, choices]
-            obj.setExpression(name, None)
+            choices, first = obj.getEnumerationsOfProperty(name), getattr(obj, name)
+            for formula, chosen in ((str(len(choices)), first), ("<<Nope>>", choices[-1])):
+                setattr(obj, name, chosen)
+                obj.setExpression(name, formula)
+                document.recompute()
+                assert "Invalid" in obj.State
+                assert [getattr(obj, name), obj.getEnumerationsOfProperty(name)] == [chosen, choices]
+                obj.setExpression(name, None)
+            setattr(obj, name, first)
             for choice in choices:
                 setattr(obj, name, choice)
                 assert getattr(obj, name) == choice
-            setattr(obj, name, chosen)
+            setattr(obj, name, first)
 
 
-def test_a_formula_that_gives_no_sheet_leaves_the_thickness(made):
-    made.Thickness, sheet = 1.3, made.Sheet
-    made.setExpression("Sheet", "1000")
-    told(made)
-    assert [made.Sheet, made.Thickness.Value] == [sheet, 1.3]
+@pytest.mark.parametrize("formula", ["1000", "<<Nope>>"])
+def test_a_formula_that_gives_no_sheet_leaves_the_thickness(made, formula):
+    made.Sheet = sheet_list()[-1]
+    made.Thickness, sheet, kept = 1.3, made.Sheet, made.SheetData
+    made.setExpression("Sheet", formula)
+    assert told(made) != ""
+    assert [made.Sheet, made.Thickness.Value, made.SheetData] == [sheet, 1.3, kept]
+
+
+def test_a_word_that_comes_and_goes_leaves_what_was_chosen_before(document, made):
+    cells = document.addObject("Spreadsheet::Sheet", "Cells")
+    cells.set("A1", "Perforated")
+    cells.setAlias("A1", "kind")
+    document.recompute()
+    made.setExpression("Style", "Cells.kind")
+    assert [told(made), made.Style] == ["", "Perforated"]
+    for word in ("Perforatd", "Nope"):
+        cells.set("A1", word)
+        assert told(made).startswith(f"Strip.Style has the formula Cells.kind, which gives {word}: ")
+        assert made.Style == "Perforated"
+    cells.set("A1", "Plain")
+    assert [told(made), made.Style] == ["", "Plain"]
+    cells.set("A1", "Nope")
+    assert told(made) != ""
+    assert made.Style == "Plain"
 
 
 def test_other_features_tell_it_too(document, made):

@@ -9,7 +9,14 @@ from typing import Any, ClassVar
 
 import FreeCAD as App
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.property_table import Property, choose_again, ensure, put, require_choices
+from freecad.elastica_wb.host.property_table import (
+    Property,
+    choose_again,
+    ensure,
+    is_misread,
+    put,
+    require_choices,
+)
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
     RefusalError,
@@ -64,7 +71,7 @@ class Feature:
     choices: ClassVar[frozenset[str]] = frozenset()
     """Properties that are lists of choices."""
     chosen: str | None = None
-    """What was chosen of the one that changes now."""
+    """What was chosen of the one that changes now; None where a formula has given none of the choices."""
 
     def __init_subclass__(cls) -> None:
         cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
@@ -90,13 +97,14 @@ class Feature:
     def onBeforeChange(self, obj: Any, name: str) -> None:
         """Remember what is chosen, as a formula may give none of the choices."""
         if name in self.choices:
-            self.chosen = getattr(obj, name)
+            self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
         """A newly chosen sheet brings its thickness, and its numbers into the document."""
         # asked for every result that is written, so what takes longer to tell comes last
-        if name in self.choices and getattr(obj, name) is None:
-            choose_again(obj, name, self.chosen)
+        if name in self.choices and is_misread(obj, name):
+            if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
+                choose_again(obj, name, self.chosen)
             return
         if (name not in FOLLOWED and name not in self.sheets) or "Restore" in obj.State:
             return

@@ -65,10 +65,15 @@ def require_choices(obj: Any, table: Iterable[Property]) -> None:
     InputError
         With the property, its formula and what that gives.
     """
-    formulas = {name: formula for name, formula, *_ in obj.ExpressionEngine}
+    formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
         if name in formulas:
             _require_choice(obj, name, formulas[name])
+
+
+def _formulas(obj: Any) -> dict[str, str]:
+    """The formulas of an object by the properties that they give."""
+    return {name: formula for name, formula, *_ in obj.ExpressionEngine}
 
 
 def _require_choice(obj: Any, name: str, formula: str) -> None:
@@ -79,16 +84,32 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
         raise InputError(
             f"the formula of {name} cannot be computed ({formula}): mend it, or take it away"
         ) from error
-    if isinstance(given, str):
-        known = given in choices
-    else:  # of a number FreeCAD takes what is before the point
-        known = isinstance(given, (int, float)) and -1 < given < len(choices)
-    if not known:
+    if not _is_choice(given, choices):
         called, a_name = f"{obj.Name}.{name}", f"<<{choices[0]}>>"
         raise InputError(
             f"{called} has the formula {formula}, which gives {given}: it takes 0 to {len(choices) - 1}, or a name "
             f"such as {a_name}; mend the formula, or take it away"
         )
+
+
+def _is_choice(given: Any, choices: list[str]) -> bool:
+    if isinstance(given, str):
+        return given in choices
+    # of a number FreeCAD takes what is before the point
+    return isinstance(given, (int, float)) and -1 < given < len(choices)
+
+
+def is_misread(obj: Any, name: str) -> bool:
+    """Has a formula left a list of choices without one, or with the first for a word that is none of them?"""
+    present, formula = getattr(obj, name), _formulas(obj).get(name)
+    if present is None or formula is None:
+        return present is None
+    choices = obj.getEnumerationsOfProperty(name)
+    if present != choices[0]:
+        return False
+    with suppress(Exception):  # what cannot be computed chooses nothing
+        return not _is_choice(obj.evalExpression(formula), choices)
+    return False
 
 
 def choose_again(obj: Any, name: str, chosen: str | None) -> None:
