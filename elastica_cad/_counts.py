@@ -42,3 +42,15 @@ def told_apart(one: float, other: float, digits: str) -> tuple[str, str]:
     usual, kind = int(digits[1:-1]), digits[-1]
     told = [(f"{one:.{n}{kind}}", f"{other:.{n}{kind}}") for n in range(usual, usual + MORE_DIGITS)]
     return next((pair for pair in told if pair[0] != pair[1]), told[0])
+
+
+def told_range(low: float, high: float, digits: str) -> str:
+    """From where to where numbers run, or the one that they all are as far as is told.
+
+    Examples
+    --------
+    >>> told_range(20.83, 30.0, ".3g"), told_range(29.99, 30.0, ".3g")
+    ('20.8 to 30', '30')
+    """
+    least, most = f"{low:{digits}}", f"{high:{digits}}"
+    return most if least == most else f"{least} to {most}"

@@ -1,11 +1,14 @@
 """What the overlay shows, as points: no window needed."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
 from freecad.elastica_wb.live.verdict import sentence_of
 from freecad.elastica_wb.solving.strip_cache import solve_strip
 
+from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -63,6 +66,11 @@ def test_the_width_lies_along_the_curve():
     assert np.hypot(*(left - right).T) == pytest.approx(strip.width(s), abs=1e-6)
     assert (left + right) / 2 == pytest.approx(ARCH.sample(41).position, abs=1e-9)
     assert "20.8 to 30 mm wide" in sentence_of(strip)
+
+
+def test_an_even_width_is_told_once():
+    even = replace(asked(ARCH), style=Perforated(width=30.0), max_width=None)
+    assert sentence_of(solve_strip(even)).startswith("A flat strip takes this curve: 30 mm wide, stiffness")
 
 
 def test_closed_curves_are_judged_like_others():

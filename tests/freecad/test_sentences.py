@@ -196,6 +196,27 @@ def test_a_sentence_is_known_by_its_key(monkeypatch):
     assert user_units.worded("what nobody knows") == "what nobody knows"
 
 
+TAKEN = "takes this curve: {}, stiffness ratio 1.44, strain 80 % of what the sheet bears."
+
+
+@pytest.mark.usefixtures("german")
+@pytest.mark.parametrize("how", ["A flat strip", "A strip bent beforehand"])
+def test_an_even_width_is_told_once_in_german(how):
+    assert ": 20.8 bis 30 mm breit, Steif" in user_units.worded(f"{how} {TAKEN.format('20.8 to 30 mm wide')}")
+    even = user_units.worded(f"{how} {TAKEN.format('30 mm wide')}")
+    assert even.endswith(
+        "diese Kurve an: 30 mm breit, Steifigkeitsverhältnis 1.44, Dehnung 80 % dessen, was die Platte erträgt."
+    )
+
+
+@pytest.mark.usefixtures("chinese")
+@pytest.mark.parametrize("how", ["A flat strip", "A strip bent beforehand"])
+def test_an_even_width_is_told_once_in_chinese(how):
+    assert "宽 20.8 至 30 mm，刚度比" in user_units.worded(f"{how} {TAKEN.format('20.8 to 30 mm wide')}")
+    even = user_units.worded(f"{how} {TAKEN.format('30 mm wide')}")
+    assert even.endswith("可以弯成这条曲线：宽 30 mm，刚度比 1.44，应变为板材承受值的 80 %。")
+
+
 @pytest.mark.usefixtures("chinese")
 def test_lines_of_a_card_are_told_each_for_itself():
     crossed = (

@@ -185,7 +185,7 @@ class Strip:
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
-        """How wide it is, in words, and as thick as it tapers: "20.00 to 20.00 mm wide, 2.00 to 3.00 mm thick"."""
+        """How wide it is, in words, and as thick as it tapers: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
         return tell_breadth(self.width, self.tapered, digits)
 
     @cached_property

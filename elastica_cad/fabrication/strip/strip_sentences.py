@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from elastica_cad._counts import told_apart
+from elastica_cad._counts import told_apart, told_range
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.strip.strip_layers import Layer
@@ -25,8 +25,7 @@ def tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> st
     """How wide a strip is, and as thick as it tapers."""
 
     def told(size: Profile) -> str:
-        low, high = size.extremes
-        return f"{low:{digits}} to {high:{digits}} mm"
+        return f"{told_range(*size.extremes, digits)} mm"
 
     if "diameter" in tapered:
         return f"{told(tapered['diameter'])} in diameter"

@@ -3183,11 +3183,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A flat strip takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <source>A flat strip takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A strip bent beforehand takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <source>A strip bent beforehand takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

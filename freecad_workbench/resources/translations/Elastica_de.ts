@@ -3199,12 +3199,12 @@
         <translation>die in diesem Dokument bewahrte Platte %1 ist nicht lesbar: eine andere wählen</translation>
     </message>
     <message>
-        <source>A flat strip takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
-        <translation>Ein flacher Streifen nimmt diese Kurve an: %1 bis %2 mm breit, Steifigkeitsverhältnis %3, Dehnung %4 % dessen, was die Platte erträgt.</translation>
+        <source>A flat strip takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
+        <translation>Ein flacher Streifen nimmt diese Kurve an: %1 breit, Steifigkeitsverhältnis %2, Dehnung %3 % dessen, was die Platte erträgt.</translation>
     </message>
     <message>
-        <source>A strip bent beforehand takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
-        <translation>Ein vorgebogener Streifen nimmt diese Kurve an: %1 bis %2 mm breit, Steifigkeitsverhältnis %3, Dehnung %4 % dessen, was die Platte erträgt.</translation>
+        <source>A strip bent beforehand takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
+        <translation>Ein vorgebogener Streifen nimmt diese Kurve an: %1 breit, Steifigkeitsverhältnis %2, Dehnung %3 % dessen, was die Platte erträgt.</translation>
     </message>
     <message>
         <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>

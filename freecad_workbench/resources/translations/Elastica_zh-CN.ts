@@ -3199,12 +3199,12 @@
         <translation>无法读取本文档保存的板材 %1：请另选</translation>
     </message>
     <message>
-        <source>A flat strip takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
-        <translation>平条带可以弯成这条曲线：宽 %1 至 %2 mm，刚度比 %3，应变为板材承受值的 %4 %。</translation>
+        <source>A flat strip takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
+        <translation>平条带可以弯成这条曲线：宽 %1，刚度比 %2，应变为板材承受值的 %3 %。</translation>
     </message>
     <message>
-        <source>A strip bent beforehand takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
-        <translation>预弯的条带可以弯成这条曲线：宽 %1 至 %2 mm，刚度比 %3，应变为板材承受值的 %4 %。</translation>
+        <source>A strip bent beforehand takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
+        <translation>预弯的条带可以弯成这条曲线：宽 %1，刚度比 %2，应变为板材承受值的 %3 %。</translation>
     </message>
     <message>
         <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>

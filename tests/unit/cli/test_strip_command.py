@@ -312,7 +312,7 @@ def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, we
         (
             'kind = "thickness", width = 20',
             "thickness",
-            r"20\.00 to 20\.00 mm wide, 2\.\d\d to 3\.00 mm thick",
+            r"20\.00 mm wide, 2\.\d\d to 3\.00 mm thick",
         ),
         ('kind = "rod"', "diameter", r"2\.\d\d to 3\.00 mm in diameter"),
     ],

@@ -10,6 +10,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
 from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend, strain_use, whole_percent
 
+from elastica_cad._counts import told_range
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
@@ -70,15 +71,15 @@ def refusal_answer(error: ElasticaError) -> Answer:
 def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     """One sentence for the status bar."""
     if isinstance(answer, Strip):
-        low, high = answer.width.extremes
+        wide = f"{told_range(*answer.width.extremes, '.3g')} mm"
         used = whole_percent(strain_use(answer))
         if is_bent_beforehand(answer):
             return (
-                f"A strip bent beforehand takes this curve: {low:.3g} to {high:.3g} mm wide, stiffness ratio "
+                f"A strip bent beforehand takes this curve: {wide} wide, stiffness ratio "
                 f"{answer.rod.ratio:.3g}, strain {used} % of what the sheet bears."
             )
         return (
-            f"A flat strip takes this curve: {low:.3g} to {high:.3g} mm wide, stiffness ratio "
+            f"A flat strip takes this curve: {wide} wide, stiffness ratio "
             f"{answer.rod.ratio:.3g}, strain {used} % of what the sheet bears."
         )
     if isinstance(answer, NotRealizable):
