@@ -32,6 +32,14 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     )
     assert found["formula"] == f"There is no strip.\n{formula}mend the formula, or take it away"
     assert found["formula mended"] == ["Perforated", "Up-to-date"]
+    assert found["body without a sketch"] == (
+        "Body holds no sketch for a strip: draw a spline in a sketch of its own, or select the edge that the strip "
+        "is to follow"
+    )
+    several = "Body holds several sketches (Drawn, Profile): select the one that the strip is to follow"
+    assert found["body with two sketches"] == several
+    assert found["body and its sketch"] == [["Drawn", []]]
+    assert found["body"] == ["Drawn", "A flat strip takes this curve.", ["Up-to-date"]]
     assert found["shear of birch"] == pytest.approx(620)
     assert found["shear kept"] == [600, True]
     assert found["shear of card"] == found["shear emptied"] == "E / (2 (1 + ν))"

@@ -3183,6 +3183,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 holds no sketch for a strip: draw a spline in a sketch of its own, or select the edge that the strip is to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds several sketches (%2): select the one that the strip is to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A flat strip takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
         <translation type="unfinished"></translation>
     </message>

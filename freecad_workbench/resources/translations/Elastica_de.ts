@@ -3199,6 +3199,14 @@
         <translation>die in diesem Dokument bewahrte Platte %1 ist nicht lesbar: eine andere wählen</translation>
     </message>
     <message>
+        <source>%1 holds no sketch for a strip: draw a spline in a sketch of its own, or select the edge that the strip is to follow</source>
+        <translation>%1 enthält keine Skizze für einen Streifen: einen Spline in eine eigene Skizze zeichnen oder die Kante auswählen, der der Streifen folgen soll</translation>
+    </message>
+    <message>
+        <source>%1 holds several sketches (%2): select the one that the strip is to follow</source>
+        <translation>%1 enthält mehrere Skizzen (%2): die auswählen, der der Streifen folgen soll</translation>
+    </message>
+    <message>
         <source>A flat strip takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
         <translation>Ein flacher Streifen nimmt diese Kurve an: %1 breit, Steifigkeitsverhältnis %2, Dehnung %3 % dessen, was die Platte erträgt.</translation>
     </message>

@@ -3199,6 +3199,14 @@
         <translation>无法读取本文档保存的板材 %1：请另选</translation>
     </message>
     <message>
+        <source>%1 holds no sketch for a strip: draw a spline in a sketch of its own, or select the edge that the strip is to follow</source>
+        <translation>%1 中没有可用于条带的草图：请在单独的草图中绘制样条，或选择条带要跟随的边</translation>
+    </message>
+    <message>
+        <source>%1 holds several sketches (%2): select the one that the strip is to follow</source>
+        <translation>%1 中有多个草图（%2）：请选择条带要跟随的那一个</translation>
+    </message>
+    <message>
         <source>A flat strip takes this curve: %1 wide, stiffness ratio %2, strain %3 % of what the sheet bears.</source>
         <translation>平条带可以弯成这条曲线：宽 %1，刚度比 %2，应变为板材承受值的 %3 %。</translation>
     </message>

@@ -7,6 +7,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 from inside import (
     ARCH,
     OUT,
@@ -165,6 +166,42 @@ def click_keep():
     at_rest()
 
 
+def body_in_hand():
+    """A body is selected by a click in the tree, and a strip is asked for: its sketch is meant, if there is one."""
+    document = begun("Design")
+    body = document.addObject("PartDesign::Body", "Body")
+    document.recompute()
+
+    def asked():
+        tree, item = tree_row(body)
+        choose()
+        click(tree.viewport(), at=tree.visualItemRect(item).center())
+        assert until(lambda: Gui.Selection.getSelection() == [body])
+        press("Elastica_Strip")
+
+    asked()
+    answers["body without a sketch"] = dismissed()
+    drawn = sketch(document, ARCH, name="Drawn")
+    profile = document.addObject("Sketcher::SketchObject", "Profile")
+    profile.addGeometry(Part.Circle(App.Vector(0, -50, 0), App.Vector(0, 0, 1), 20), False)
+    body.addObjects([drawn, profile])
+    document.recompute()
+    asked()
+    answers["body with two sketches"] = dismissed()
+    from freecad.elastica_wb.commands.selection import chosen_curves
+
+    choose(body, drawn)
+    answers["body and its sketch"] = [(source.Name, edges) for source, edges in chosen_curves()]
+    pad = body.newObject("PartDesign::Pad", "Pad")
+    pad.Profile = profile
+    document.recompute()
+    asked()
+    assert until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
+    button()
+    answers["body"] = [document.Strip.Curve[0].Name, document.Strip.Verdict, document.Strip.State]
+    App.closeDocument(document.Name)
+
+
 def closed(document, strip):
     """The export is left open while its document is closed; another one is open, with a step that is begun."""
     other = App.newDocument("Other")
@@ -215,6 +252,8 @@ def work():
     left_out(document, strip)
     formula(document, strip)
     shear()
+    body_in_hand()
+    App.setActiveDocument(document.Name)
     closed(document, strip)
     deleted()
 

@@ -22,10 +22,10 @@ from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.pieces import cut_for, is_cut
-from freecad.elastica_wb.features.strip import is_strip
+from freecad.elastica_wb.features.strip import BODY, is_strip
 from freecad.elastica_wb.host.refusal import is_broken_link
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.live.sketches import edited_sketch, followers
+from freecad.elastica_wb.live.sketches import edited_sketch, followers, is_feature
 
 from elastica_cad.errors import InputError
 
@@ -35,20 +35,23 @@ OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
 
 
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
-    """The selected sketches and chains of edges, each with the names of its edges.
+    """The selected sketches and chains of edges, each with the names of its edges; a body stands for its sketch.
 
     Raises
     ------
     InputError
-        Nothing of that kind is selected.
+        Nothing of that kind is selected, or a body in which it is not clear which sketch is meant.
     """
     found: list[tuple[Any, tuple[str, ...]]] = []
-    for source, names in _picked().items():
+    meant = _picked()
+    for source, names in meant.items():
         edges = tuple(filter(is_edge, names))
         if is_sketch(linked(source)):
             found.append((source, ()))
         elif edges:
             found += [(source, chain) for chain in _chains(source, edges)]
+        elif source.TypeId == BODY and not any(one in source.Group for one in meant):
+            found.append((_sketch_in(source), ()))
         elif hasattr(source, "Shape") and _has_curves(source.Shape):
             chains = _chains(source, [f"Edge{i + 1}" for i in range(len(source.Shape.Edges))])
             found += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
@@ -77,6 +80,25 @@ def _picked() -> dict[Any, list[str]]:
             source, name = picked(choice.Object, path)
             found.setdefault(source, []).append(name)
     return found
+
+
+def _sketch_in(body: Any) -> Any:
+    """The sketch in a body of which nothing is made: no feature of the body, and where one is left, no strip."""
+    drawn = [one for one in body.Group if is_sketch(one)]
+    users = {one: [user for user in one.InList if user is not body] for one in drawn}
+    ours = [one for one in drawn if all(map(is_feature, users[one]))]
+    found = [one for one in ours if not users[one]] or ours
+    if not found:
+        raise InputError(
+            f"{body.Label} holds no sketch for a strip: draw a spline in a sketch of its own, or select the edge "
+            "that the strip is to follow"
+        )
+    if len(found) > 1:
+        names = ", ".join(one.Label for one in found)
+        raise InputError(
+            f"{body.Label} holds several sketches ({names}): select the one that the strip is to follow"
+        )
+    return found[0]
 
 
 def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
@@ -113,6 +135,7 @@ def is_curve_chosen() -> bool:
         return True
     return any(
         is_sketch(choice.Object)
+        or choice.Object.TypeId == BODY
         or any(name.startswith("Edge") for name in choice.SubElementNames)
         or is_sketch(linked(choice.Object))
         or (linked(choice.Object).isDerivedFrom("Part::Feature") and _may_be_open(choice.Object.Shape))
