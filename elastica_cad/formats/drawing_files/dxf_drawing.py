@@ -130,8 +130,8 @@ class _Writer:
         ends = [segment.start for segment in segments] + ([] if path.closed else [path.end])
         bulges = [segment.bulge if isinstance(segment, Arc) else 0.0 for segment in segments] + [0.0]
         rows = [
-            (_place(10, end, flat=not self.old), f" 42\n{bulge}\n" if bulge else "")
-            for end, bulge in zip(ends, map(float, bulges), strict=False)
+            (_written(10, x, y, flat=not self.old), f" 42\n{bulge}\n" if bulge else "")
+            for (x, y), bulge in zip(np.array(ends).tolist(), map(float, bulges), strict=False)
         ]
         number = self.number()
         if not self.old:
@@ -160,8 +160,12 @@ class _Writer:
         return f"{self._class('Circle')}{_place(10, arc.center)} 40\n{float(arc.radius)}\n"
 
 
-def _place(code: int, point: Sequence[float] | FloatArray, *, flat: bool = False) -> str:
+def _place(code: int, point: Sequence[float] | FloatArray) -> str:
     x, y = np.asarray(point, dtype=float).tolist()
+    return _written(code, x, y, flat=False)
+
+
+def _written(code: int, x: float, y: float, *, flat: bool) -> str:
     return f" {code}\n{x}\n {code + 10}\n{y}\n" + ("" if flat else f" {code + 20}\n0.0\n")
 
 

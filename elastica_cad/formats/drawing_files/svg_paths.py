@@ -57,8 +57,14 @@ def format_length(value: float) -> str:
 
 
 def _numbers(values: Iterable[float]) -> list[str]:
-    short = [f"{value:.6f}".rstrip("0").rstrip(".") for value in values]
-    return ["0" if text in ("-0", "") else text for text in short]
+    # most of them have no zeros at their end
+    return [text if text[-1] != "0" else _shortened(text) for text in [f"{value:.6f}" for value in values]]
+
+
+def _shortened(text: str) -> str:
+    """A decimal number without the zeros at its end."""
+    short = text.rstrip("0").rstrip(".")
+    return "0" if short == "-0" else short
 
 
 def _drawn(path: Path) -> tuple[Segment, ...]:
