@@ -12,7 +12,12 @@ from elastica_cad.fabrication.interlocking.alike_strips import place_between
 from elastica_cad.fabrication.interlocking.flush_strips import Slab, flush_overlap
 from elastica_cad.fabrication.interlocking.interlock import TOUCHING_RAD, Joint, slot_width, strip_thickness
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
-from elastica_cad.fabrication.interlocking.slotted_collisions import Collision, SlottedSlab, deepest_collision
+from elastica_cad.fabrication.interlocking.slotted_collisions import (
+    Collision,
+    SlotRims,
+    SlottedSlab,
+    deepest_collision,
+)
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -130,12 +135,13 @@ def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int,
 
 def _bodies(placed: Sequence[Placed], slotted: Iterable[tuple[int, int]]) -> dict[int, SlottedSlab]:
     """By their places, the strips that are slotted into others."""
-    members = {i for pair in slotted for i in pair}
-    return {
-        i: SlottedSlab.of(RuledStrip(one.strip.rod.curve, one.frame, one.strip.width), one.strip)
-        for i, one in enumerate(placed)
-        if i in members
-    }
+    bodies, shared = dict[int, SlottedSlab](), dict[int, SlotRims]()
+    for i in sorted({i for pair in slotted for i in pair}):
+        strip, frame = placed[i].strip, placed[i].frame
+        # strips that are cut alike share their layers
+        rims = shared.setdefault(id(strip.layers), SlotRims(strip.slots, strip.width))
+        bodies[i] = SlottedSlab.of(RuledStrip(strip.rod.curve, frame, strip.width), strip, rims)
+    return bodies
 
 
 def _crossing(strips: Pair, surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:

@@ -5,7 +5,7 @@ are divided where the depth, which changes by no more than the way between two p
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import product
 
 import numpy as np
@@ -13,10 +13,11 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.interlocking.flush_strips import Slab, nearest_places
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
-from elastica_cad.fabrication.slots.slot import slot_cut
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.curve_derivatives import cross
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line, Segment
 
 SHARED_MM = 0.05
@@ -51,6 +52,8 @@ RIM_POINTS = 13
 
 SIDES = (-1.0, 1.0)
 
+_SIZES = 64  # of strips of late: each is asked against several others, and equal ones share theirs
+
 
 @dataclass(frozen=True, eq=False)
 class Collision:
@@ -72,30 +75,25 @@ class Collision:
 
 
 @dataclass(frozen=True, eq=False)
-class SlottedSlab:
-    """A bent strip with its thickness and slots."""
+class SlotRims:
+    """The slots of a strip, in its flat pattern: of strips that are cut alike the same."""
 
-    slab: Slab
-    strip: Strip
-
-    @classmethod
-    def of(cls, ruled: RuledStrip, strip: Strip) -> "SlottedSlab":
-        """A strip as it is cut."""
-        return cls(Slab.of(ruled, strip), strip)
+    slots: tuple[Slot, ...]
+    width: Profile
 
     @cached_property
     def _rims(self) -> tuple[FloatArray, FloatArray]:
         """Where the sides of the polygons that slots take from the flat pattern begin and end (k, 2)."""
         rims = []
-        for slot in self.strip.slots:
-            cut = slot_cut(slot, self.strip.width, beyond=MOUTH * slot.width)
+        for slot in self.slots:
+            cut = slot_cut(slot, self.width, beyond=MOUTH * slot.width)
             rows = [segment.at(np.linspace(0, 1, _points_on(segment)))[:-1] for segment in cut.segments]
             rims.append(np.concatenate([*rows, cut.end[None]]))
         return np.concatenate(rims), np.concatenate([np.roll(rim, -1, axis=0) for rim in rims])
 
     def uncut(self, s: FloatArray, across: FloatArray) -> FloatArray:
         """How far places (n,) of the flat pattern are from the nearest slot, mm: negative within it."""
-        if not self.strip.slots:
+        if not self.slots:
             return np.full(s.size, np.inf)
         start, end = self._rims
         (x, y), (dx, dy) = start.T, (end - start).T
@@ -106,6 +104,19 @@ class SlottedSlab:
         rises = (down >= 0) != (down >= dy)
         beside = rises & ((left * dy < down * dx) == (dy > 0))
         return np.asarray(np.where(beside.sum(axis=1) % 2 == 1, -away, away), dtype=float)
+
+
+@dataclass(frozen=True, eq=False)
+class SlottedSlab:
+    """A bent strip with its thickness and slots."""
+
+    slab: Slab
+    rims: SlotRims
+
+    @classmethod
+    def of(cls, ruled: RuledStrip, strip: Strip, rims: SlotRims | None = None) -> "SlottedSlab":
+        """A strip as it is cut; `rims` of one that is cut alike are used again."""
+        return cls(Slab.of(ruled, strip), rims or SlotRims(strip.slots, strip.width))
 
 
 def _points_on(segment: Segment) -> int:
@@ -129,7 +140,7 @@ def _deepest(one: SlottedSlab, other: SlottedSlab, room: float, least: float) ->
     wanted = least - inset
     box = box_about(b.rows[1]) + b.thickness * np.array([[-0.5], [0.5]])
     half, wide = (body.ruled.width.extremes[1] / 2 for body in (a, b))
-    parts = _first_parts(a)
+    parts = _first_parts(a.ruled.length, a.ruled.width.extremes[1])
     while parts.size:
         s, across, local, normals = _places(a, b.ruled, parts, inset)
         reach = STEEP * np.hypot(parts[:, 3], parts[:, 4] * half)
@@ -148,7 +159,7 @@ def _deepest(one: SlottedSlab, other: SlottedSlab, room: float, least: float) ->
             break
         inner = np.flatnonzero(depth > wanted)
         for body, x, y in ((one, s, across), (other, foot, local[:, 2])):
-            depth[inner] = np.minimum(depth[inner], body.uncut(x[inner], y[inner]) - room)
+            depth[inner] = np.minimum(depth[inner], body.rims.uncut(x[inner], y[inner]) - room)
         k = int(np.argmax(depth))
         if depth[k] > wanted:
             position = b.ruled.frame.point(local[k, :2]) + local[k, 2] * b.ruled.axis
@@ -158,13 +169,13 @@ def _deepest(one: SlottedSlab, other: SlottedSlab, room: float, least: float) ->
     return found
 
 
-def _first_parts(slab: Slab) -> FloatArray:
-    """Parts (n, 5) of faces and edges.
+@lru_cache(maxsize=_SIZES)
+def _first_parts(length: float, width: float) -> FloatArray:
+    """Parts (n, 5) of faces and edges of a strip of this length and greatest width, mm; not to be written on.
 
     Station, place across as share of the half width, face (-1 or 1), and half of how far they reach along and
     across; edges reach one way only.
     """
-    length, width = slab.ruled.length, slab.ruled.width.extremes[1]
     along, across = (max(1, int(np.ceil(size / LONG_MM))) for size in (length, width))
     s, share = (np.arange(along) + 0.5) * length / along, (2 * np.arange(across) + 1.0) / across - 1.0
     long, wide = (length / along / 2,), (1.0 / across,)
@@ -173,7 +184,9 @@ def _first_parts(slab: Slab) -> FloatArray:
         *product(s, SIDES, SIDES, long, (0.0,)),
         *product((0.0, length), share, SIDES, (0.0,), wide),
     ]
-    return np.array(rows)
+    parts = np.array(rows)
+    parts.setflags(write=False)
+    return parts
 
 
 def _places(

@@ -87,8 +87,11 @@ class _Edge:
     def __init__(self, outline: Path) -> None:
         self.segments = outline.segments
         self.chords = [Chords.of(segment) for segment in self.segments]
-        ends = [(c.points.min(axis=0) - FLAT_MM, c.points.max(axis=0) + FLAT_MM) for c in self.chords]
-        self.boxes = np.array(ends)
+        begins, ends = (
+            np.concatenate([c.points[part] for c in self.chords]) for part in (slice(-1), slice(1, None))
+        )
+        self.low, self.high = np.minimum(begins, ends) - FLAT_MM, np.maximum(begins, ends) + FLAT_MM
+        self.owner = np.repeat(np.arange(len(self.chords)), [len(c.points) - 1 for c in self.chords])
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
         """Where the slot meets the edge; its sides are drawn on until they do."""
@@ -114,14 +117,15 @@ class _Edge:
         found: list[tuple[_Place, _Place]] = []
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
-            near = np.all((self.boxes[:, 0] <= high) & (self.boxes[:, 1] >= low), axis=1)
-            for i in np.flatnonzero(near):
+            near = ((self.low <= high) & (self.high >= low)).all(axis=1)
+            # chords of a segment follow one another
+            for i in dict.fromkeys(self.owner[near].tolist()):
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)
                     if all(
                         np.hypot(*(cut[p.segment].segment.at(p.u) - point)) > SAME_POINT_MM for _, p in found
                     ):
-                        found.append((_Place(int(i), u), _Place(k, v)))
+                        found.append((_Place(i, u), _Place(k, v)))
         return found
 
     def spliced(self, openings: Sequence[_Opening]) -> list[Segment]:
