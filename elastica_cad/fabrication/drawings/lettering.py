@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from math import isfinite
 from pathlib import Path as FilePath
 from unicodedata import combining, normalize
 
@@ -50,12 +51,12 @@ class Text:
 
     def __post_init__(self) -> None:
         x, y = self.position
-        if not np.all(np.isfinite([x, y, self.height, self.angle])) or self.height <= 0:
+        if not all(map(isfinite, (x, y, self.height, self.angle))) or self.height <= 0:
             raise InputError(
                 f"text {self.text!r} needs a finite position and angle, and a positive height in mm"
             )
         object.__setattr__(self, "position", (float(x), float(y)))
-        missing = sorted(set(self.text) - set(_glyphs()))
+        missing = sorted(set(self.text) - _glyphs().keys())
         if missing:
             raise InputError(
                 f"text {self.text!r}: the engraving alphabet has no {', '.join(map(repr, missing))}; "

@@ -152,13 +152,11 @@ class BasePlate:
             & np.array([other is not slot for other in self.slots])
         ]
         bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
-        boxes = [np.array([p - long * along, p + long * along]) for p in bases]
-        room = [
-            float(_gaps(np.concatenate([box, box[::-1] + height * off]), others).min())
-            if others.size
-            else 1.0
-            for box in boxes
-        ]
+        boxes = np.array([[p - long * along, p + long * along] for p in bases])
+        room = [1.0, 1.0]
+        if others.size:
+            labels = np.concatenate([boxes, boxes[:, ::-1] + height * off], axis=1)
+            room = _gaps(labels[:, None], others).min(axis=1).tolist()
         start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
         angle = float(np.arctan2(along[1], along[0]))
         return Text((float(start[0]), float(start[1])), slot.name, height, angle, ENGRAVE)
@@ -367,7 +365,7 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
 
 
 def _gaps(one: FloatArray, others: FloatArray) -> FloatArray:
-    """Lower bounds (n,) of the distance, mm, of a rectangle (4, 2) from others (n, 4, 2).
+    """Lower bounds (..., n) of the distance, mm, of rectangles (4, 2) or (..., 1, 4, 2) from others (n, 4, 2).
 
     Exact where a side faces the other.
     """
