@@ -24,7 +24,7 @@ from elastica_cad.fabrication.strip.flat_outline import (
 )
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.clip import trim_off
-from elastica_cad.geometry.paths.many_segments import areas
+from elastica_cad.geometry.paths.many_segments import areas, bounds_of
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
@@ -227,5 +227,7 @@ def _label_texts(
         for span, end, tab in zip(spans, (0.0, length), ends, strict=True)
         if span[0] < span[1]
     ]
-    near = [hole for hole in layer.holes if hole.bounds[0, 0] < 0 or hole.bounds[1, 0] > length]
+    boxes = bounds_of(layer.holes)
+    beyond = (boxes[:, 0, 0] < 0) | (boxes[:, 1, 0] > length)
+    near = [layer.holes[k] for k in np.flatnonzero(beyond).tolist()]
     return (label_on_tabs(label, tabs, Cuts(near, outline=layer.outline)),) if tabs else ()

@@ -15,7 +15,7 @@ from elastica_cad.geometry.paths.chords import (
     require_tolerance_mm,
 )
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, swept_by
 from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.paths.trim import trim_segment
 from elastica_cad.geometry.polynomials.circles import points_on_circles
@@ -108,18 +108,80 @@ def areas(paths: Sequence[Path]) -> FloatArray:
 
 def _areas(paths: Sequence[Path], splines: Sequence[Spline]) -> FloatArray:
     """Areas (n,) of closed paths, their splines without weights in order at one go."""
-    total, owner = np.zeros(len(paths)), []
+    total, owner, starts = np.zeros(len(paths)), [], np.array([path.start for path in paths])
+    plain, shapes = [], []
     for k, path in enumerate(paths):
         for segment in path.segments:
-            if isinstance(segment, Spline) and not segment.curve.is_rational:
-                owner.append(k)
+            if isinstance(segment, Spline):
+                if segment.curve.is_rational:
+                    total[k] += segment.swept_area(path.start)
+                else:
+                    owner.append(k)
             else:
-                total[k] += segment.swept_area(path.start)
-    starts = np.array([path.start for path in paths])
+                plain.append(k)
+                turn = (segment.radius, segment.sweep) if isinstance(segment, Arc) else (0.0, 0.0)
+                shapes.append((*segment.start, *segment.end, *turn))
+    if plain:
+        x, y, x1, y1, radius, sweep = np.array(shapes).T
+        origins = starts[plain]
+        np.add.at(
+            total,
+            plain,
+            swept_by(np.array([x, y]).T - origins, np.array([x1, y1]).T - origins, radius, sweep),
+        )
     for rows, table in _tables([spline.curve for spline in splines]):
         of_path = np.array(owner)[rows]
         np.add.at(total, of_path, table.swept_areas(starts[of_path]))
     return total
+
+
+def bounds_of(paths: Sequence[Path]) -> FloatArray:
+    """The boxes (n, 2, 2) of paths, mm: see `Path.bounds`; each path then knows its own.
+
+    Examples
+    --------
+    >>> bounds_of([Path.rectangle(4.0, 3.0), Path.circle((0.0, 0.0), 1.0)])[0].tolist()
+    [[0.0, 0.0], [4.0, 3.0]]
+    """
+    unknown = [path for path in paths if "bounds" not in vars(path)]
+    if len(unknown) >= FEW:
+        segments = [segment for path in unknown for segment in path.segments]
+        begins = _begins([len(path.segments) for path in unknown])
+        starts, ends = np.array([one.start for one in segments]), np.array([one.end for one in segments])
+        low, high = np.minimum(starts, ends), np.maximum(starts, ends)
+        arcs = [i for i, segment in enumerate(segments) if isinstance(segment, Arc)]
+        if arcs:
+            least, most = _boxes_of_arcs([one for one in segments if isinstance(one, Arc)])
+            low[arcs], high[arcs] = np.minimum(low[arcs], least), np.maximum(high[arcs], most)
+        boxes = np.stack([np.minimum.reduceat(low, begins), np.maximum.reduceat(high, begins)], axis=1)
+        splines = [i for i, segment in enumerate(segments) if isinstance(segment, Spline)]
+        if splines:
+            hulls = [one.curve.control_points for one in segments if isinstance(one, Spline)]
+            every, first = np.concatenate(hulls), _begins([len(hull) for hull in hulls])
+            low[splines], high[splines] = np.minimum.reduceat(every, first), np.maximum.reduceat(every, first)
+        # where the control points of a path reach no farther, its splines do not either
+        sure = np.all(np.minimum.reduceat(low, begins) >= boxes[:, 0], axis=1)
+        sure &= np.all(np.maximum.reduceat(high, begins) <= boxes[:, 1], axis=1)
+        for path, box, is_sure in zip(unknown, boxes, sure.tolist(), strict=True):
+            if is_sure:
+                vars(path)["bounds"] = box
+    return np.array([path.bounds for path in paths]).reshape(-1, 2, 2)
+
+
+def _boxes_of_arcs(arcs: Sequence[Arc]) -> tuple[FloatArray, FloatArray]:
+    """Lower left and upper right corners (n, 2): where arcs end, and where they turn."""
+    center = np.array([arc.center for arc in arcs])
+    radius, *ends = np.array([(arc.radius, arc.start_angle, arc.end_angle) for arc in arcs]).T
+    low, high = np.minimum(*ends), np.maximum(*ends)
+    quarters = np.pi / 2 * (np.ceil(low / (np.pi / 2))[:, None] + np.arange(5))
+    angles = np.column_stack([low, high, np.where(quarters <= high[:, None], quarters, low[:, None])])
+    points = points_on_circles(center[:, None], radius[:, None], angles)
+    return points.min(axis=1), points.max(axis=1)
+
+
+def _begins(counts: Sequence[int]) -> IntArray:
+    """Where groups of so many begin that stand one behind the other."""
+    return np.asarray(np.cumsum(counts) - counts)
 
 
 def polylines(paths: Sequence[Path], tolerance: float) -> list[FloatArray]:

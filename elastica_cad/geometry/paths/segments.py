@@ -230,8 +230,7 @@ class Arc:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2."""
         origin = np.asarray(origin, dtype=float)
-        triangle = _cross(self.start - origin, self.end - origin)
-        return 0.5 * (triangle + self.radius**2 * _beyond_sine(self.sweep))
+        return float(swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
 
     def reversed(self) -> "Arc":
         """The arc run the other way."""
@@ -397,12 +396,18 @@ def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
     return hypot(a, c) / abs(last), atan2(way * c, way * a), 1.0 if a * d > b * c else -1.0
 
 
-def _beyond_sine(x: float) -> float:
+def swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
+    """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
+    triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
+    segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
+    return np.asarray(0.5 * (triangle + segment), dtype=float)
+
+
+def _beyond_sine(x: FloatArray) -> FloatArray:
     """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
-    if abs(x) > 0.3:
-        return x - float(np.sin(x))
     y = x * x
-    return x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
+    near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
+    return np.where(np.abs(x) > 0.3, x - np.sin(x), near)
 
 
 def left_of(v: FloatArray) -> FloatArray:

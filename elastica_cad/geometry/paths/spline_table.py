@@ -36,26 +36,31 @@ class SplineTable:
     @cached_property
     def knots(self) -> FloatArray:
         """Rows (n, k), infinite behind the last."""
-        knots = np.full((len(self.curves), max(curve.knots.size for curve in self.curves)), np.inf)
-        for row, curve in zip(knots, self.curves, strict=True):
-            row[: curve.knots.size] = curve.knots
+        sizes = np.array([curve.knots.size for curve in self.curves])
+        knots = np.full((sizes.size, sizes.max()), np.inf)
+        knots[np.arange(sizes.max()) < sizes[:, None]] = np.concatenate(
+            [curve.knots for curve in self.curves]
+        )
         return knots
 
     @cached_property
     def points(self) -> FloatArray:
         """Rows x w, y w, w of each, (n, m, 3)."""
-        points = np.ones((len(self.curves), self.knots.shape[1] - self.degree - 1, 3))
-        for own, curve in zip(points, self.curves, strict=True):
-            own[: len(curve.control_points), :2] = curve.control_points
+        sizes = np.array([len(curve.control_points) for curve in self.curves])
+        points = np.ones((sizes.size, self.knots.shape[1] - self.degree - 1, 3))
+        own = np.arange(points.shape[1]) < sizes[:, None]
+        points[own, :2] = np.concatenate([curve.control_points for curve in self.curves])
+        for row, curve in zip(points, self.curves, strict=True):
             if curve.weights is not None:
-                own[: curve.weights.size, 2] = curve.weights
+                row[: curve.weights.size, 2] = curve.weights
         points[..., :2] *= points[..., 2:]
         return points
 
     @cached_property
     def domain(self) -> FloatArray:
         """Of each, (n, 2)."""
-        return np.array([curve.domain for curve in self.curves])
+        last = np.isfinite(self.knots).sum(axis=1) - self.degree - 1
+        return np.column_stack([self.knots[:, self.degree], self.knots[np.arange(last.size), last]])
 
     @property
     def degree(self) -> int:

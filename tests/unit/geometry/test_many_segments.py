@@ -7,6 +7,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.many_segments import (
     areas,
     bezier_points,
+    bounds_of,
     chords_of,
     points_of,
     polylines,
@@ -80,6 +81,22 @@ def test_areas_are_those_of_each_path(paths):
     assert areas(asked) == pytest.approx(alone, rel=1e-12)
     assert [path.area for path in asked] == areas(asked).tolist()
     assert areas(closed[:1]).tolist() == [closed[0].area]
+
+
+def test_bounds_are_those_of_each_path(paths):
+    rng = np.random.default_rng(5)
+    arcs = [
+        Path((Arc(rng.normal(size=2), 2.0, start, start + turn),), closed=False)
+        for start, turn in zip(rng.uniform(-9, 9, 200), rng.uniform(-2 * np.pi, 2 * np.pi, 200), strict=True)
+    ]
+    paths = [*paths, *arcs, Path.circle((1.0, 2.0), 3.0)]
+    alone = np.array([path.bounds for path in afresh(paths)])
+    asked = afresh(paths)
+    assert bounds_of(asked) == pytest.approx(alone, abs=1e-12)
+    assert np.array_equal([path.bounds for path in asked], bounds_of(asked))
+    assert sum("bounds" in vars(path) for path in asked) == len(asked)
+    assert np.array_equal(bounds_of(afresh(paths[:1])), alone[:1])
+    assert bounds_of([]).shape == (0, 2, 2)
 
 
 def test_bezier_points_of_splines_are_their_own(paths):
