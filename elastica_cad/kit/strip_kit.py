@@ -123,6 +123,12 @@ class StripKit:
         return drawings
 
     @cached_property
+    def patterns(self) -> tuple[Drawing, ...]:
+        """What is cut of each layer, named as its files."""
+        named = zip(self.drawings, self.strip.layers, strict=True)
+        return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
+
+    @cached_property
     def page(self) -> "StripPage":
         """What its picture shows."""
         from elastica_cad.plot.strip_views import view_page
@@ -183,8 +189,8 @@ def _write_svg(kit: StripKit, path: Path, layer: int = 0) -> None:
 
 def _pattern(kit: StripKit, layer: int) -> tuple[Drawing, dict[str, Any]]:
     """What is cut of one layer, and how its file is to be written."""
-    cut = kit.strip.layers[layer]
-    return replace(kit.drawings[layer], name=cut.called(kit.name)), kit.asked.cutting.options(cut.sheet)
+    sheet = kit.strip.layers[layer].sheet
+    return kit.patterns[layer], kit.asked.cutting.options(sheet)
 
 
 def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:

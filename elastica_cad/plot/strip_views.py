@@ -77,10 +77,11 @@ def view_layers(strip: Strip) -> list[FlatLayer]:
     for layer in strip.layers:
         # what runs against the outline is left out of the filling
         clockwise = areas(layer.holes) < 0
-        holes = [
-            hole if right else hole.reversed() for hole, right in zip(layer.holes, clockwise, strict=True)
+        outline, *holes = view_paths([layer.outline, *layer.holes])
+        loops = [
+            outline,
+            *(hole if right else hole[::-1] for hole, right in zip(holes, clockwise, strict=True)),
         ]
-        loops = view_paths([layer.outline, *holes])
         shown.append(FlatLayer(loops, sheet_color(layer.sheet), layer is not strip.layers[0]))
     return shown
 

@@ -14,6 +14,7 @@ from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.paths.path import Path, move_paths
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import is_similarity, similarity_of, transform_points
+from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet_keys import printable
 
 CUT_OUTER = "CUT_OUTER"
@@ -153,29 +154,26 @@ def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
     if not items:
         return ()
-    left = np.array([item.path.bounds[0, 0] for item in items])
+    boxes = np.array([item.path.bounds for item in items])
+    left = boxes[:, 0, 0]
     order = np.argsort(left, kind="stable")
     first = np.searchsorted(left[order], left - SAME_MM)
-    last = np.searchsorted(left[order], left + SAME_MM)
-    kept: list[LayeredPath] = []
+    count = np.searchsorted(left[order], left + SAME_MM) - first
+    later = np.repeat(np.arange(len(items)), count)
+    earlier = order[numbers_in_groups(count) + np.repeat(first, count)]
+    alike = (earlier < later) & (np.abs(boxes[later] - boxes[earlier]).max(axis=(1, 2)) <= SAME_MM)
     dropped: set[int] = set()
-    for i, item in enumerate(items):
-        near = [int(j) for j in order[first[i] : last[i]] if j < i and int(j) not in dropped]
-        if any(_twins(items[j], item) for j in near):
+    for i, j in zip(later[alike].tolist(), earlier[alike].tolist(), strict=True):
+        if not {i, j} & dropped and _twins(items[j], items[i]):
             dropped.add(i)
-        else:
-            kept.append(item)
-    return tuple(kept)
+    return tuple(item for i, item in enumerate(items) if i not in dropped)
 
 
 def _twins(a: LayeredPath, b: LayeredPath) -> bool:
     cut = (CUT_INNER, CUT_OUTER)
     if a.layer != b.layer and not (a.layer in cut and b.layer in cut):
         return False
-    if (
-        np.abs(a.path.bounds - b.path.bounds).max() > SAME_MM
-        or abs(a.path.length - b.path.length) > 10 * SAME_MM
-    ):
+    if abs(a.path.length - b.path.length) > 10 * SAME_MM:
         return False
     samples = np.concatenate([s.at(np.array([0.0, 0.3, 0.7, 1.0])) for s in b.path.segments])
     near = np.min([distances(segment, samples) for segment in a.path.segments], axis=0)
