@@ -206,8 +206,8 @@ def _spent(outcome: RodOutcome) -> int:
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
     """What is found from there, where that meets the limits and is about as near as what all starts found."""
     z = before.seen_from(task.target, problem.grid.unknowns)
-    rod = None if z is None else problem.close(problem.grid.shoot(z))
-    if rod is None:
+    rod = None if z is None else problem.grid.shoot(z)
+    if rod is None or not np.isfinite(rod.moments[-1]):
         return None
     found = minimize(problem, rod)
     enough = max(_NEAR, _AS_NEAR * before.off)

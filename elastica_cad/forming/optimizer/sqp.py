@@ -304,6 +304,8 @@ def _solve_step(
     )
     if not np.all(np.isfinite(solution.x)):
         return None, None
+    if fine.max() == 1.0:
+        return solution.x[:p] * s, solution
     back = np.append(fine, np.ones(solution.x.size - p))
     in_scales = replace(
         solution, x=solution.x / back, lower_multipliers=solution.lower_multipliers * back,

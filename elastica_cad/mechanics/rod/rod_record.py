@@ -188,15 +188,14 @@ class Rod:
         profile = profile.scaled(1 / K.min())
         tangent = np.array([np.cos(angle), np.sin(angle)])
         rest = nodal_curvature(natural_curvature, s)
-        rod = cls(
+        loaded = gravity is not None or weight is not None or bool(np.any(rest))
+        return cls(
             s=s, position=place + s[:, None] * tangent,
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
             moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity,
-            supports=supports, natural_curvature=rest, weight=weight,
+            supports=supports, natural_curvature=rest, residual=float(loaded), weight=weight,
             bending_stiffness=bending_stiffness, law=law, section=section,
         )  # fmt: skip
-        loaded = gravity is not None or weight is not None or bool(np.any(rest))
-        return replace(rod, residual=1.0) if loaded else rod
 
     @property
     def length(self) -> float:
