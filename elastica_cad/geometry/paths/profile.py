@@ -57,7 +57,7 @@ class Profile:
                 f"degree {self.degree} needs {self.coefficients.size + self.degree + 1} knots"
             )
         clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
-        if np.any(np.diff(self.knots) < 0) or not self.knots[-1] > self.knots[0] or not clamped:
+        if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:
             raise InputError("profile knots must increase and be repeated at both ends (clamped)")
 
     def __repr__(self) -> str:

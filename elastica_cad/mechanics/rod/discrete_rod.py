@@ -75,7 +75,7 @@ def bending_moments(
         Moments M_0 and M_n where the angle is free.
     """
     M = np.empty(stiffness.size)
-    M[1:-1] = np.diff(angles)
+    np.subtract(angles[1:], angles[:-1], out=M[1:-1])
     M[0] = angles[0] - (angles[0] if ends[0] is None else ends[0])
     M[-1] = (angles[-1] if ends[1] is None else ends[1]) - angles[-1]
     M /= w

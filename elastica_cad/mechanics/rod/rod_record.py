@@ -107,7 +107,7 @@ class Rod:
             "moment": (n,), "force": (n, 2),
         }.items():  # fmt: skip
             array = np.array(getattr(self, name), dtype=float)
-            if array.shape != shape or not np.isfinite(array).all():
+            if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
                 raise InputError(f"rod {name} must be finite with shape {shape}, got {array.shape}")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
