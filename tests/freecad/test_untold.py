@@ -40,6 +40,10 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     assert found["body with two sketches"] == several
     assert found["body and its sketch"] == [["Drawn", []]]
     assert found["body"] == ["Drawn", "A flat strip takes this curve.", ["Up-to-date"]]
+    takes = "A flat strip takes this curve."
+    assert found["pasted with its sketch"] == ["Behind", takes, [], True, 0]
+    missing = "The curve is missing: choose a sketch or an edge in the property Curve"
+    assert found["pasted alone"] == [None, "There is no strip.", [missing], False, 0]
     assert found["shear of birch"] == pytest.approx(620)
     assert found["shear kept"] == [600, True]
     assert found["shear of card"] == found["shear emptied"] == "E / (2 (1 + ν))"

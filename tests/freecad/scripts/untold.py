@@ -11,6 +11,8 @@ import Part
 from inside import (
     ARCH,
     OUT,
+    Dialog,
+    QtCore,
     QtWidgets,
     answers,
     at_rest,
@@ -202,6 +204,43 @@ def body_in_hand():
     App.closeDocument(document.Name)
 
 
+def left_behind():
+    """Strips are pasted into other documents, with their sketch and without."""
+    document = begun("Copied")
+    open_panel("Elastica_Strip", sketch(document, ARCH, name="Behind"))
+    button()
+
+    def copied(everything):
+        def chosen(box):
+            rows = [tree.topLevelItem(i) for tree in box.findChildren(QtWidgets.QTreeWidget)
+                    for i in range(tree.topLevelItemCount())]  # fmt: skip
+            for row in [row for row in rows if row.text(0) == "Behind" and not everything]:
+                row.setCheckState(0, QtCore.Qt.Unchecked)
+            box.accept()
+
+        App.setActiveDocument(document.Name)
+        Gui.ActiveDocument = Gui.getDocument(document.Name)
+        choose(document.Strip)
+        asked = Dialog(chosen)
+        trigger("Std_Copy")
+        assert until(lambda: asked.done)
+        wait(200)
+        other = App.newDocument("Taker")
+        other.UndoMode = 1
+        trigger("Std_Paste")
+        until(lambda: other.Strip.MadeFrom or other.Strip.Reasons)
+        strip = other.Strip
+        found = [strip.Curve and strip.Curve[0].Name, strip.Verdict, list(strip.Reasons), strip.Visibility]
+        other.undo()
+        found.append(len(other.Objects))
+        App.closeDocument(other.Name)
+        return found
+
+    answers["pasted with its sketch"] = copied(everything=True)
+    answers["pasted alone"] = copied(everything=False)
+    App.closeDocument(document.Name)
+
+
 def closed(document, strip):
     """The export is left open while its document is closed; another one is open, with a step that is begun."""
     other = App.newDocument("Other")
@@ -253,6 +292,7 @@ def work():
     formula(document, strip)
     shear()
     body_in_hand()
+    left_behind()
     App.setActiveDocument(document.Name)
     closed(document, strip)
     deleted()

@@ -11,6 +11,7 @@ from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.qt import QtCore
 from freecad.elastica_wb.live.later_results import LaterResults
 from freecad.elastica_wb.live.sketches import (
+    AGAIN_MS,
     edited_sketch,
     followers,
     is_curve,
@@ -84,16 +85,21 @@ class Edits:
 
 
 class Changes:
-    """New sketches, released mouse buttons, undo, redo."""
+    """New sketches, released mouse buttons, undo, redo, what is pasted."""
 
     def __init__(self) -> None:
         self._pending = False
+        self._pasted: list[Any] = []
         self._called: dict[tuple[str, str], str] = {}
         self._held: dict[tuple[str, str], set[str]] = {}
         self._changed: dict[str, dict[str, set[str]]] = {}
 
     def slotCreatedObject(self, obj: Any) -> None:
         """A sketch made from this workbench has the overlay."""
+        if _is_importing(obj.Document):
+            self._pasted.append(obj)
+            if len(self._pasted) == 1:
+                QtCore.QTimer.singleShot(0, self._after_paste)
         if is_sketch(obj) and not obj.Document.Restoring and not obj.Document.Transacting and _here():
             remember(obj, True)
 
@@ -150,6 +156,16 @@ class Changes:
         if _session() is not None:
             self._soon()
 
+    def _after_paste(self) -> None:
+        """What was left behind is not followed any more: FreeCAD 0.20 makes nothing anew that is pasted."""
+        pasted = [obj for obj in self._pasted if lives(obj)]
+        if any(_is_importing(obj.Document) for obj in pasted):  # its progress bar lets timers run
+            QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
+            return
+        self._pasted = []
+        for name in dict.fromkeys(obj.Document.Name for obj in pasted):
+            recompute([obj for obj in pasted if obj.Document.Name == name and is_feature(obj)])
+
     def _soon(self) -> None:
         if not self._pending:
             self._pending = True
@@ -161,6 +177,11 @@ class Changes:
         if session is not None:
             session.refresh()
             recompute(followers(session.sketch))
+
+
+def _is_importing(document: Any) -> bool:
+    """Is something pasted or merged into a document?"""
+    return bool(getattr(document, "Importing", False))
 
 
 def _here() -> bool:
