@@ -1,7 +1,7 @@
 """Splines as functions: their values, and those through given values."""
 
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import cached_property
 
 import numpy as np
 
@@ -56,13 +56,21 @@ class SplineFunction:
         u = (x - spans.edges.take(index)) / width
         if self.pieces.ndim > 2:
             u, width = (np.reshape(one, x.shape + (1,) * (self.pieces.ndim - 2)) for one in (u, width))
-        rows = [self.pieces[:, k].take(index, axis=0) for k in range(degree + 1)]
+        rows = self._rows.take(index, axis=1)
         factor: float | FloatArray = 1.0
         for k in range(derivative):
-            rows, factor = [b - a for a, b in pairwise(rows)], factor * (degree - k) / width
+            rows, factor = rows[1:] - rows[:-1], factor * (degree - k) / width
         while len(rows) > 1:  # de Casteljau
-            rows = [a + (b - a) * u for a, b in pairwise(rows)]
+            steps = rows[1:] - rows[:-1]
+            steps *= u
+            steps += rows[:-1]
+            rows = steps
         return np.asarray(rows[0] * factor if derivative else rows[0])
+
+    @cached_property
+    def _rows(self) -> FloatArray:
+        """The first coefficients of all spans, the second ones and so on, (degree + 1, p, ...)."""
+        return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
 
 
 def spline_through(x: FloatArray, values: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
