@@ -68,9 +68,9 @@ def encode_dxf(
         curves = "arc" if curves in ("spline", EXACT) else curves
     bounds = drawing.bounds
     shown = tuple((layer, styles[layer]) for layer in drawing.layers)
-    writer = _Writer(dxf_frame(version, shown, grouped=False), curves, tolerance, old=version == "R12")
+    frame = dxf_frame(version, shown)
+    writer = _Writer(frame, curves, tolerance, old=version == "R12")
     writer.draw(drawing, styles)
-    frame = dxf_frame(version, shown, grouped=True) if writer.groups else writer.frame
     return frame.around(writer.entities, writer.groups, bounds, free=next(writer.numbers))
 
 

@@ -45,7 +45,7 @@ class DxfFrame:
     first : int
         The first number that is free for them.
     group : str
-        Number of an empty group that shows how all are written; empty where there is none.
+        Number of an empty group that shows how all are written; empty in R12, which has none.
     late : int
         How many numbers follow those of the entities.
     """
@@ -76,7 +76,7 @@ class DxfFrame:
         free : int
             The first number that is not taken.
         """
-        tail = self._with_groups(groups) if groups else self.tail
+        tail = self._with_groups(groups) if self.group else self.tail
         own = {f"{_LATE + k:X}": f"{free + k:X}" for k in range(self.late + 1)} | _numbers(bounds)
         return self.document.encode("".join([_filled(self.head, own), *entities, _filled(tail, own)]))
 
@@ -94,8 +94,8 @@ class DxfFrame:
         return "".join((before, *names, after[:begin], *filled, after[end:]))
 
 
-def dxf_frame(version: str, layers: tuple[tuple[str, LayerStyle], ...], *, grouped: bool) -> DxfFrame:
-    """The frame of drawings with these layers and their styles; `grouped` where loops are bound by groups.
+def dxf_frame(version: str, layers: tuple[tuple[str, LayerStyle], ...]) -> DxfFrame:
+    """The frame of drawings with these layers and their styles.
 
     Raises
     ------
@@ -103,11 +103,11 @@ def dxf_frame(version: str, layers: tuple[tuple[str, LayerStyle], ...], *, group
         ezdxf is not installed.
     """
     _ezdxf()
-    return _written_frame(version, layers, grouped)
+    return _written_frame(version, layers)
 
 
 @lru_cache(maxsize=_KEPT)
-def _written_frame(version: str, layers: tuple[tuple[str, LayerStyle], ...], grouped: bool) -> DxfFrame:
+def _written_frame(version: str, layers: tuple[tuple[str, LayerStyle], ...]) -> DxfFrame:
     with _plain_ezdxf() as ezdxf:
         document: Document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
         for layer, style in layers:
@@ -122,7 +122,7 @@ def _written_frame(version: str, layers: tuple[tuple[str, LayerStyle], ...], gro
         document.header["$EXTMIN"], document.header["$EXTMAX"] = low, high
         document.set_modelspace_vport(_TALL, (_X, _Y))
         first = int(str(document.entitydb.handles), 16)
-        group = str(document.groups.new("LOOP_1").dxf.handle) if grouped else ""
+        group = "" if version == "R12" else str(document.groups.new("LOOP_1").dxf.handle)
         document.entitydb.handles.reset(f"{_LATE:X}")
         _sort_classes(document)
         stream = io.StringIO()
