@@ -4,11 +4,13 @@ from collections.abc import Iterable
 from math import isfinite
 from os import PathLike
 from pathlib import Path
+from types import UnionType
 from typing import Any, TypeGuard, cast
 
 import numpy as np
 
-from elastica_cad.errors import InputError
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, quoted
 
 
 def is_number(value: object) -> TypeGuard[float]:
@@ -52,6 +54,53 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
         raise InputError(f"{what} is {told}: it must be {wanted}, in {unit}")
 
 
+def require_number(value: object, what: str, unit: str = "") -> float:
+    """The number; refused where it is none or not finite.
+
+    Raises
+    ------
+    InputError
+        `what` names the value.
+    """
+    if not is_number(value):
+        told = quoted(value) if isinstance(value, str) else value
+        raise InputError(f"{what} is {told}: give a finite number{unit and f', in {unit}'}")
+    return float(value)
+
+
+def numbers(values: object, what: str) -> FloatArray:
+    """Numbers of any shape as floats; NaN and infinity pass.
+
+    Raises
+    ------
+    InputError
+        Texts, None, rows of unequal length, or whole numbers beyond all floats among them.
+
+    Examples
+    --------
+    >>> numbers([1, 2], "the heights").tolist()
+    [1.0, 2.0]
+    """
+    try:
+        if values is not None:  # numpy takes it for NaN
+            return np.asarray(cast("ArrayLike", values), dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise InputError(f"{what} must be numbers, not {quoted(values)}")
+
+
+def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
+    """Refuse what is no such record; `cure` says what to give.
+
+    Raises
+    ------
+    InputError
+        `what` names the value.
+    """
+    if not isinstance(value, record):
+        raise InputError(f"{what} is a {type(value).__name__}: give {cure}")
+
+
 def require_path(path: object) -> Path:
     """The path that a user named.
 
@@ -65,7 +114,9 @@ def require_path(path: object) -> Path:
     return Path(path)
 
 
-def several(name: str, values: object, record: type[Any], kind: str, cure: str = "") -> tuple[Any, ...]:
+def several(
+    name: str, values: object, record: type[Any] | UnionType, kind: str, cure: str = ""
+) -> tuple[Any, ...]:
     """A tuple of records of one kind; one record alone stands for a tuple of it.
 
     `cure` says how such records are had.
@@ -80,5 +131,5 @@ def several(name: str, values: object, record: type[Any], kind: str, cure: str =
     found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for one in found:
         if not isinstance(one, record):
-            raise InputError(f"{name} hold {one!r}: give {kind} records{cure and f', {cure}'}")
+            raise InputError(f"{name} hold {quoted(one)}: give {kind} records{cure and f', {cure}'}")
     return found

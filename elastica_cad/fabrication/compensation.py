@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import Seats, strayed
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -61,6 +62,12 @@ def compensate_widths(
     >>> bool(better.held_deviation < strip.held_deviation / 5)
     True
     """
+    require_record(strip, Strip, "what is compensated", "a Strip")
+    if largest != np.inf:
+        require_positive(largest, "the largest change of width", "shares of it")
+    for seat in (start, end):
+        if seat is not None:
+            require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = width_basis(design.s, closed=strip.is_closed)

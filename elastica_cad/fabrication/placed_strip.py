@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
@@ -64,14 +65,25 @@ class Placed:
         InputError
             `turn` is no 3x3 rotation or mirror.
         """
-        m = np.asarray(turn, dtype=float)
+        m = numbers(turn, "the turn of a strip")
         if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):
             raise InputError(
                 "a strip is moved by a 3x3 rotation or mirror and a shift: others would deform it"
             )
         strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
-        origin = m @ self.origin + np.asarray(shift, dtype=float)
+        way = numbers(shift, "the shift of a strip")
+        if way.shape != (3,):
+            raise InputError(f"a strip is shifted by three numbers, mm, not {shift!r}")
+        origin = m @ self.origin + way
         return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis)
+
+
+PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
+
+
+def require_placed(placed: object) -> tuple[Placed, ...]:
+    """Placed strips as a tuple; refuses what is none."""
+    return several("placed", placed, Placed, "Placed", PLACED_BY)
 
 
 def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:

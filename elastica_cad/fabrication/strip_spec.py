@@ -159,12 +159,12 @@ class StripSpec(EqualByValue):
             if width is not None:
                 require_positive(width, name)
         require_style(self.style)
+        ends, slots = pair_of_tabs(self.ends), several("slots", self.slots, Slot, "Slot")
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
-            check_law(self.law, self.material, self.style, self.ends, self.slots, sized=sized)
+            check_law(self.law, self.material, self.style, ends, slots, sized=sized)
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH)
-        ends, slots = pair_of_tabs(self.ends), several("slots", self.slots, Slot, "Slot")
         check_joint(self.joint, self.curve)
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")

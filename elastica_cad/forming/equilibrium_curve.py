@@ -160,7 +160,10 @@ def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool)
 
 
 def _both(ends: BothEnds) -> tuple[bool, bool]:
-    return ends if isinstance(ends, tuple) else (ends, ends)
+    both = ends if isinstance(ends, tuple) else (ends, ends)
+    if len(both) != 2 or not all(isinstance(end, bool) for end in both):
+        raise InputError(f"ends and tangents are True, False or a pair of them, not {ends!r}")
+    return both
 
 
 def collinear(curve: PlaneCurve) -> Sequence[Constraint]:

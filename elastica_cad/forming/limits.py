@@ -8,7 +8,8 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad._values import is_number, require_positive
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.mechanics.material.sheet import Sheet
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
@@ -149,17 +150,17 @@ class Limits:
                 raise InputError(f"limit {name}={value!r} must be a number, or None")
         if not (self.sheet is None or isinstance(self.sheet, Sheet)):
             raise InputError(f'limit sheet={self.sheet!r}: give a Sheet record, such as Sheet.named("pom-1")')
-        if self.ratio is not None and not (np.isfinite(self.ratio) and self.ratio >= 1):
+        if self.ratio is not None and not (is_number(self.ratio) and self.ratio >= 1):
             raise InputError(
                 f"limit ratio={self.ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4"
             )
-        if self.margin is not None and not np.isfinite(self.margin):
+        if self.margin is not None and not is_number(self.margin):
             raise InputError(
                 f"limit margin={self.margin} must be a number; 0 is the border of stability, try 5"
             )
         for name in ("curvature", "strain"):
             value = getattr(self, name)
-            if value is not None and not (np.isfinite(value) and value > 0):
+            if value is not None and not (is_number(value) and value > 0):
                 raise InputError(f"limit {name}={value} must be positive")
         if self.strain is not None and self.sheet is None:
             raise InputError("a strain limit needs sheet=: the curvature it allows is 2 strain / thickness")
@@ -204,6 +205,8 @@ class Limits:
         >>> Limits(curvature=0.02).tightened(curvature=2).curvature
         0.01
         """
+        require_positive(curvature, "what limits of curvature are tightened by", "times")
+        require_positive(strain, "what limits of strain are tightened by", "times")
         tight = self
         if tight.curvature is not None:
             tight = replace(tight, curvature=tight.curvature / curvature)
@@ -293,5 +296,5 @@ def _pair(what: str, value: ArrayLike) -> FloatArray:
 def _numbers(what: str, value: ArrayLike) -> FloatArray:
     try:
         return np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} must be numbers, not {value!r}") from None
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"{what} must be numbers, not {quoted(value)}") from None

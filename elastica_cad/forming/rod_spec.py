@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from elastica_cad._equality import EqualByValue
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError, NotMetError
 from elastica_cad.forming.fairing_request import Smoothing, check_smooth, smooth_curve
 from elastica_cad.forming.limits import Keep, Limits
@@ -191,6 +192,7 @@ def accepted_rod(found: Rod | NearestRod) -> Rod:
     """
     if isinstance(found, Rod):
         return found
+    require_record(found, NearestRod, "what was found", "a Rod or NearestRod")
     if not found.met:
         raise NotMetError(found.verdict, lambda: found.advice)
     if found.status is Status.MET:

@@ -234,7 +234,7 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
         return None
     try:
         s = np.unique(np.asarray(places, dtype=float))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(f"places must be arc lengths in mm, not {places!r}") from None
     if not np.all(np.isfinite(s)):
         raise InputError("places of supports must be finite arc lengths, in mm")

@@ -7,6 +7,7 @@ from math import hypot, isfinite
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, require_number, require_record
 from elastica_cad.errors import InputError
 
 _PARTS = ("origin", "x_axis", "y_axis")
@@ -89,25 +90,37 @@ class Frame:
 
     def direction(self, local: ArrayLike) -> FloatArray:
         """Vectors in space (..., 3) of local components (..., 2) or (..., 3)."""
-        local = np.asarray(local, dtype=float)
+        local = numbers(local, "local coordinates")
+        if local.shape[-1:] not in ((2,), (3,)):
+            raise InputError(
+                f"local coordinates are rows of two or three numbers, not of shape {local.shape}"
+            )
         found: FloatArray = local @ (self.axes if local.shape[-1] == 3 else self._plane_axes)
         return found
 
     def local(self, points: ArrayLike) -> FloatArray:
         """Local coordinates (..., 3) of points in space (..., 3), mm."""
-        return np.asarray((np.asarray(points, dtype=float) - self.origin) @ self.axes.T, dtype=float)
+        points = numbers(points, "points in space")
+        if points.shape[-1:] != (3,):
+            raise InputError(f"points in space are rows of three numbers, not of shape {points.shape}")
+        return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":
         """This frame, given in the coordinates of `outer`, in space."""
+        require_record(outer, Frame, "the outer frame", "a Frame")
         return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
 
     def carried(self, home: "Frame", now: "Frame") -> "Frame":
         """The frame, moved as what lay in `home` and lies in `now`."""
+        for frame in (home, now):
+            require_record(frame, Frame, "what a frame is carried with", "a Frame")
         axes = (home.axes @ axis for axis in (self.x_axis, self.y_axis))
         return Frame(home.local(self.origin), *axes).within(now)
 
     def shifted(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Frame":
         """The frame with its origin moved along its own axes, mm."""
+        for axis, shift in zip("xyz", (x, y, z), strict=True):
+            require_number(shift, f"the shift along {axis}", "mm")
         origin = self.point((x, y, z))
         _require_finite("origin", origin)
         made = Frame.of_sound(origin, self.x_axis, self.y_axis)
@@ -115,10 +128,18 @@ class Frame:
         return made
 
 
+def frame_or_plain(frame: Frame | None, what: str = "the frame") -> Frame:
+    """The frame, the xy plane for None; refuses what is neither."""
+    if frame is None:
+        return Frame()
+    require_record(frame, Frame, what, "a Frame")
+    return frame
+
+
 def _row(name: str, given: ArrayLike) -> FloatArray:
     try:
         row = np.array(given, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(f"frame {name} must be three finite numbers, got {given!r}") from None
     _require_finite(name, row)
     return row

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.geometry.boxes import box_about
@@ -23,6 +24,9 @@ NOTEBOOK_DPI = 90.0
 
 RESOLUTION = 150.0
 """Of PNG files unless told otherwise, dots per inch."""
+
+MOST_RESOLUTION = 2400.0
+"""Dots per inch: beyond, one picture fills the memory."""
 
 COMPRESSION = 3
 """Of PNG files: beyond, they take half as long again to write and are a twentieth smaller."""
@@ -58,8 +62,10 @@ def save_figure(
     InputError
         The file exists (without `force`) or cannot be written.
     """
-    if not (np.isfinite(resolution) and resolution > 0):
-        raise InputError(f"resolution is {resolution}: it must be positive, in dots per inch")
+    if not (is_number(resolution) and 1 <= resolution <= MOST_RESOLUTION):
+        raise InputError(f"resolution is {resolution!r}: give 1 to {MOST_RESOLUTION:g} dots per inch")
+    if not hasattr(figure, "savefig"):
+        raise InputError(f"the figure is a {type(figure).__name__}: give what elastica_cad.plot draws")
     write_atomically(path, draw_png(figure, resolution), force=force)
 
 

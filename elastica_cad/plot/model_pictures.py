@@ -8,11 +8,12 @@ from textwrap import fill
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_whole, require_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
@@ -63,7 +64,10 @@ def model(
     is drawn with its slots filled. So many different parts are shown as they are cut, in one scale of their own,
     below: the first, the last, and others between them.
     """
-    held_by = (*model.plates, *holders)
+    require_model(model)
+    if not (is_whole(flat) and flat >= 0):
+        raise InputError(f"flat is {flat!r}: give a whole number of parts to show, 0 for none")
+    held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
     plates = level_plates(held_by)
     faces = [frame for plate in plates for frame in _faces(plate)]
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
@@ -181,7 +185,9 @@ def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> Non
 
 def look_from(elevation: float, azimuth: float) -> FloatArray:
     """Unit vector from the scene to the eye."""
-    e, a = np.radians([elevation, azimuth])
+    e, a = np.radians(
+        [require_number(elevation, "elevation", "degrees"), require_number(azimuth, "azimuth", "degrees")]
+    )
     return np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -31,6 +32,7 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
 
     `wish` is drawn beside it where the rod is the nearest one to a curve that was asked for.
     """
+    require_record(rod, Rod, "what is drawn", "a Rod")
     bent = view_bent(rod, wish)
     figure, (above, below) = new_page([bent.panel, STIFFNESS])
     bent.paint(above)
@@ -40,6 +42,7 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
 
 def strip(strip: Strip) -> Figure:
     """The flat strip with its dimensions."""
+    require_record(strip, Strip, "what is drawn", "a Strip")
     flat = view_flat(strip)
     figure, (axes,) = new_page([flat.panel])
     flat.paint(axes)
@@ -50,6 +53,7 @@ def drawing(drawing: Drawing) -> Figure:
     """A drawing in the colours of its layers."""
     from matplotlib.collections import LineCollection
 
+    require_record(drawing, Drawing, "what is drawn", "a Drawing")
     low, high = drawing.bounds
     size = np.maximum(high - low, 1e-9)
     figure, (axes,) = new_page(

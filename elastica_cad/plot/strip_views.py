@@ -6,6 +6,7 @@ from textwrap import fill
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_about
@@ -13,6 +14,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.strip_page import WIDE, BentView, FlatLayer, FlatView, StiffnessView, StripPage
 
@@ -25,6 +27,7 @@ SMOOTH_MM = 0.02
 
 def view_page(strip: Strip, wish: PlaneCurve | None) -> StripPage:
     """One page about a strip; `wish` is the curve that was asked for, where the strip may leave it."""
+    require_record(strip, Strip, "what is drawn", "a Strip")
     sheet = strip.sheet
     size = strip.breadth() if strip.tapered else f"{sheet.thickness:g} mm thick"
     facts = f"{sheet.name}, {size}, {strip.mass_told}"
@@ -35,6 +38,8 @@ def view_page(strip: Strip, wish: PlaneCurve | None) -> StripPage:
 
 def view_bent(rod: Rod, wish: PlaneCurve | None) -> BentView:
     """The rod as it is bent, and beside it the curve that was asked for."""
+    if wish is not None:
+        require_curve(wish)
     position, tips, turns = rod.position, _comb_tips(rod), _inflections(rod)
     wished = [] if wish is None else [wish.sample(600).position]
     low, high = box_about(np.concatenate([position, tips, *wished, turns]))

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.file_access.atomic_write import write_atomically
@@ -68,10 +69,11 @@ def _tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERL
     >>> _tile_drawing(long).names
     ('A1', 'B1')
     """
-    if paper not in PAPERS:
+    require_record(drawing, Drawing, "what is printed", "a Drawing")
+    if not isinstance(paper, str) or paper not in PAPERS:
         raise InputError(f"unknown paper {paper!r}: use one of {', '.join(PAPERS)}")
-    if not 0 <= overlap < 0.5 * (PAPERS[paper][0] - 2 * MARGIN_MM):
-        raise InputError(f"the overlap is {overlap:g} mm: give 0 mm or more, and less than half a page")
+    if not (is_number(overlap) and 0 <= overlap < 0.5 * (PAPERS[paper][0] - 2 * MARGIN_MM)):
+        raise InputError(f"the overlap is {overlap!r} mm: give 0 mm or more, and less than half a page")
     ways = [_tiles(drawing, page, overlap) for page in (PAPERS[paper], PAPERS[paper][::-1])]
     return min(ways, key=lambda way: len(way.names))
 

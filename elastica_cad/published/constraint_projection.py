@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.equilibrium_curve import BothEnds, collinear, kept
 from elastica_cad.geometry.curve_editing.control_point_constraints import (
@@ -13,6 +14,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     least_norm_newton,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 
 
@@ -78,8 +80,13 @@ def enforce_constraints(
     >>> abs(found.curve.length - wave.length) < 1e-6
     True
     """
-    if not (np.isfinite(tolerance) and tolerance > 0):
-        raise InputError(f"tolerance is {tolerance}: it must be positive")
+    require_curve(curve)
+    if like is not None:
+        require_curve(like)
+    if line is not None:
+        require_record(line, InflectionLine, "line", "an InflectionLine, or None")
+    if not (is_number(tolerance) and tolerance > 0):
+        raise InputError(f"tolerance is {tolerance!r}: it must be positive")
     wanted: list[Constraint] = [
         *kept(curve if like is None else like, ends=ends, tangents=tangents, length=length)
     ]

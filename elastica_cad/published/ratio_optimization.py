@@ -3,11 +3,12 @@
 from dataclasses import dataclass
 from enum import Enum
 
+from elastica_cad._values import is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
-from elastica_cad.mechanics.loads.arguments import require_ratio
+from elastica_cad.mechanics.loads.arguments import require_curve, require_ratio
 from elastica_cad.published.control_points import Bounds, RouteStep, move_within
 
 
@@ -94,8 +95,9 @@ def optimize_ratio(
     (True, 'REACHED')
     """
     require_ratio(target, "target ratio")
-    if max_steps < 1:
-        raise InputError(f"max_steps is {max_steps}: allow at least one step")
+    require_curve(curve)
+    if not (is_whole(max_steps) and max_steps >= 1):
+        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
     route = move_within(curve, Bounds(float(target)), constraints, max_steps=max_steps)
     if route.within:

@@ -3,13 +3,12 @@
 from dataclasses import dataclass
 from enum import Enum
 
-import numpy as np
-
+from elastica_cad._values import is_number, is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
-from elastica_cad.mechanics.loads.arguments import require_ratio
+from elastica_cad.mechanics.loads.arguments import require_curve, require_ratio
 from elastica_cad.published.control_points import Bounds, Route, RouteStep, move_within
 
 
@@ -110,10 +109,11 @@ def recover_stability(
     'STABLE'
     """
     require_ratio(R_max, "R_max")
-    if not np.isfinite(margin):
-        raise InputError(f"margin is {margin}: it must be a number; 0 is the border of stability, try 5")
-    if max_steps < 1:
-        raise InputError(f"max_steps is {max_steps}: allow at least one step")
+    if not is_number(margin):
+        raise InputError(f"margin is {margin!r}: it must be a number; 0 is the border of stability, try 5")
+    require_curve(curve)
+    if not (is_whole(max_steps) and max_steps >= 1):
+        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
     route = move_within(curve, Bounds(float(R_max), float(margin)), constraints, max_steps=max_steps)
     state = route.state

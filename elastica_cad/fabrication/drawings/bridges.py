@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import is_whole, require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.geometry.curves.tangent_angle import turn_between
@@ -44,8 +44,8 @@ class HoldingTabs:
     def __post_init__(self) -> None:
         for name in ("width", "spacing"):
             require_positive(getattr(self, name), f"holding tab {name}")
-        if self.least < 1 or self.least != int(self.least):
-            raise InputError(f"holding tabs: least is {self.least}, give a whole number from 1")
+        if not (is_whole(self.least) and self.least >= 1):
+            raise InputError(f"holding tabs: least is {self.least!r}, give a whole number from 1")
 
 
 def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:
@@ -71,7 +71,9 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
     >>> [round(item.path.length, 6) for item in held.paths]
     [49.0, 49.0]
     """
-    tabs = tabs or HoldingTabs()
+    require_record(drawing, Drawing, "what gets holding tabs", "a Drawing")
+    tabs = HoldingTabs() if tabs is None else tabs
+    require_record(tabs, HoldingTabs, "tabs", "a HoldingTabs record")
     found: list[LayeredPath] = []
     for item in drawing.paths:
         inner = item.layer == CUT_INNER and tabs.inner and item.path.length > tabs.spacing

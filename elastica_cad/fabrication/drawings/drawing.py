@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import Text, strokes_of, text_strokes
 from elastica_cad.geometry.boxes import box_around
@@ -43,6 +44,7 @@ class LayeredPath:
 
     def __post_init__(self) -> None:
         _check_layer(self.layer)
+        require_record(self.path, Path, "the path on a layer", "a Path")
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,8 +70,8 @@ class Drawing:
     texts: tuple[Text, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "paths", tuple(self.paths))
-        object.__setattr__(self, "texts", tuple(self.texts))
+        object.__setattr__(self, "paths", several("paths", self.paths, LayeredPath, "LayeredPath"))
+        object.__setattr__(self, "texts", several("texts", self.texts, Text, "Text"))
         printable(self.name, "the drawing's name")
         for text in self.texts:
             _check_layer(text.layer)
@@ -120,7 +122,7 @@ class Drawing:
 
     def transformed(self, matrix: ArrayLike) -> "Drawing":
         """The drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
-        m = np.asarray(matrix, dtype=float)
+        m = numbers(matrix, "the matrix that a drawing is moved by")
         even = is_similarity(m)
         drawn = [item.path for item in self.paths]
         moved = move_paths(drawn, m) if even else [path.transformed(m) for path in drawn]
@@ -141,12 +143,12 @@ class Drawing:
     @classmethod
     def merged(cls, name: str, drawings: Iterable["Drawing"]) -> "Drawing":
         """All drawings in one."""
-        parts = tuple(drawings)
+        parts = several("drawings", drawings, Drawing, "Drawing")
         return cls(name, tuple(p for d in parts for p in d.paths), tuple(t for d in parts for t in d.texts))
 
 
 def _check_layer(layer: str) -> None:
-    if layer not in LAYERS:
+    if not isinstance(layer, str) or layer not in LAYERS:
         raise InputError(f"there is no layer {layer!r}: use one of {', '.join(LAYERS)}")
 
 

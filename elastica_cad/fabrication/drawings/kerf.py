@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.geometry.paths.offset import offset_path
@@ -42,6 +42,7 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     """
     if not is_number(kerf):
         raise InputError(f"the kerf is {kerf!r}: it must be a finite number of mm, 0 for none")
+    require_record(drawing, Drawing, "what is cut", "a Drawing record")
     if abs(kerf) > WIDEST_KERF_MM:
         raise InputError(
             f"the kerf is {kerf:g} mm, wider than the cut of any tool: give the width of the cut in mm, such as "

@@ -1,15 +1,15 @@
 """A single-stroke alphabet for engraving: every letter is a few lines and arcs that the tool runs once."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from math import isfinite
 from pathlib import Path as FilePath
 from unicodedata import combining, normalize
 
 import numpy as np
 
-from elastica_cad.errors import InputError
+from elastica_cad._values import is_number, require_record
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.paths.path import Path, move_paths
 
 CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
@@ -50,12 +50,15 @@ class Text:
     layer: str = "ENGRAVE"
 
     def __post_init__(self) -> None:
-        x, y = self.position
-        if not all(map(isfinite, (x, y, self.height, self.angle))) or self.height <= 0:
+        if not isinstance(self.text, str):
+            raise InputError(f"the text to engrave is {quoted(self.text)}: give a text")
+        place = tuple(self.position) if isinstance(self.position, Iterable) else ()
+        sizes = (*place, self.height, self.angle)
+        if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
             raise InputError(
                 f"text {self.text!r} needs a finite position and angle, and a positive height in mm"
             )
-        object.__setattr__(self, "position", (float(x), float(y)))
+        object.__setattr__(self, "position", tuple(map(float, place)))
         missing = sorted(set(self.text) - _glyphs().keys())
         if missing:
             raise InputError(
@@ -111,6 +114,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
     >>> len(strokes), round(float(max(path.bounds[1, 1] for path in strokes)), 9)
     (3, 5.0)
     """
+    require_record(text, Text, "what is engraved", "a Text")
     return strokes_of([text])[0]
 
 

@@ -36,6 +36,7 @@ def sheet_color(sheet: Sheet) -> Color:
     >>> sheet_color(Sheet.named("card-200gsm"))
     (0.94, 0.91, 0.84)
     """
+    sheet = Sheet.of(sheet)
     for name, color in _BY_NAME.items():
         if sheet.name.startswith(name):
             return color

@@ -8,10 +8,11 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab, tabs_to_hold
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     accept_faults,
@@ -19,14 +20,14 @@ from elastica_cad.fabrication.makeability.uncuttable_parts import (
     find_shoulder_faults,
     find_slot_faults,
 )
-from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.placed_strip import Placed, require_placed
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.prisms import convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.boxes import box_about, boxes_meet
-from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -215,10 +216,11 @@ def base_plate(
         too thin to cut, a leaning strip wider than its tab that runs into the plate; the parts are named.
     """
     sheet = Sheet.of(sheet)
-    ground = frame or Frame()
+    placed, ground = require_placed(placed), frame_or_plain(frame)
     check_sizes(name, play=play, clearance=clearance, slot_width=slot_width or 0.0, border=border)
     if shape not in ("hull", "rectangle", "ring"):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
+    require_ends(ends)
     widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
@@ -250,8 +252,8 @@ def base_plate(
 def check_sizes(name: str, **sizes: float) -> None:
     """Refuse sizes of a plate below 0."""
     for what, value in sizes.items():
-        if not (np.isfinite(value) and value >= 0):
-            raise InputError(f"{name}: {what.replace('_', ' ')} is {value}: it must be 0 mm or more")
+        if not (is_number(value) and value >= 0):
+            raise InputError(f"{name}: {what.replace('_', ' ')} is {value!r}: it must be 0 mm or more")
 
 
 def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:

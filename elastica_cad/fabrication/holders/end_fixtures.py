@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
 from elastica_cad.fabrication.holding.lean import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
-from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.placed_strip import Placed, require_placed
 from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove, convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -93,6 +93,9 @@ class EndFixture:
     lean: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
+        require_record(self.tab, PlacedTab, "the tab", "a PlacedTab")
+        if self.floor is not None:
+            require_record(self.floor, Frame, "the floor", "a Frame")
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
             raise InputError(f"{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)")
@@ -140,8 +143,9 @@ class EndFixture:
         The pocket leans against the strip's force and moment, so that the tab lies as designed when it has taken up
         the clearance.
         """
-        if end not in ENDS:
+        if not (isinstance(end, str) and end in ENDS):
             raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
+        require_record(strip, Strip, "the strip", "a Strip")
         require_holdable(strip)
         return cls(PlacedTab.of(strip, end, frame), floor, number=number, **sizes).leaning(strip, end)
 
@@ -309,8 +313,10 @@ def end_fixtures(
     them; the others stand square to their tabs.
     """
     refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "number"}, "a fixture")
+    placed = require_placed(placed)
+    tabs = tabs_to_hold(placed, ends)
     of_tabs = [(one.strip, end) for one in placed for end in ends]
-    held = [(tab, *of) for tab, of in zip(tabs_to_hold(placed, ends), of_tabs, strict=True) if tab.length > 0]
+    held = [(tab, *of) for tab, of in zip(tabs, of_tabs, strict=True) if tab.length > 0]
     if floor is not None:
         grounds: list[Frame | None] = [floor] * len(held)
     else:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import ENGRAVE, SAME_MM
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -38,8 +39,9 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     InputError
         A tab that does not reach far enough behind its plate to be glued, with the length it needs.
     """
-    if not (np.isfinite(size) and size >= LEAST_GLUED_MM):
-        raise InputError(f"feet are {size} mm: make them {LEAST_GLUED_MM:g} mm or larger")
+    plates = several("plates", plates, BasePlate, "BasePlate")
+    if not (is_number(size) and size >= LEAST_GLUED_MM):
+        raise InputError(f"feet are {size!r} mm: make them {LEAST_GLUED_MM:g} mm or larger")
     glued = tuple(replace(plate, glued=True) for plate in plates)
     return (*glued, *_distinctly_named([foot for plate in plates for foot in _feet(plate, size)]))
 

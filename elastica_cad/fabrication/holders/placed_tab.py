@@ -6,11 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.placed_strip import Placed, strip_names
+from elastica_cad.fabrication.placed_strip import Placed, require_placed, strip_names
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS, Hole, StripEnd, TSlot
-from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.frame import Frame, frame_or_plain
 
 
 def tab_name(strip: str, end: StripEnd) -> str:
@@ -50,7 +51,9 @@ class PlacedTab:
         cls, strip: Strip, end: StripEnd, frame: Frame | None = None, *, name: str | None = None
     ) -> "PlacedTab":
         """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
-        place = frame or Frame()
+        require_record(strip, Strip, "what a tab is of", "a Strip, as make_strip makes one")
+        require_ends([end])
+        place = frame_or_plain(frame)
         k, way = (0, -1.0) if end == "start" else (-1, 1.0)
         alpha = float(strip.rod.angle[k])
         out = way * place.direction([np.cos(alpha), np.sin(alpha)])
@@ -90,9 +93,17 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
     """The same, for holders to be made; refuses strips that none of ours fits."""
-    for one, name in zip(placed, strip_names(placed), strict=True):
+    require_ends(ends)
+    for one, name in zip(require_placed(placed), strip_names(placed), strict=True):
         require_holdable(one.strip, name)
     return place_tabs(placed, ends)
+
+
+def require_ends(ends: object) -> None:
+    """Refuse what names no ends of strips."""
+    named = ends if isinstance(ends, Sequence) and not isinstance(ends, str) else (ends,)
+    if not all(isinstance(end, str) and end in ENDS for end in named):
+        raise InputError(f'ends are {ends!r}: give a list of "start" and "end" of the records')
 
 
 def require_holdable(strip: Strip, name: str | None = None) -> None:

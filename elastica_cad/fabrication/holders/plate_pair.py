@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, refuse_options_unlike
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base_plate, plate_with, tab_slot
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
@@ -132,8 +133,8 @@ def ring_pair(
 
 def require_gap(gap: float) -> None:
     """Refuse a gap between two plates that is none."""
-    if not (np.isfinite(gap) and gap > 0):
-        raise InputError(f"the gap between two plates is {gap} mm: it must be positive")
+    if not (is_number(gap) and gap > 0):
+        raise InputError(f"the gap between two plates is {gap!r} mm: it must be positive")
 
 
 def add_second(

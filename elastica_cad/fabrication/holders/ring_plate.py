@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -204,6 +205,9 @@ def ring_plate(
     """
     sheet = Sheet.of(sheet)
     check_sizes(name, border=border, play=play, clearance=clearance)
+    tabs = several("tabs", tabs, PlacedTab, "PlacedTab")
+    if not tabs:
+        raise InputError(f"{name}: there is no tab for it to hold: give it PlacedTab records")
     first = tabs[0]
     if first.length == 0:
         raise InputError(f"{name}: strips without tabs cannot be held by a ring: give them tabs")

@@ -12,9 +12,9 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.plate_pair import Plate, add_second, needed_length
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.holders.tab_seats import plates_of, seat_of, tab_key, tab_seats
+from elastica_cad.fabrication.holders.tab_seats import plates_of, require_holders, seat_of, tab_key, tab_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
-from elastica_cad.fabrication.placed_strip import Placed, distinct_names
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 
@@ -30,7 +30,7 @@ TRIED_GAPS_MM = (10.0, 20.0)
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """A sentence for every holder: how far its tabs shift across and turn in it at most, before they jam."""
-    holders, told = tuple(holders), []
+    placed, holders, told = require_placed(placed), require_holders(holders), []
     for name, held in _by_holder(placed, holders).items():
         low, high = np.degrees(np.array([seat.turning for _, _, seat in held]).T)
         room = max(seat.room for _, _, seat in held)
@@ -56,7 +56,7 @@ def _turn(degrees: float) -> str:
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure, tried."""
-    holders, told = tuple(holders), []
+    placed, holders, told = require_placed(placed), require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
     for holder, held in _by_holder(placed, holders).items():
         rocking = [one for one in held if np.ptp(one[2].turning) > 2 * ROCKING_RAD]

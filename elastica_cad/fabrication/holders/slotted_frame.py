@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, is_whole
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -16,7 +17,7 @@ from elastica_cad.fabrication.holders.end_plates import tab_plane, through_slots
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import lean_pair, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.shop import Shop, shop_or_default
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_plate_faults
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece
@@ -38,6 +39,9 @@ SLOT_ROOM_MM = 3.0
 
 LABEL_MM = 6.0
 """Height of a rib's name, where there is room."""
+
+MOST_RIBS = 200
+"""Of one frame."""
 
 STEP_MM = 2.5
 """By which a tongue is narrower at either side in the first of two rails: the step keeps the gap between them."""
@@ -186,10 +190,12 @@ def slotted_frame(
     sizes = {"depth": depth, "tongue": tongue, "play": play, "clearance": clearance, "border": border}
     for name, value in sizes.items():
         least = 0.0 if name in ("play", "clearance", "border") else 1.0
-        if not (np.isfinite(value) and value >= least):
-            raise InputError(f"frame {name} is {value}: it must be {least:g} mm or more")
-    if ribs < 2:
-        raise InputError(f"a frame of {ribs} ribs: two rails need 2 or more to stay apart")
+        if not (is_number(value) and value >= least):
+            raise InputError(f"frame {name} is {value!r}: it must be {least:g} mm or more")
+    if not (is_whole(ribs) and 2 <= ribs <= MOST_RIBS):
+        raise InputError(
+            f"a frame of {ribs!r} ribs: two rails need 2 or more to stay apart, {MOST_RIBS} at most"
+        )
     if gap is not None:
         require_gap(gap)
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
@@ -202,7 +208,7 @@ def slotted_frame(
         _RailPlan.of(placed, end, sheet, play=play, clearance=clearance, behind=behind) for end in ENDS
     ]  # fmt: skip
     across = _across(rails)
-    room = max(SLOT_ROOM_MM, (shop or DEFAULT_SHOP).bridge_for(sheet))
+    room = max(SLOT_ROOM_MM, shop_or_default(shop).bridge_for(sheet))
     stations = _stations([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
     plans = [
         _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))

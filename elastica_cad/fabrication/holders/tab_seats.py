@@ -6,14 +6,14 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
-from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.placed_strip import Placed, require_placed
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 
 Slotted: TypeAlias = BasePlate | Ring
@@ -66,13 +66,22 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
 
 
 def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
-    holders = tuple(holders)
+    holders = require_holders(holders)
     for holder in holders:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
     for plate in plates_of(holders):
         for _, tab, walls in slot_walls(plate):
             yield tab, _seat_between(walls, tab, plate)
+
+
+def require_holders(holders: object) -> tuple[object, ...]:
+    """Holders as a tuple; refuses what cannot be gone through."""
+    if not isinstance(holders, Iterable) or isinstance(holders, str):
+        raise InputError(
+            f"holders are {quoted(holders)}: give a list of base plates, rings, frames and fixtures"
+        )
+    return tuple(holders)
 
 
 def plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
@@ -104,6 +113,7 @@ def hold_each(
     placed: Sequence[Placed], holders: Iterable[object] = ()
 ) -> Iterator[HeldShape | NotConvergedError]:
     """The same one by one, with the reason where a strip finds no rest; strips held alike are bent once."""
+    placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
         start, end = (seat_of(seats, one, k) for k in ENDS)

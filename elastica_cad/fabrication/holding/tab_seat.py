@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 
 STEEPEST_RAD = np.radians(80.0)
@@ -45,7 +46,12 @@ class TabSeat:
 
     def __post_init__(self) -> None:
         for side in ("left", "right"):
-            object.__setattr__(self, side, np.asarray(getattr(self, side), dtype=float).reshape(-1, 2))
+            edges = numbers(getattr(self, side), f"{side} edges of a seat")
+            if edges.size and edges.shape[-1] != 2:
+                raise InputError(
+                    f"{side} edges of a seat are rows (k, 2) of the record, in mm, not {edges.shape}"
+                )
+            object.__setattr__(self, side, edges.reshape(-1, 2))
 
     @classmethod
     def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
@@ -56,8 +62,10 @@ class TabSeat:
         InputError
             Play below 0.
         """
-        if not play >= 0:
-            raise InputError(f"{name}: the play is {play} mm: it must be 0 or more for the tab to go in")
+        require_positive(length, f"{name}: the length")
+        require_positive(thickness, f"{name}: the thickness")
+        if not (is_number(play) and play >= 0):
+            raise InputError(f"{name}: the play is {play!r} mm: it must be 0 or more for the tab to go in")
         into = np.linspace(0.0, length, WALL_PLACES)
         half = np.full(into.size, thickness / 2 + play)
         return cls(np.column_stack([into, half]), np.column_stack([into, -half]), thickness, name)

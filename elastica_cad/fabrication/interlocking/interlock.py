@@ -8,7 +8,7 @@ from typing import Literal, TypeVar
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.alike_strips import (
     SAME_TURN,
@@ -20,7 +20,7 @@ from elastica_cad.fabrication.interlocking.ruled_intersection import PARALLEL_RA
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
 from elastica_cad.fabrication.interlocking.slot_room import bent_slot_width
 from elastica_cad.fabrication.interlocking.strip_crossings import Crossing, strip_crossings
-from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_names
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed, strip_names
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM, Relief, Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 
@@ -73,6 +73,13 @@ def slot_width(
     h_other / sin(phi) + h_own |cot(phi)| + clearance: a cut square to the sheet also lets the other strip pass
     obliquely through the thickness. `fit="paper"` leaves the second term out (paper, section 9.1).
     """
+    angle = numbers(angle, "slot angle")
+    for what, size in (("own", own), ("other", other), ("clearance", clearance)):
+        require_number(size, f"slot {what}", "mm")
+    if not np.all(np.sin(angle) > 0):
+        raise InputError(
+            "the angle of a slot must lie between 0 and pi rad: strips that lie in each other need none"
+        )
     width = other / np.sin(angle) + clearance
     return width + own * np.abs(np.cos(angle)) / np.sin(angle) if fit == "exact" else width
 
@@ -129,7 +136,8 @@ def interlock(
         raise InputError(f'fit is "exact" or "paper", not {fit!r}')
     if not (is_number(clearance) and clearance >= 0):
         raise InputError(f"clearance is {clearance!r}: it must be 0 mm or more")
-    up = None if above is None else np.asarray(above, dtype=float)
+    placed = require_placed(placed)
+    up = None if above is None else numbers(above, "above")
     if up is not None and not (up.shape == (3,) and np.all(np.isfinite(up)) and np.any(up != 0)):
         raise InputError("above must be a direction of three numbers")
     ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
@@ -170,7 +178,10 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
     if pairs is None:
         return list(combinations(range(count), 2))
     found = []
-    for i, j in pairs:
+    for pair in tuple(pairs) if isinstance(pairs, Iterable) else (pairs,):
+        if not isinstance(pair, Sequence) or len(pair) != 2 or not all(map(is_whole, pair)):
+            raise InputError(f"pair {pair!r}: name two different strips by their places 0 to {count - 1}")
+        i, j = pair
         if not (0 <= i < count and 0 <= j < count and i != j):
             raise InputError(f"pair ({i}, {j}): name two different strips by their places 0 to {count - 1}")
         found.append((min(i, j), max(i, j)))

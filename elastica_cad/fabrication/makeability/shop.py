@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -68,22 +68,35 @@ class Shop:
         """Least width of strips, tabs and tongues of a sheet, mm."""
         if self.least_width is not None:
             return self.least_width
+        if sheet is not None:
+            sheet = Sheet.of(sheet)
         if sheet is not None and sheet.least_width is not None:
             return sheet.least_width
         return max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness if sheet else 0.0)
 
     def ligament_for(self, sheet: Sheet) -> float:
         """Least material between the holes of a perforated strip, mm."""
+        sheet = Sheet.of(sheet)
         return self.least_ligament or sheet.least_ligament or LEAST_LIGAMENT_MM
 
     def bridge_for(self, sheet: Sheet) -> float:
         """Least material between two cuts of a plate, mm."""
+        sheet = Sheet.of(sheet)
         return self.least_bridge or sheet.least_bridge or max(LEAST_BRIDGE_MM, sheet.thickness)
 
     def stock_for(self, sheet: Sheet) -> tuple[float, float]:
         """Longer and shorter side of the largest sheet, mm."""
+        sheet = Sheet.of(sheet)
         long, short = sorted(self.stock or sheet.stock or LARGEST_PANEL_MM, reverse=True)
         return long, short
+
+
+def shop_or_default(shop: Shop | None) -> Shop:
+    """The shop, one of which nothing is known for None; refuses what is neither."""
+    if shop is None:
+        return DEFAULT_SHOP
+    require_record(shop, Shop, "the shop", "a Shop record")
+    return shop
 
 
 DEFAULT_SHOP = Shop()

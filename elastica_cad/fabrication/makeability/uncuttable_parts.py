@@ -13,6 +13,7 @@ from elastica_cad.fabrication.makeability.shop import (
     SLENDEREST,
     WIDEST_SLOT_THICKNESSES,
     Shop,
+    shop_or_default,
 )
 from elastica_cad.fabrication.makeability.thin_places import FLAT_SHARE, ThinPlace, find_thin_places
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -136,7 +137,7 @@ def find_plate_faults(
     called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
     """The same for a ring, a base or a rail: bridges between its cuts, and its size; `called` names first holes."""
-    shop = shop or Shop()
+    shop = shop_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
     return (

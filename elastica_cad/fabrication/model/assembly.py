@@ -18,6 +18,9 @@ from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, 
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 
+HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
+"""What strips are held by, as messages say it."""
+
 SingleHolder: TypeAlias = BasePlate | Rib | Ring | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
 """What holds the strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""

@@ -4,11 +4,12 @@ from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from elastica_cad._values import several
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import tab_name
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.model.assembly import Holder, single_holders
+from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model, single_holders
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.strip.tabs import ENDS
 
@@ -54,8 +55,9 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
     >>> list_assembly_steps(model, [model.base_plate(Sheet.named("mdf-3"))])[0].ends
     ('slot A:1 of base', 'slot A:2 of base')
     """
+    require_model(model)
     places = defaultdict[str, list[str]](list)
-    for tab, place in _places([*model.plates, *holders]):
+    for tab, place in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         if place not in places[tab]:
             places[tab].append(place)
     parts = {member: part.name for part in model.parts for member in part.members}

@@ -6,8 +6,11 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_whole
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.placed_strip import Placed
+
+MOST_PLACED = 100_000
+"""Strips of one model."""
 
 
 def mirror(
@@ -33,6 +36,7 @@ def rotate(
 ) -> tuple[Placed, ...]:
     """The strips `count` times about an axis, each `step` rad further; the full turn by `count` unless given."""
     k, p = _vector(axis), _vector(point)
+    _refuse_too_many(count, len(placed))
     if not (is_whole(count) and count >= 1) or k is None or not k.any():
         raise InputError("a rotation pattern needs a count of 1 or more and an axis that is not zero")
     if p is None or not (step is None or is_number(step)):
@@ -53,16 +57,24 @@ def repeat(placed: Sequence[Placed], count: int, step: ArrayLike) -> tuple[Place
     """The strips `count` times, the first where they are, each `step` (3,) mm further."""
     if not (is_whole(count) and count >= 1):
         raise InputError(f"a pattern repeats 1 time or more, not {count}")
+    _refuse_too_many(count, len(placed))
     d = _vector(step)
     if d is None:
         raise InputError(f"a pattern repeats at a step of three numbers in mm, not {step!r}")
     return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)
 
 
+def _refuse_too_many(count: int, of: int) -> None:
+    if is_whole(count) and count * of > MOST_PLACED:
+        raise InputError(
+            f"a pattern of {of} strips, {quoted(count)} times: a model holds {MOST_PLACED} at most"
+        )
+
+
 def _vector(values: ArrayLike) -> FloatArray | None:
     """Three finite numbers (3,); None of anything else."""
     try:
         array = np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return None
     return array if array.shape == (3,) and np.isfinite(array).all() else None

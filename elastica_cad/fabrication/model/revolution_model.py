@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike
+from elastica_cad._values import is_whole, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
@@ -131,12 +132,14 @@ def revolve(
     >>> len(revolve(profile, 20, sheet="card-200gsm", rings="hdf-1.5").plates)
     2
     """
-    if not 3 <= strips <= MOST_STRIPS:
+    require_record(meridian, Meridian, "what is turned", "a Meridian, as meridian_through makes one")
+    if not (is_whole(strips) and 3 <= strips <= MOST_STRIPS):
         raise InputError(
-            f"strips={strips}: a surface of revolution is tiled by 3 strips or more, {MOST_STRIPS} at most"
+            f"strips={strips!r}: a surface of revolution is tiled by 3 strips or more, {MOST_STRIPS} at most"
         )
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
+    require_record(shop, Shop, "the shop", "a Shop")
     asked = _Asked(strips, sheet, ends, rings, gap, shop, anyway)
     try:
         placed, plates, told = asked.made(meridian)

@@ -8,7 +8,7 @@ from typing import Any
 from elastica_cad._counts import counted
 from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike
-from elastica_cad._values import several
+from elastica_cad._values import is_whole, several
 from elastica_cad.errors import InputError, refuse_options_unlike
 from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
@@ -18,7 +18,7 @@ from elastica_cad.fabrication.holders.tab_seats import held_shapes
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.interlocking.interlock import Joint, interlock
 from elastica_cad.fabrication.model.patterns import mirror, repeat, rotate
-from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_names
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed, strip_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips, count_shapes, group_equal_strips
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
@@ -27,8 +27,6 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
-
-PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +59,8 @@ class Model:
     plates: tuple[Ring, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "placed", several("placed", self.placed, Placed, "Placed", PLACED_BY))
-        object.__setattr__(self, "reports", tuple(self.reports))
+        object.__setattr__(self, "placed", require_placed(self.placed))
+        object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
         printable(self.name, "the model's name")
         if not self.placed:
             raise InputError(f"the model {self.name!r} has no strips")
@@ -74,11 +72,18 @@ class Model:
 
     def name_of(self, index: int) -> str:
         """How messages call a strip: its label, or its place counted from 1."""
-        return strip_names(self.placed)[index]
+        return strip_names(self.placed)[self._place(index)]
 
     def single_name_of(self, index: int) -> str:
         """Its name, with its place where other strips have the same label."""
-        return distinct_names(self.placed)[index]
+        return distinct_names(self.placed)[self._place(index)]
+
+    def _place(self, index: int) -> int:
+        if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
+            raise InputError(
+                f"{index!r} is no strip of this model: give one of the places 0 to {len(self.placed) - 1}"
+            )
+        return index
 
     def __repr__(self) -> str:
         strips, joints = counted(len(self.placed), "strip"), counted(len(self.joints), "joint")
@@ -107,7 +112,12 @@ class Model:
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
         """The model with other strips in the same places."""
-        pairs = zip(self.placed, strips, strict=True)
+        new = several("strips", strips, Strip, "Strip")
+        if len(new) != len(self.placed):
+            raise InputError(
+                f"the model has {len(self.placed)} strips, not {len(new)}: give a Strip record for each"
+            )
+        pairs = zip(self.placed, new, strict=True)
         return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
 
     def interlock(self, **options: Any) -> "Model":
@@ -149,11 +159,12 @@ class Model:
         Options are those of `fabrication.nest_pieces`: sheet_size, margin, kerf, name.
         """
         refuse_options_unlike(options, nest_pieces, "a nest")
-        return nest_pieces((*self.pieces, *others), **{"name": f"{self.name}-nest", **options})
+        more = several("other pieces", others, Piece, "Piece")
+        return nest_pieces((*self.pieces, *more), **{"name": f"{self.name}-nest", **options})
 
     def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
         """The list of all pieces, equal ones once with their count."""
-        return cut_list((*self.pieces, *others))
+        return cut_list((*self.pieces, *several("other pieces", others, Piece, "Piece")))
 
     def held(self, *holders: object) -> tuple[HeldShape, ...]:
         """The shape that each strip takes as it is made, in its rings and these holders: see `Strip.held`."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.geometry.curves.line_intersections import line_crossings
@@ -69,8 +70,7 @@ def touching_widths(
     >>> float(widths[0](0.0).round(6)), float((60 * np.tan(0.1)).round(6))
     (6.02008, 6.02008)
     """
-    if not np.isfinite(gap):
-        raise InputError(f"the gap is {gap}: it must be a finite number of mm")
+    require_number(gap, "the gap", "mm")
     if not (isinstance(strips, Sequence) and all(isinstance(p, Placed | tuple) for p in strips)):
         raise InputError(f"strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)")
     pairs = [(p.strip.rod.curve, p.frame) if isinstance(p, Placed) else p for p in strips]

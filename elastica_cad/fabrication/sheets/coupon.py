@@ -33,6 +33,8 @@ def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
     >>> coupon_overhang(Sheet.named("card-200gsm"))
     160.0
     """
+    sheet = Sheet.of(sheet)
+    require_positive(max_overhang, "max_overhang")
     best = BEST_LOAD ** (1 / 3) * sheet.elasto_gravity_length
     return float(max(TICK_MM, TICK_MM * np.floor(min(best, max_overhang) / TICK_MM)))
 

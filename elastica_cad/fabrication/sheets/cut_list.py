@@ -5,6 +5,7 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from elastica_cad._values import require_record, several
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.sheets.equal_strips import FlatShape
 from elastica_cad.fabrication.sheets.pieces import Piece
@@ -106,6 +107,7 @@ class CutList:
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
         """The list with the files that hold the parts, by their names; the others keep theirs."""
+        require_record(files, Mapping, "the names of files", "a mapping from part to file")
         return CutList(tuple(replace(row, file=files.get(row.part, row.file)) for row in self.rows))
 
     def __str__(self) -> str:
@@ -155,7 +157,7 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
     files : mapping, optional
         From a piece's name to its file; `file_stem` with .dxf where not given.
     """
-    rows, pieces = [], list(pieces)
+    rows, pieces = [], several("pieces", pieces, Piece, "Piece")
     seen: list[tuple[FlatShape, str]] = []
     # at one go: each piece asks for its own below
     total_length([path for piece in pieces for path in piece.drawing.on(CUT_INNER, CUT_OUTER)])
@@ -176,7 +178,7 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
                 _like(piece, seen),
             )
         )
-    return CutList(tuple(rows)).in_files(files or {})
+    return CutList(tuple(rows)).in_files({} if files is None else files)
 
 
 def _like(piece: Piece, seen: list[tuple[FlatShape, str]]) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.fabrication.sheets.pieces import Piece
@@ -134,9 +134,10 @@ def nest_pieces(
     problems, EJOR 141, 2002). Boxes are the exact bounds of what is cut, so boxes that keep the margin prove
     that curves keep it.
     """
-    if np.shape(sheet_size) != (2,) or not all(map(is_number, sheet_size)):
+    sides = tuple(sheet_size) if isinstance(sheet_size, Iterable) else ()
+    if len(sides) != 2 or not all(map(is_number, sides)):
         raise InputError(f"sheet size is {sheet_size!r}: give its width and height, two finite numbers of mm")
-    width, height = (float(v) for v in sheet_size)
+    width, height = map(float, sides)
     if not (kerf is None or is_number(kerf)):
         raise InputError(f"the kerf is {kerf!r}: it must be a finite number of mm, 0 for none")
     if not is_number(margin):
@@ -147,7 +148,7 @@ def nest_pieces(
             "the margin 0 or more"
         )
     groups: dict[Sheet, list[Piece]] = {}
-    for piece in pieces:
+    for piece in several("pieces", pieces, Piece, "Piece"):
         groups.setdefault(piece.sheet, []).append(piece)
     drawings: list[NestedSheet] = []
     for sheet, group in groups.items():

@@ -10,6 +10,7 @@ from itertools import count
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_whole, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing
 from elastica_cad.fabrication.drawings.lettering import Text
@@ -61,10 +62,11 @@ class Piece:
     worked: float | None = None
 
     def __post_init__(self) -> None:
+        require_record(self.drawing, Drawing, "the drawing of a piece", "a Drawing")
+        if not (is_whole(self.count) and self.count >= 1):
+            raise InputError(f"{self.name}: cut {self.count!r} times; the count must be 1 or more")
         if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
             raise InputError(f"{self.name}: there is no closed outer cut, so nothing to cut out")
-        if self.count < 1:
-            raise InputError(f"{self.name}: cut {self.count} times; the count must be 1 or more")
 
     @property
     def file_stem(self) -> str:

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from elastica_cad._values import require_positive
+from elastica_cad._values import numbers, require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.bent_boundary import BoundaryMaker, Map
 from elastica_cad.fabrication.solids.bent_map import BentMap, bent_maps
@@ -22,7 +22,7 @@ from elastica_cad.fabrication.strip.flat_outline import close_chain, fix_tab_wid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.curves.curve_derivatives import cross
-from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Spline
@@ -83,7 +83,8 @@ class FlatSolid:
 
     def __post_init__(self) -> None:
         require_positive(self.thickness, "plate thickness")
-        if not all(path.closed for path in (self.outline, *self.holes)):
+        require_record(self.outline, Path, "the outline of a plate", "a Path")
+        if not all(path.closed for path in (self.outline, *several("holes", self.holes, Path, "Path"))):
             raise InputError("a plate is made of closed loops: one of the paths given is open")
 
     @classmethod
@@ -97,7 +98,8 @@ class FlatSolid:
     @classmethod
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid | RoundSolid", ...]:
         """Every sheet of the strip as glued flat, one on the other; the base has the joints."""
-        frame = frame or Frame()
+        require_record(strip, Strip, "what lies flat", "a Strip")
+        frame = frame_or_plain(frame)
         if strip.layout.worked_size is not None:
             return (_tapered_solid(strip, frame, bent=False),)
         thick = centred_thickness(strip)
@@ -267,8 +269,10 @@ class BentSolid:
         A strip that is tapered in thickness is its side view, extruded by its width; a rod is round. Of a closed
         strip the lap is a body of its own, on the inside, where it is glued.
         """
+        require_record(strip, Strip, "what is bent", "a Strip")
+        frame = frame_or_plain(frame)
         if strip.layout.worked_size is not None:
-            return (_tapered_solid(strip, frame or Frame(), bent=True),)
+            return (_tapered_solid(strip, frame, bent=True),)
         return tuple(cls._layers(strip, frame))
 
     @classmethod
@@ -353,11 +357,16 @@ class BentSolid:
         InputError, NotConvergedError
             As `of`.
         """
-        frame = frame or Frame()
-        lower, upper = heights
+        frame = frame_or_plain(frame)
+        require_record(rod, Rod, "what a pattern is wrapped on", "a Rod")
+        both = numbers(heights, "heights of a wrapped pattern")
+        if both.shape != (2,):
+            raise InputError(f"heights are {heights!r}: give the lower and the upper of the record, mm")
+        lower, upper = both.tolist()
         bent = bent_maps(rod, frame, max(abs(lower), abs(upper)))
         stations = [0.0, *(float(part.knots[-1]) for part in bent[:-1]), rod.length]
-        loops = [in_smooth_pieces(loop) for loop in (outline, *holes)]
+        require_record(outline, Path, "the outline of a pattern", "a Path")
+        loops = [in_smooth_pieces(loop) for loop in (outline, *several("holes", holes, Path, "Path"))]
         pattern = cut_across(loops[0], loops[1:], stations)
         maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
         made = cls(pattern, maps, (lower, upper), frame, joints or {}, between)

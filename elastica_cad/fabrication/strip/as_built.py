@@ -8,6 +8,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
+from elastica_cad._values import numbers
 from elastica_cad.fabrication.strip.flat_outline import paces
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.many_segments import chords_of, points_of
@@ -41,7 +42,7 @@ def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatA
     >>> material_width(plate, [Path.rectangle(10, 4, corner=(5, 3))], [2.0, 8.0]).round(6).tolist()
     [10.0, 6.0]
     """
-    s = np.asarray(s, dtype=float)
+    s = np.atleast_1d(numbers(s, "stations"))
     return _widths([outline], s) - _widths(tuple(holes), s)
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_positive, several
+from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.holding.lap_joint import closes
@@ -134,6 +134,8 @@ class Strip:
             if value is not None:
                 require_positive(value, name)
         printable(self.label, "the label")
+        if self.correction is not None:
+            require_record(self.correction, Profile, "the correction", "a Profile, or None")
         object.__setattr__(self, "ends", pair_of_tabs(self.ends))
         object.__setattr__(self, "slots", several("slots", self.slots, Slot, "Slot"))
         object.__setattr__(self, "creep", require_creep(self.creep))
@@ -392,6 +394,9 @@ class Strip:
         NotConvergedError
             No rest shape was found.
         """
+        for seat in (start, end):
+            if seat is not None:
+                require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
         asked = self.as_made if self.correction is None else replace(self, correction=None).as_made
         return self.as_made.held((start, end), asked)
 

@@ -73,8 +73,9 @@ class TSlot:
     wall: float = 4.0
 
     def __post_init__(self) -> None:
-        sizes = (self.depth, self.screw, *self.nut, self.wall)
-        if len(self.nut) != 2 or not all(is_number(v) and v > 0 for v in sizes):
+        nut = self.nut if isinstance(self.nut, Sequence) else ()
+        sizes = (self.depth, self.screw, *nut, self.wall)
+        if len(nut) != 2 or not all(is_number(v) and v > 0 for v in sizes):
             raise InputError("a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall")
         if self.nut[0] <= self.screw:
             raise InputError(

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad._values import require_record, several
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_degree, check_size
@@ -19,6 +20,7 @@ CURVES_SCHEMA = "elastica-curves/1"
 
 def curve_record(curve: PlaneCurve) -> dict[str, Any]:
     """The curve as plain data for JSON, without any rounding; `weights` is None for a polynomial spline."""
+    require_record(curve, PlaneCurve, "a curve to write", "a PlaneCurve")
     return {
         "degree": curve.degree,
         "knots": curve.knots.tolist(),
@@ -29,7 +31,11 @@ def curve_record(curve: PlaneCurve) -> dict[str, Any]:
 
 def curves_json(curves: Sequence[PlaneCurve]) -> str:
     """The text of a JSON file that holds the curves; `read_json_drawing` reads them bit by bit."""
-    data = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(curve) for curve in curves]}
+    data = {
+        "schema": CURVES_SCHEMA,
+        "units": "mm",
+        "curves": [curve_record(curve) for curve in several("curves", curves, PlaneCurve, "PlaneCurve")],
+    }
     return json.dumps(data, indent=1) + "\n"
 
 

@@ -1,5 +1,6 @@
 """How curves are written: as splines, arcs or polylines."""
 
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
 from elastica_cad.geometry.paths.path import Path
@@ -19,7 +20,7 @@ FINEST_MM = 1e-5
 
 def check_curve_style(curves: str) -> str:
     """The mode, refused unless it is one of `CURVES` or `EXACT`."""
-    if curves not in (*CURVES, EXACT):
+    if not isinstance(curves, str) or curves not in (*CURVES, EXACT):
         raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
     return curves
 
@@ -29,6 +30,8 @@ def shape_path(path: Path, curves: str, tolerance: float, *, rational: bool = Tr
 
     With `EXACT` splines of any degree stay, where the file knows weights.
     """
+    if not is_number(tolerance):
+        raise InputError(f"the tolerance is {tolerance!r}: give a number of mm, such as 0.02")
     if curves == EXACT:
         return path if rational else as_cubics(path, _SPLINE_TOLERANCE_MM, rational=False)
     if 0 < tolerance < FINEST_MM and curves != "spline":

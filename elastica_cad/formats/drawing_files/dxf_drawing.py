@@ -8,6 +8,7 @@ from itertools import count
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_path
@@ -60,7 +61,8 @@ def encode_dxf(
         ezdxf is not installed.
     """
     curves = check_curve_style(curves)
-    if version not in DXF_VERSIONS:
+    require_record(drawing, Drawing, "what is written", "a Drawing record")
+    if not isinstance(version, str) or version not in DXF_VERSIONS:
         raise InputError(f"there is no DXF version {version!r}: use one of {', '.join(DXF_VERSIONS)}")
     styles = style_layers(layers)
     if version == "R12":

@@ -1,11 +1,11 @@
 """Names and colours of layers, as files show them."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, SHEET
 
 
@@ -25,9 +25,10 @@ class LayerStyle:
     color: str
 
     def __post_init__(self) -> None:
-        if not self.name.strip() or re.search(r'[<>/\\":;?*|=`\x00-\x1f]', self.name) or len(self.name) > 255:
+        name = self.name if isinstance(self.name, str) else ""
+        if not name.strip() or re.search(r'[<>/\\":;?*|=`\x00-\x1f]', name) or len(name) > 255:
             raise InputError(f"{self.name!r} is no name for a layer: use letters, digits, spaces, - and _")
-        if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
+        if not isinstance(self.color, str) or not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
             raise InputError(f"{self.color!r} is no colour for layer {self.name!r}: write it as #rrggbb")
         object.__setattr__(self, "color", self.color.lower())
 
@@ -67,6 +68,8 @@ def style_layers(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, 
     'Raster'
     """
     styles = dict(_STANDARD)
+    if not (choices is None or isinstance(choices, Mapping)):
+        raise InputError(f"layers are {quoted(choices)}: give a mapping such as {{'ENGRAVE': 'Raster'}}")
     for layer, choice in (choices or {}).items():
         if layer not in styles:
             raise InputError(f"there is no layer {layer!r} to rename: drawings have {', '.join(LAYERS)}")
@@ -74,8 +77,12 @@ def style_layers(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, 
             styles[layer] = choice
         elif isinstance(choice, str):
             styles[layer] = LayerStyle(choice, styles[layer].color)
-        else:
+        elif isinstance(choice, Sequence) and len(choice) == 2:
             styles[layer] = LayerStyle(*choice)
+        else:
+            raise InputError(
+                f"layer {layer} is {quoted(choice)}: give a name, or a name and a colour '#rrggbb'"
+            )
     names = [style.name.casefold() for style in styles.values()]
     if len(set(names)) < len(names):
         raise InputError("two layers have the same name: name each one differently")

@@ -5,6 +5,7 @@ from html import escape  # xml.sax.saxutils would load the network first
 
 import numpy as np
 
+from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.formats.drawing_files.curve_style import check_curve_style, shape_path
 from elastica_cad.formats.drawing_files.layers import LayerChoice, style_layers
@@ -53,6 +54,7 @@ def encode_svg(
     >>> 'width="42mm" height="12mm"' in encode_svg(plate).decode()
     True
     """
+    require_record(drawing, Drawing, "what is written", "a Drawing record")
     curves = check_curve_style(curves)
     styles = style_layers(layers)
     (left, low), (right, high) = drawing.bounds

@@ -7,6 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
+from elastica_cad._values import require_path
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.living_writers import open_held, remove_left_behind
 
@@ -19,7 +20,7 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
     InputError
         It is a folder, its folder is missing, or it exists and `force` is not set.
     """
-    target = Path(os.path.realpath(os.fspath(path)))
+    target = Path(os.path.realpath(require_path(path)))
     if target.is_dir():
         raise InputError(f"{path} is a folder: give the name of a file in it")
     if not target.parent.is_dir():

@@ -4,11 +4,13 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad._values import require_record
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 
 def report_check(check: EquilibriumCheck) -> dict[str, Any]:
     """Theorem 1's answer as plain data; places in mm along the curve."""
+    require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
     return {
         "realizable": check.realizable,
         "reasons": list(check.reasons),

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from elastica_cad._values import require_record
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
@@ -41,6 +42,10 @@ def report_model(
     entries : sequence of StripEntry
         What the strips were made after; the report says how far they are from it.
     """
+    require_record(model, Model, "the model", "a Model")
+    require_record(cut_list, CutList, "the cut list", "a CutList, as model.cut_list() makes one")
+    for value, what in ((files, "files"), (held, "held")):
+        require_record(value, Mapping, what, "a mapping from names")
     drawn = {entry.label: entry for entry in entries}
     return {
         "schema": MODEL_SCHEMA,

@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.errors import NotConvergedError
+from elastica_cad._values import is_whole, require_record
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
@@ -16,6 +17,9 @@ from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 
 REPORT_SCHEMA = "elastica-report/1"
+MOST_STATIONS = 100_000
+"""That one report lists."""
+
 _UNITS = {
     "length": "mm",
     "width": "mm",
@@ -57,6 +61,12 @@ def report_strip(
     stations : int
         Number of stations at which stiffness and width are listed, uniform in arc length.
     """
+    require_record(strip, Strip, "what is reported", "a Strip, as make_strip makes one")
+    for value, record, what in ((near, NearestRod, "near"), (stability, Stability, "stability")):
+        if value is not None:
+            require_record(value, record, what, f"a {record.__name__}, or None")
+    if not (is_whole(stations) and 2 <= stations <= MOST_STATIONS):
+        raise InputError(f"stations are {stations!r}: give a whole number from 2 to {MOST_STATIONS}")
     rod, sheet = strip.rod, strip.sheet
     s = np.linspace(0.0, rod.length, stations)
     low, high = strip.width.extremes

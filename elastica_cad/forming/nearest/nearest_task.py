@@ -8,6 +8,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.curve_distance import (
@@ -109,6 +110,8 @@ class NearestTask:
         for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
             if not (value is None or isinstance(value, record)):
                 raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")
+        if not (section is None or hasattr(section, "bent")):
+            raise InputError(f"section is {section!r}: give a law of sections, such as ThicknessLaw, or None")
         if whole_number(samples, "samples", 20) > _MOST_NODES:
             raise InputError(
                 f"samples={samples!r}: a rod needs 20 to {_MOST_NODES} nodes, {SEARCH_SAMPLES} are usual"
@@ -327,7 +330,7 @@ def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
 def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
     """Values at x (0..1) of a number, of values at equal distances, or of a function of arc length in mm."""
     values = given(x * size) if callable(given) else given
-    array = np.asarray(values, dtype=float)
+    array = numbers(values, what)
     if array.ndim == 0:
         array = np.full(2, float(array))
     if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):

@@ -4,10 +4,13 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.forming.plane_sections.triangle_mesh import FARTHEST_MM
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
+
+MOST_PLANES = 1000
+"""More are a slip of the keyboard, and hours of work."""
 
 
 def parallel_planes(
@@ -92,9 +95,10 @@ def planes_along(
     points = _numbers("path", path)
     if points.ndim != 2 or points.shape[1] != 3:
         raise InputError(f"a path is points (n, 3) in mm, not {points.shape}")
-    if not is_whole(count) or count < 1 or (ends and count < 2):
+    if not is_whole(count) or not 1 <= count <= MOST_PLANES or (ends and count < 2):
         raise InputError(
-            f"count={count!r}: a path is cut by a whole number of planes, one plane at least, two with ends=True"
+            f"count={quoted(count)}: a path is cut by a whole number of planes, one plane at least, two with "
+            f"ends=True, and {MOST_PLANES} at most"
         )
     points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
     if len(points) < 2:
@@ -154,7 +158,7 @@ def _row(name: str, value: ArrayLike) -> list[float]:
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
     try:
         v = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(f"{name} must be numbers, not {str(value)[:60]!r}") from None
     if not np.all(np.isfinite(v)):
         raise InputError(f"{name} must be finite numbers, got {v.tolist()}")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, is_whole, numbers, require_positive, require_record, several
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine, inner_turns
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -16,8 +17,8 @@ from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
-SMOOTHED_POINTS = 240
-"""Points that smoothing works on."""
+SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
+"""Points that smoothing works on, and at most: they are one dense matrix."""
 
 FALSE_TURN_RAD = np.radians(4.0)
 """A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
@@ -112,15 +113,15 @@ def section_curves(
     >>> found.name, found.curve.degree, reports
     ('arch', 4, ())
     """
-    if not (_is_finite(wavelength) and wavelength >= 0):
+    if not (is_number(wavelength) and wavelength >= 0):
         raise InputError(f"wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more")
-    if not (_is_finite(tolerance) and tolerance > 0):
+    if not (is_number(tolerance) and tolerance > 0):
         raise InputError(f"tolerance={tolerance!r}: it must be positive, in mm")
-    if not (_is_finite(false_turn) and 0 <= false_turn <= np.pi):
+    if not (is_number(false_turn) and 0 <= false_turn <= np.pi):
         raise InputError(f"false_turn={false_turn!r}: it must be an angle from 0 to pi rad")
     found: list[SectionCurve] = []
     reports: list[str] = []
-    for item in sections:
+    for item in several("sections", sections, PlaneSection | SectionLine, "PlaneSection or SectionLine"):
         reports += item.reports if isinstance(item, PlaneSection) else ()
         for line in item.lines if isinstance(item, PlaneSection) else (item,):
             try:
@@ -160,10 +161,6 @@ def _curve(
     if off.max() > tolerance:
         told.append(_departure(line, off, tolerance, wavelength, changed=curve is not fitted))
     return SectionCurve(curve, line.frame, line.name, float(off.max()), removed), told
-
-
-def _is_finite(value: object) -> bool:
-    return isinstance(value, int | float | np.number) and bool(np.isfinite(value))
 
 
 def _place(line: SectionLine, point: FloatArray) -> str:
@@ -245,8 +242,12 @@ def smooth_polyline(
     >>> bool(np.abs(smooth_polyline(wavy, 20)[20:-20, 1]).max() < 0.05)
     True
     """
-    given = np.asarray(points, dtype=float)
-    if not (np.isfinite(wavelength) and wavelength > 0):
+    given = numbers(points, "points to smooth")
+    if given.ndim != 2 or not len(given) or not np.isfinite(given).all():
+        raise InputError(f"points to smooth are finite rows (n, 2), in mm, not of shape {given.shape}")
+    if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
+        raise InputError(f"count is {count!r}: smoothing gives points (k, 2), k from 4 to {MOST_SMOOTHED}")
+    if not (is_number(wavelength) and wavelength > 0):
         raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
     s = lengths_along(given)
     if s[-1] == 0:
@@ -255,7 +256,9 @@ def smooth_polyline(
     even = np.column_stack([np.interp(at, s, column) for column in given.T])
     third = np.diff(np.eye(count), 3, axis=0)
     middle = (at[:-3] + at[3:]) / 2
-    spans = np.asarray(where, dtype=float).reshape(-1, 2)
+    spans = numbers(where, "parts to smooth")
+    if spans.size and spans.shape[1:] != (2,):
+        raise InputError("parts to smooth are rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
     # of waves four times as long as the line nothing is left but a parabola; beyond, only digits are lost
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
@@ -295,6 +298,10 @@ def remove_false_inflections(
     >>> bumpy.inflections.size > 4, remove_false_inflections(bumpy).inflections.size
     (True, 0)
     """
+    require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
+    require_positive(turn, "turn", "rad")
+    if give is not None:
+        require_positive(give, "give")
     bends = _false_bends(curve, turn)
     if not len(bends):
         return curve

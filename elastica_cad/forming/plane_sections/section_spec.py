@@ -8,15 +8,17 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
+from elastica_cad.forming.plane_sections.cutting_planes import (
+    MOST_PLANES,
+    parallel_planes,
+    planes_along,
+    radial_planes,
+)
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve, section_curves
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
 from elastica_cad.geometry.frame import Frame
 
 Triple: TypeAlias = tuple[float, float, float]
-
-MOST_PLANES = 1000
-"""More are a slip of the keyboard, and hours of work."""
 
 NAMED_REASONS = 6
 """Reasons that a refusal names: as many as fit a screen."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 
 SHOWN_PLACES = 3
@@ -84,7 +85,7 @@ class Mesh:
         InputError
             A factor that is not positive.
         """
-        if not (np.isfinite(factor) and factor > 0):
+        if not (is_number(factor) and factor > 0):
             raise InputError(f"a mesh is scaled by a positive factor, not {factor!r}")
         return Mesh(self.vertices * factor, self.faces)
 
@@ -92,7 +93,7 @@ class Mesh:
 def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArray]:
     try:
         points, rows = np.asarray(vertices, dtype=float), np.asarray(faces)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError("a mesh is rows of numbers: vertices (n, 3) and triangles (m, 3)") from None
     if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
         raise InputError(

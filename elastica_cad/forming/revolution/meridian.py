@@ -331,7 +331,7 @@ def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: flo
     try:
         b, start = np.asarray(b, dtype=float), np.asarray(start, dtype=float)
         a, angle, length = float(a), float(angle), float(length)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError("a meridian is made of numbers: a, angle and length, b and start") from None
     if b.shape != (2,) or start.shape != (2,):
         raise InputError("a meridian needs b and start as two numbers each")

@@ -11,7 +11,8 @@ from typing import Protocol
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad._values import is_whole, require_positive, require_record
+from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
@@ -36,6 +37,7 @@ class EndPositions:
     @classmethod
     def of(cls, curve: PlaneCurve) -> "EndPositions":
         """Both ends stay where they are on `curve`."""
+        require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         start, end = curve.evaluate(np.array(curve.domain))
         return cls(start, end)
 
@@ -59,6 +61,7 @@ class EndTangents:
     @classmethod
     def of(cls, curve: PlaneCurve) -> "EndTangents":
         """Both tangents stay as they are on `curve`."""
+        require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         velocity = curve.evaluate(np.array(curve.domain), 1)
         unit = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
         start, end = np.column_stack([-unit[:, 1], unit[:, 0]])
@@ -237,6 +240,14 @@ def least_norm_newton(
     >>> round(shorter.length, 6)
     130.0
     """
+    require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
+    require_positive(tolerance, "the tolerance of constraints", "shares of the size")
+    if not (is_whole(max_steps) and max_steps >= 1):
+        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
+    if not isinstance(constraints, Sequence) or not all(hasattr(one, "equations") for one in constraints):
+        raise InputError(
+            f"constraints are {quoted(constraints)}: give a list of EndPositions, FixedLength and the like"
+        )
     size = float(np.ptp(curve.control_points, axis=0).max())
     residual, jacobian = _assembled(curve, constraints)
     norms = [float(np.linalg.norm(residual))]

@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import ArrayLike
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curvature_zeros import line_places
 from elastica_cad.geometry.curves.curve_records import LineCrossing
@@ -26,11 +27,14 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
     >>> [(root.kind, round(root.s, 3)) for root in line_crossings(arch, -50, (0, 1))]
     [('touch', 78.54)]
     """
-    normal, constant = finite("b", b), float(finite("a", a))
+    require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
+    normal, constant = finite("b", b), finite("a", a)
+    if constant.shape:
+        raise InputError(f"the constant of a line is one number, not {constant.tolist()}")
     if normal.shape != (2,) or not normal.any():
         raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
     edges, bezier = curve.bezier_table
-    found = line_places(bezier, edges, constant, normal)
+    found = line_places(bezier, edges, float(constant), normal)
     s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
     return tuple(
         LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)

@@ -8,6 +8,7 @@ from typing import Any, Self
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_whole, numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.continuity import in_millimetres, refuse_standstill
@@ -22,6 +23,9 @@ from elastica_cad.geometry.polynomials.spline_checks import check_knots, finite,
 
 FAR_SIZES = 1e6
 """A curve moved farther away than so many of its sizes loses digits, and is checked again."""
+
+MOST_TURNS = 100
+"""Of an arc."""
 
 MOST_UNEVEN = 1e8
 """Largest weight over the least: beyond, places come to rounding."""
@@ -103,6 +107,9 @@ class NurbsCurve:
     def line(cls, start: ArrayLike, end: ArrayLike, *, degree: int = 2) -> Self:
         """The straight segment between two points."""
         a, b = finite("start", start), finite("end", end)
+        degree = whole_degree(degree)
+        if a.shape != (2,) or b.shape != (2,):
+            raise InputError("a line runs between two points of two numbers each, in mm")
         u = np.linspace(0.0, 1.0, degree + 1)[:, None]
         return cls(np.repeat([0.0, 1.0], degree + 1), a * (1 - u) + b * u, degree)
 
@@ -122,13 +129,19 @@ class NurbsCurve:
     ) -> Self:
         """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
+        if centre.shape != (2,):
+            raise InputError(f"the center must be two numbers, in mm, not {centre.tolist()}")
         if axes.shape != (2,) or axes.min() <= 0:
             raise InputError(f"semi-axes (or the radius) must be positive, not {axes.tolist()}")
-        span = finite("angles", [rotation, start, end])
-        if start == end:
+        turn, first, last = finite("angles", [rotation, start, end]).tolist()
+        if first == last:
             raise InputError("the arc has zero length: start and end angle are the same")
-        knots, points, weights = unit_circle_arc(float(span[1]), float(span[2]))
-        c, s = np.cos(rotation), np.sin(rotation)
+        if not abs(last - first) <= MOST_TURNS * 2 * np.pi:
+            raise InputError(
+                f"the arc runs from {first:g} to {last:g} rad: give angles at most {MOST_TURNS} turns apart"
+            )
+        knots, points, weights = unit_circle_arc(first, last)
+        c, s = np.cos(turn), np.sin(turn)
         return cls(knots, centre + points * axes @ np.array([[c, s], [-s, c]]), 2, weights)
 
     @classmethod
@@ -187,6 +200,8 @@ class NurbsCurve:
         >>> round(spiral.length, 4)
         36.5433
         """
+        for name, value in {"start": start, "end": end}.items():
+            require_number(value, f"the {name} of a function")
         knots, control_points = adaptive_spline(
             function, (float(start), float(end)), degree=degree, tolerance=tolerance, breaks=breaks
         )
@@ -211,9 +226,9 @@ class NurbsCurve:
 
         At a knot of low continuity the right-hand value is given, with `left=True` the left-hand one.
         """
-        if not 0 <= derivative <= 3:
-            raise InputError(f"derivatives of order 0 to 3 are known, not {derivative}")
-        t = np.asarray(t, dtype=float)
+        if not (is_whole(derivative) and 0 <= derivative <= 3):
+            raise InputError(f"derivatives of order 0 to 3 are known, not {derivative!r}")
+        t = numbers(t, "parameters")
         return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 
     def derivatives(self, t: FloatArray, order: int) -> list[FloatArray]:
@@ -229,7 +244,7 @@ class NurbsCurve:
 
         The rational basis functions R_i: position = sum of R_i(t) times control point i.
         """
-        t = self._pieces.inside(np.atleast_1d(np.asarray(t, dtype=float)))
+        t = self._pieces.inside(np.atleast_1d(numbers(t, "parameters")))
         spans = self._pieces.spans
         if self.weights is None:
             return spans.basis(t, derivative)
@@ -238,7 +253,7 @@ class NurbsCurve:
 
     def with_control_points(self, control_points: ArrayLike) -> Self:
         """The curve with the same knots and weights over other control points (m, 2)."""
-        return type(self)(self.knots, np.asarray(control_points, dtype=float), self.degree, self.weights)
+        return type(self)(self.knots, numbers(control_points, "control_points"), self.degree, self.weights)
 
     @property
     def bezier_table(self) -> tuple[FloatArray, FloatArray]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, svg_of_lines
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._values import is_number, numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves import curvature_zeros as zeros
 from elastica_cad.geometry.curves.continuity import (
@@ -23,7 +24,6 @@ from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, Cur
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections
 from elastica_cad.geometry.curves.tangent_angle import TangentAngle, tabulate_tangent_angle
-from elastica_cad.geometry.polynomials.spline_checks import finite
 from elastica_cad.geometry.running_sums import lengths_along
 
 SURVEY_POINTS = 601  # at which all who look along the whole curve find it evaluated
@@ -72,17 +72,17 @@ class PlaneCurve(NurbsCurve):
 
     def curvature_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Signed curvature, 1/mm, at parameters t."""
-        t = np.asarray(t, dtype=float)
+        t = numbers(t, "parameters")
         return curvature(*self._pieces.at(t.ravel(), 2, left=left)[1:]).reshape(t.shape)
 
     def curvature_slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Derivative of the curvature by arc length, 1/mm2, at parameters t."""
-        t = np.asarray(t, dtype=float)
+        t = numbers(t, "parameters")
         return curvature_slope(*self._pieces.at(t.ravel(), 3, left=left)[1:]).reshape(t.shape)
 
     def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Turning angle, rad, at parameters t: continuous along the curve, in [-pi, pi] at its start."""
-        t = np.asarray(t, dtype=float)
+        t = numbers(t, "parameters")
         _, d1 = self._pieces.at(t.ravel(), 1, left=left)
         return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)
 
@@ -103,12 +103,12 @@ class PlaneCurve(NurbsCurve):
 
     def arc_length(self, t: ArrayLike) -> FloatArray:
         """Arc length from the start, mm, at parameters t."""
-        t = np.asarray(t, dtype=float)
+        t = numbers(t, "parameters")
         return self._pieces.arc_length.length_at(self._pieces.inside(t.ravel())).reshape(t.shape)
 
     def parameter(self, s: ArrayLike) -> FloatArray:
         """Parameters at arc lengths s (mm)."""
-        s = np.asarray(s, dtype=float)
+        s = numbers(s, "arc lengths")
         slack = 1e-9 * self.length
         if s.size and not (np.all(s >= -slack) and np.all(s <= self.length + slack)):
             raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
@@ -122,14 +122,14 @@ class PlaneCurve(NurbsCurve):
 
     def at(self, s: ArrayLike) -> CurveSamples:
         """Position, angle and curvature at arc lengths s (n,)."""
-        s = np.atleast_1d(np.asarray(s, dtype=float))
+        s = np.atleast_1d(numbers(s, "arc lengths"))
         t = self.parameter(s)
         position, d1, d2 = self._pieces.at(t, 2)
         return CurveSamples(s, position, self._turning.at(t, d1), curvature(d1, d2), t)
 
     def sample(self, count: int) -> CurveSamples:
         """`count` points at equal distances along the curve, both ends included."""
-        if not count >= 2:
+        if not (is_number(count) and count >= 2):
             raise InputError(f"a curve is sampled at 2 points or more, not {count!r}")
         return self.at(np.linspace(0.0, self.length, int(count)))
 
@@ -151,7 +151,8 @@ class PlaneCurve(NurbsCurve):
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
         """All places where the curvature is `level` (1/mm); before, after: signs of curvature - level."""
-        level = float(finite("level", level))
+        require_number(level, "the curvature to look for", "1/mm")
+        level = float(level)
         if level == 0:
             return self.curvature_zeros
         found = zeros.curvature_level_places(

@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.paths.chords import require_tolerance_mm
@@ -35,6 +36,7 @@ def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
     >>> len(as_polyline(Path.circle((0, 0), 10), 0.1).segments)
     23
     """
+    require_record(path, Path, "what becomes lines", "a Path")
     return Path.polyline(path.points(tolerance), closed=path.closed)
 
 
@@ -51,6 +53,7 @@ def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
     >>> all(isinstance(piece, Arc) for piece in as_arcs(arch, 0.05).segments)
     True
     """
+    require_record(path, Path, "what becomes arcs", "a Path")
     tolerance = require_tolerance_mm(tolerance)
     pieces: list[Segment] = []
     for segment in path.segments:

@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.paths.chords import require_tolerance_mm
@@ -47,8 +48,8 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
     >>> round(grown.area - (400 + 100 * 1.0), 6)  # plus four quarter circles
     3.141593
     """
-    if not np.isfinite(distance):
-        raise InputError(f"the offset is {distance}: it must be a finite number of mm")
+    require_record(path, Path, "what is offset", "a Path")
+    require_number(distance, "the offset", "mm")
     tolerance = require_tolerance_mm(tolerance)
     if distance == 0:
         return path

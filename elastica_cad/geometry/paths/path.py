@@ -9,6 +9,7 @@ from math import dist
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, numbers, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about, box_around
 from elastica_cad.geometry.curves.nurbs_curve import FAR_SIZES
@@ -21,6 +22,7 @@ from elastica_cad.geometry.paths.segments import (
     Spline,
     is_similarity,
     place,
+    point,
     segment_from_bulge,
     similarity_of,
 )
@@ -64,7 +66,9 @@ class Path:
     closed: bool = False
 
     def __init__(self, segments: Sequence[Segment], closed: bool = False) -> None:
-        object.__setattr__(self, "segments", tuple(segments))
+        object.__setattr__(
+            self, "segments", several("the segments of a path", segments, Segment, "Line, Arc and Spline")
+        )
         object.__setattr__(self, "closed", bool(closed))
         if not self.segments:
             raise InputError("a path needs at least one segment")
@@ -82,10 +86,10 @@ class Path:
 
         Repeated points are passed over; a closed path may or may not repeat its first point at the end.
         """
-        p = np.asarray(points, dtype=float)
+        p = numbers(points, "the points of a polyline")
         if p.ndim != 2 or p.shape[1:] != (2,) or not np.all(np.isfinite(p)):
             raise InputError("a polyline needs finite points as rows (n, 2), in mm")
-        b = np.zeros(len(p)) if bulges is None else np.asarray(bulges, dtype=float)
+        b = np.zeros(len(p)) if bulges is None else numbers(bulges, "the bulges of a polyline")
         if b.shape != (len(p),) or not np.all(np.isfinite(b)):
             raise InputError("a polyline needs one finite bulge per point")
         after = np.roll(p, -1, axis=0) if closed else p[1:]
@@ -104,9 +108,9 @@ class Path:
     @classmethod
     def rectangle(cls, width: float, height: float, *, corner: ArrayLike = (0.0, 0.0)) -> "Path":
         """A closed rectangle, anticlockwise from its lower left `corner`, mm."""
-        if not (np.isfinite(width) and np.isfinite(height) and width > 0 and height > 0):
-            raise InputError(f"a rectangle of {width:g} by {height:g} mm: both sides must be positive")
-        x, y = np.asarray(corner, dtype=float)
+        if not (is_number(width) and is_number(height) and width > 0 and height > 0):
+            raise InputError(f"a rectangle of {width} by {height} mm: both sides must be positive")
+        x, y = point(corner, "the corner of a rectangle")
         return cls.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)])
 
     @classmethod
@@ -194,7 +198,7 @@ class Path:
 
     def transformed(self, matrix: ArrayLike) -> "Path":
         """The path moved by a 3x3 affine matrix; an uneven scaling turns arcs into exact rational splines."""
-        m = np.asarray(matrix, dtype=float)
+        m = numbers(matrix, "the matrix that a path is moved by")
         if not is_similarity(m):
             plain = [s.as_spline() if isinstance(s, Arc) else s for s in self.segments]
             return Path([s.transformed(m) for s in plain], self.closed)
@@ -202,7 +206,7 @@ class Path:
 
     def moved(self, x: float, y: float) -> "Path":
         """The path shifted by (x, y) mm."""
-        return self.transformed(np.array([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]]))
+        return self.transformed([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
 
     def points(self, tolerance: float) -> FloatArray:
         """Points (n, 2) on the path whose polyline stays within `tolerance` mm of it.

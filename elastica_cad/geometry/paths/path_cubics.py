@@ -7,6 +7,7 @@ from operator import is_
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.chords import require_tolerance_mm
@@ -43,6 +44,7 @@ def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> 
     >>> as_cubics(Path([Spline(quintic)]), 1e-3).segments[0].curve.degree
     3
     """
+    require_record(path, Path, "what becomes cubics", "a Path")
     tolerance = require_tolerance_mm(tolerance)
     cubics = [_as_cubic(segment, tolerance, rational) for segment in path.segments]
     return path if all(map(is_, cubics, path.segments)) else Path(cubics, path.closed)

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
+from elastica_cad._values import is_number, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import interior_roots, raise_degree, value_and_slope
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
@@ -51,6 +52,8 @@ class Profile:
                     f"profile {name} must be a row of numbers, not an array of shape {array.shape}"
                 )
             object.__setattr__(self, name, array)
+        if not (is_whole(self.degree) and self.degree >= 1):
+            raise InputError(f"a profile has a whole degree of 1 or more, not {self.degree!r}")
         if self.knots.size != self.coefficients.size + self.degree + 1:
             raise InputError(
                 f"profile has {self.knots.size} knots and {self.coefficients.size} coefficients: "
@@ -92,7 +95,7 @@ class Profile:
         NotConvergedError
             When the function has a break that was not declared, or noise above the tolerance.
         """
-        if not (np.isfinite(length) and length > 0):
+        if not (is_number(length) and length > 0):
             raise InputError(f"a profile needs a positive length, not {length!r} mm")
         found, coefficients = adaptive_spline(
             function,
@@ -121,7 +124,9 @@ class Profile:
 
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
         """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
-        return self._function(np.asarray(s, dtype=float), derivative)
+        if not (is_whole(derivative) and derivative >= 0):
+            raise InputError(f"a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}")
+        return self._function(numbers(s, "arc lengths of a profile"), derivative)
 
     @property
     def length(self) -> float:
@@ -183,6 +188,7 @@ class Profile:
 
     def scaled(self, factor: float) -> "Profile":
         """The profile times `factor`."""
+        require_number(factor, "the factor of a profile")
         scaled = Profile(self.knots, self.coefficients * factor, self.degree)
         if factor > 0 and "_extreme_points" in self.__dict__:
             (first, low), (second, high) = self._extreme_points
@@ -200,6 +206,8 @@ class Profile:
         >>> ramp.extremes, float(ramp(5.0))
         ((1.0, 2.0), 1.5)
         """
+        require_number(low, "the least value of a profile")
+        require_number(high, "the largest value of a profile")
         (first, least), (second, most) = self._extreme_points
         factor = (high - low) / (most - least)
         stretched = Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)

@@ -8,6 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -41,8 +42,8 @@ class Line:
     end: FloatArray
 
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
-        object.__setattr__(self, "start", _point(start, "line start"))
-        object.__setattr__(self, "end", _point(end, "line end"))
+        object.__setattr__(self, "start", point(start, "line start"))
+        object.__setattr__(self, "end", point(end, "line end"))
         if self.start.tolist() == self.end.tolist():
             raise InputError(f"a line at {place(self.start)} has no length: leave it out")
 
@@ -73,7 +74,7 @@ class Line:
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Points (..., 2) at u in [0, 1]."""
-        u = np.asarray(u, dtype=float)[..., None]
+        u = numbers(u, "u")[..., None]
         return np.asarray(self.start * (1 - u) + self.end * u, dtype=float)
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
@@ -90,7 +91,7 @@ class Line:
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2: 1/2 of the integral of x dy - y dx."""
-        origin = np.asarray(origin, dtype=float)
+        origin = point(origin, "origin")
         return 0.5 * _cross(self.start - origin, self.end - origin)
 
     def reversed(self) -> "Line":
@@ -128,10 +129,9 @@ class Arc:
     end_angle: float
 
     def __init__(self, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> None:
-        object.__setattr__(self, "center", _point(center, "arc center"))
+        object.__setattr__(self, "center", point(center, "arc center"))
         for name, value in {"radius": radius, "start_angle": start_angle, "end_angle": end_angle}.items():
-            if not np.isfinite(value):
-                raise InputError(f"arc {name} is {value}: it must be a finite number")
+            require_number(value, f"arc {name}")
             object.__setattr__(self, name, float(value))
         if self.radius <= 0:
             raise InputError(f"arc radius is {self.radius:g} mm at {place(self.center)}: it must be positive")
@@ -153,7 +153,8 @@ class Arc:
     @classmethod
     def from_bulge(cls, start: ArrayLike, end: ArrayLike, bulge: float) -> "Arc":
         """The arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
-        start, end = _point(start, "arc start"), _point(end, "arc end")
+        start, end = point(start, "arc start"), point(end, "arc end")
+        require_number(bulge, "the bulge of an arc")
         chord = end - start
         if not bulge or not np.any(chord):
             raise InputError(f"an arc at {place(start)} needs two different ends and a bulge other than 0")
@@ -211,7 +212,7 @@ class Arc:
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Points (..., 2) at u in [0, 1], uniform in arc length."""
-        return self._on(self.start_angle + self.sweep * np.asarray(u, dtype=float))
+        return self._on(self.start_angle + self.sweep * numbers(u, "u"))
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
         """Derivative (..., 2) of `at` by u, mm."""
@@ -223,13 +224,13 @@ class Arc:
 
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]."""
-        angle = self.start_angle + self.sweep * np.asarray(u, dtype=float)
+        angle = self.start_angle + self.sweep * numbers(u, "u")
         forward = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
         return forward if self.sweep > 0 else -forward
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2."""
-        origin = np.asarray(origin, dtype=float)
+        origin = point(origin, "origin")
         return float(swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
 
     def reversed(self) -> "Arc":
@@ -294,7 +295,7 @@ class Spline:
     def parameter(self, u: ArrayLike) -> FloatArray:
         """The curve's parameters at u in [0, 1]."""
         t0, t1 = self.curve.domain
-        u = np.asarray(u, dtype=float)
+        u = numbers(u, "u")
         return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
 
     def at(self, u: ArrayLike) -> FloatArray:
@@ -319,7 +320,7 @@ class Spline:
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2, to rounding error (Gauss on each Bezier piece)."""
-        origin = np.asarray(origin, dtype=float)
+        origin = point(origin, "origin")
         if not self.curve.is_rational:
             return float(SplineTable([self.curve]).swept_areas(origin)[0])
         t0, t1 = self.curve.domain
@@ -370,7 +371,7 @@ def transform_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
 
 def _require_affine(matrix: ArrayLike) -> FloatArray:
     """The matrix, refused unless it is affine and invertible."""
-    m = np.asarray(matrix, dtype=float)
+    m = numbers(matrix, "the matrix that a path is moved by")
     if m.shape != (3, 3):
         raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
     (a, b, x), (c, d, y), last = m.tolist()  # plain numbers: this is asked once for every segment
@@ -425,8 +426,9 @@ def place(p: ArrayLike) -> str:
     return f"({x:.6g}, {y:.6g}) mm"
 
 
-def _point(value: ArrayLike, name: str) -> FloatArray:
-    p = np.array(value, dtype=float)
+def point(value: ArrayLike, name: str) -> FloatArray:
+    """A point (2,), mm, that is not written to; refuses what is none."""
+    p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
         raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
     p.setflags(write=False)

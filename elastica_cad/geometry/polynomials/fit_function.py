@@ -8,7 +8,8 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad._values import is_whole, numbers, require_positive
+from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_pieces, extraction
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
@@ -17,6 +18,9 @@ from elastica_cad.geometry.running_sums import numbers_in_groups
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
+
+_MOST_DEGREE = 12
+"""Of the splines that follow functions."""
 
 _MOST_SPANS = 3000
 """A function that needs more cannot be followed."""
@@ -66,12 +70,19 @@ def adaptive_spline(
     NotConvergedError
         When it cannot be followed: an undeclared jump or kink, or noise above the tolerance.
     """
+    require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
+    if not callable(function):
+        raise InputError(
+            f"what is followed is {quoted(function)}: give a function of the places along the curve"
+        )
+    if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
+        raise InputError(f"a function is followed by a spline of degree 1 to {_MOST_DEGREE}, not {degree!r}")
     found = adaptive_splines(
         function,
         [domain],
         degree=degree,
         tolerance=tolerance,
-        breaks=breaks,
+        breaks=_checked_breaks(breaks),
         knots=[knots],
         rounding=rounding,
     )
@@ -152,7 +163,7 @@ def _break_orders(breaks: Sequence[tuple[float, int]], domain: tuple[float, floa
     length = domain[1] - domain[0]
     order: dict[float, int] = {}
     last = domain[0]
-    for place, continuity in sorted((float(s), int(c)) for s, c in breaks):
+    for place, continuity in sorted(breaks):
         if not domain[0] + _SAME_BREAK_SHARE * length < place < domain[1] - _SAME_BREAK_SHARE * length:
             continue
         before = order.get(last)
@@ -170,6 +181,14 @@ def _break_orders(breaks: Sequence[tuple[float, int]], domain: tuple[float, floa
     return order
 
 
+def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
+    """Breaks as pairs of a place and a whole number."""
+    rows = numbers(breaks, "breaks")
+    if rows.size and rows.shape[1:] != (2,):
+        raise InputError("breaks are pairs of a place and how often the function can be differentiated there")
+    return [(place, int(continuity)) for place, continuity in rows.tolist()]
+
+
 def _with_knots(edges: FloatArray, knots: FloatArray) -> FloatArray:
     """The edges and those knots that lie between them, none next to an edge."""
     knots = knots[(knots > edges[0]) & (knots < edges[-1])]
@@ -184,7 +203,7 @@ def _sampled(
 ) -> FloatArray:
     """Values (p, k, q) at relative places (k,) of p spans."""
     x = low[:, None] + (high - low)[:, None] * places
-    values = np.asarray(function(x.ravel()), dtype=float)
+    values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):
         raise InputError(f"a function along the curve must give a value for each of {x.size} places")
     if not np.isfinite(values).all():

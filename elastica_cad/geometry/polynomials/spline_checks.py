@@ -13,7 +13,7 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
     """A read-only float array of `values`; refuses what is no number, NaN and infinity."""
     try:
         array = np.array(values, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(f"{name} must be numbers") from None
     if not np.isfinite(array).all():
         first = np.argwhere(~np.isfinite(array))[0].tolist()

@@ -113,7 +113,7 @@ def bend(
         rod = resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or gravity == "keep"):
         raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
-    if side not in {None, 1, -1}:
+    if side not in (None, 1, -1):
         raise InputError(f"side must be +1 or -1, got {side!r}")
     whole_number(mode, "mode", 1)
     wanted = replace(
@@ -204,7 +204,7 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
         return steps
     try:
         points = np.asarray(path, dtype=float)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InputError(
             "a path is a row of (x, y) of the end, or of mappings with keywords of bend"
         ) from error
@@ -279,7 +279,7 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
     else:
         try:
             edges = np.asarray(guess, dtype=float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             edges = np.array([])
         if edges.shape == (n + 1,):
             edges = (edges[:-1] + edges[1:]) / 2
@@ -300,7 +300,7 @@ def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
         return np.array(own)
     try:
         pair = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         pair = np.array([])
     if pair.shape != (2,) or not np.all(np.isfinite(pair)):
         raise InputError(f"{name} must be two finite numbers, mm, got {value!r}")
@@ -363,7 +363,7 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
         return own
     try:
         given = np.asarray(moment, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         given = np.array([])
     if given.shape == ():
         if free == [True, True]:

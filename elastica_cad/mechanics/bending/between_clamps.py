@@ -130,7 +130,7 @@ def elastica_between(
     [94.36, -30.17]
     """
     first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
-    if isinstance(length, bool) or not isinstance(length, float | int | np.number):
+    if not (is_number(length) or isinstance(length, float)):
         raise InputError(f"length must be a number, mm, more than the distance of the ends, got {length!r}")
     if side not in (1, -1):
         raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
@@ -153,7 +153,7 @@ def elastica_between(
     last = _point(end, "end")
     chord = last - first
     distance = float(np.hypot(*chord))
-    if not (np.isfinite(length) and length > distance > 0):
+    if not (is_number(length) and length > distance > 0):
         raise InputError(
             f"a strip of {length:.6g} mm does not bend between ends {distance:.6g} mm apart: make it longer, and "
             "the ends two places"

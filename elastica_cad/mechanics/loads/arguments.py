@@ -1,7 +1,7 @@
 """Checks of arguments that several functions share; each refusal is one sentence."""
 
 from elastica_cad._values import is_number, is_whole
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
@@ -48,8 +48,14 @@ def require_ratio(ratio: object, name: str) -> None:
         raise InputError(f"{name} is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4")
 
 
+MOST_COUNTED = 1_000_000
+"""Nodes, samples: beyond, a computer has no memory for them."""
+
+
 def whole_number(value: object, name: str, least: int) -> int:
     """A count of at least `least`; fractions, texts and truth values are none."""
     if not is_whole(value) or value < least:
         raise InputError(f"{name} is {value!r}: it must be a whole number, {least} or more")
+    if value > MOST_COUNTED:
+        raise InputError(f"{name} is {quoted(value)}: it must be a whole number, {MOST_COUNTED} at most")
     return int(value)

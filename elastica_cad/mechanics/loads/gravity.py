@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 
 
@@ -41,7 +41,7 @@ class Gravity:
             )
         try:
             d = np.asarray(self.direction, dtype=float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             d = np.array([])
         if d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
             raise InputError(
@@ -55,9 +55,17 @@ class Gravity:
         cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
     ) -> "Gravity | None":
         """Gravity of a plane in space: the part of `direction` (3,) within the plane; None when it has none."""
-        d = np.asarray(direction, dtype=float)
+        d, *axes = (
+            numbers(given, name)
+            for given, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
+        )
+        if any(row.shape != (3,) for row in (d, *axes)) or not 0 < np.abs(d).max() < np.inf:
+            raise InputError(
+                "gravity in a plane takes a direction and two axes of three numbers, none of them all 0"
+            )
+        require_positive(length, "gravity length")
         d = d / np.linalg.norm(d)
-        part = np.array([d @ np.asarray(x_axis, dtype=float), d @ np.asarray(y_axis, dtype=float)])
+        part = np.array([d @ axis for axis in axes])
         size = float(np.hypot(*part))
         if size < 1e-9:
             return None
@@ -70,4 +78,5 @@ class Gravity:
 
     def scaled(self, factor: float) -> "Gravity":
         """`factor` times the weight."""
+        require_positive(factor, "the factor of a gravity", "times the weight")
         return Gravity(self.length / factor ** (1 / 3), self.direction)

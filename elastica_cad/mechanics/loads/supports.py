@@ -45,7 +45,7 @@ class End:
             "guided": cls(x=False, y=False),
             "free": cls(x=False, y=False, angle=False),
         }
-        if name not in ends:
+        if not isinstance(name, str) or name not in ends:
             raise InputError(f"unknown end support {name!r}: use one of {', '.join(ends)}, or an End record")
         return ends[name]
 

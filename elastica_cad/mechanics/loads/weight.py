@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 
@@ -47,6 +47,7 @@ class Weight:
     own: bool = False
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
             value = getattr(self, name)
             # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law

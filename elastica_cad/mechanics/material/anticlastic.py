@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, require_positive
+from elastica_cad._values import is_number, numbers, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
+from elastica_cad.mechanics.material.section_limits import LayerStrain, matched, positive
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import at_stations
 
@@ -75,11 +75,19 @@ def anticlastic_factor(
     [1.0, 1.098]
     """
     h, nu = _checked(thickness, poisson_ratio)
-    w, kappa, rest = (np.asarray(value, dtype=float) for value in (width, curvature, natural_curvature))
+    w, kappa, rest = (
+        numbers(value, name)
+        for value, name in (
+            (width, "strip width"),
+            (curvature, "curvature"),
+            (natural_curvature, "rest curvature"),
+        )
+    )
     if not (np.all(np.isfinite(w)) and np.all(w > 0)):
         raise InputError("strip width must be positive, in mm")
     if not (np.all(np.isfinite(kappa)) and np.all(np.isfinite(rest))):
         raise InputError("curvature must be finite, in 1/mm")
+    matched(w, kappa, rest)
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
     flat = -x * slope / 2  # of a blank that is flat before
@@ -213,7 +221,7 @@ def anticlastic_widths(
     True
     """
     h, nu = _checked(thickness, poisson_ratio)
-    K, kappa = np.asarray(stiffness, dtype=float), np.abs(np.asarray(curvature, dtype=float))
+    K, kappa = numbers(stiffness, "stiffness"), np.abs(numbers(curvature, "curvature"))
     if K.ndim != 1 or K.shape != kappa.shape or K.size == 0:
         raise InputError(f"stiffness {K.shape} and curvature {kappa.shape} must be rows of the same length")
     if not (np.all(np.isfinite(K)) and np.all(K > 0)):
@@ -336,8 +344,8 @@ class WidthLaw:
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
         """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
-        before = np.asarray(rest, dtype=float)
-        return replace(self, curvature=np.asarray(curvature, dtype=float) + before, natural_curvature=before)
+        before = numbers(rest, "rest curvature")
+        return replace(self, curvature=numbers(curvature, "curvature") + before, natural_curvature=before)
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
         """How the stiffness of widths (n,), mm, follows their bend; None for a sheet that does not curl."""

@@ -7,11 +7,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.plain_section import areal_weight, layer_strain
-from elastica_cad.mechanics.material.section_limits import LIMIT_SLACK, LayerStrain, ScaleRange, positive
+from elastica_cad.mechanics.material.section_limits import (
+    LIMIT_SLACK,
+    LayerStrain,
+    ScaleRange,
+    matched,
+    positive,
+)
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import FixedLaw
 
@@ -50,7 +57,7 @@ class LaminatedSection:
 
     def on(self, base_width: ArrayLike) -> "BackingLaw":
         """The law of the backing's width on a base of given widths (n,), mm."""
-        return BackingLaw(self, np.asarray(base_width, dtype=float))
+        return BackingLaw(self, positive(base_width, "base width"))
 
     @property
     def thickness(self) -> float:
@@ -71,7 +78,7 @@ class LaminatedSection:
         """
         w1 = positive(base_width, "base width")
         EI = positive(bending_stiffness, "bending stiffness")
-        w1, EI = np.broadcast_arrays(w1, EI)
+        w1, EI = matched(w1, EI)
         least, most = self._stiffness(w1, 0.0 * w1), self._stiffness(w1, w1)
         _refuse_stations(
             least * (1 - _TOUCH_SHARE) > EI,
@@ -175,8 +182,8 @@ class LaminatedSection:
         Iterated with an optimal K this is Newton's method for the laminate's fixed point; `optimal_laminate`
         does it.
         """
-        K = positive(stiffness, "stiffness")
-        w1 = np.broadcast_to(positive(base_width, "base width"), K.shape)
+        require_positive(bending_stiffness, "bending stiffness", "N mm2")
+        K, w1 = matched(positive(stiffness, "stiffness"), positive(base_width, "base width"))
         w2 = self.backing_width(w1, bending_stiffness * K)
         beta = areal_weight(self.backing) * bending_stiffness / self.stiffening(w1, w2)
         alpha = self.weight_per_length(w1, w2) - beta * K
@@ -195,8 +202,8 @@ class LaminatedSection:
             Narrowest backing that can be cut and glued, mm; a base narrower than that is backed fully.
         """
         w1 = positive(base_width, "base width")
-        if not (np.isfinite(least_backing) and least_backing >= 0):
-            raise InputError(f"least backing width is {least_backing}: it can't be negative, in mm")
+        if not (is_number(least_backing) and least_backing >= 0):
+            raise InputError(f"least backing width is {least_backing!r}: it can't be negative, in mm")
         return ScaleRange.of(
             self._stiffness(w1, np.minimum(least_backing, w1)), self._stiffness(w1, w1), stiffness
         )
@@ -253,9 +260,7 @@ class LaminatedSection:
         )
 
     def _widths(self, base_width: ArrayLike, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        w1, w2 = np.broadcast_arrays(
-            positive(base_width, "base width"), np.asarray(backing_width, dtype=float)
-        )
+        w1, w2 = matched(positive(base_width, "base width"), numbers(backing_width, "backing width"))
         if not np.all((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))):
             i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))))
             raise InputError(

@@ -8,7 +8,7 @@ from typing import Any, Self
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, require_positive
+from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -138,18 +138,18 @@ class PolynomialLaw(MaterialLaw):
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        kappa = np.asarray(curvature, dtype=float)
+        kappa = numbers(curvature, "curvature")
         t = (kappa / self.curvature_scale) ** 2
         return np.asarray(kappa * (1 + self.quadratic * t + self.quartic * t**2))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        t = (np.asarray(curvature, dtype=float) / self.curvature_scale) ** 2
+        t = (numbers(curvature, "curvature") / self.curvature_scale) ** 2
         return np.asarray(1 + 3 * self.quadratic * t + 5 * self.quartic * t**2)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        kappa = np.asarray(curvature, dtype=float)
+        kappa = numbers(curvature, "curvature")
         t = (kappa / self.curvature_scale) ** 2
         return np.asarray(kappa**2 * (1 / 2 + self.quadratic / 4 * t + self.quartic / 6 * t**2))
 
@@ -177,7 +177,7 @@ class _YieldingLaw(MaterialLaw):
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
         """What is left when the moment is taken away (n,), 1/mm: unloading follows Hooke's law."""
-        return np.asarray(np.asarray(curvature, dtype=float) - self.effective_curvature(curvature))
+        return np.asarray(numbers(curvature, "curvature") - self.effective_curvature(curvature))
 
 
 @dataclass(frozen=True)
@@ -202,15 +202,15 @@ class PlasticLaw(_YieldingLaw):
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
         limit = self.curvature_limit
-        return np.asarray(np.clip(np.asarray(curvature, dtype=float), -limit, limit))
+        return np.asarray(np.clip(numbers(curvature, "curvature"), -limit, limit))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`; 0 beyond the limit."""
-        return np.asarray(np.abs(np.asarray(curvature, dtype=float)) < self.curvature_limit, dtype=float)
+        return np.asarray(np.abs(numbers(curvature, "curvature")) < self.curvature_limit, dtype=float)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        kappa = np.abs(np.asarray(curvature, dtype=float))
+        kappa = np.abs(numbers(curvature, "curvature"))
         elastic = np.minimum(kappa, self.curvature_limit)
         return np.asarray(elastic * (kappa - elastic / 2))
 
@@ -249,18 +249,18 @@ class ElasticPlasticLaw(_YieldingLaw):
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        kappa = np.asarray(curvature, dtype=float)
+        kappa = numbers(curvature, "curvature")
         core = self._core(kappa)
         yielded = np.sign(kappa) * self.curvature_limit * (3 - core**2) / 2
         return np.where(core < 1, yielded, kappa)
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        return self._core(np.asarray(curvature, dtype=float)) ** 3
+        return self._core(numbers(curvature, "curvature")) ** 3
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        kappa = np.abs(np.asarray(curvature, dtype=float))
+        kappa = np.abs(numbers(curvature, "curvature"))
         limit, beyond = self.curvature_limit, np.maximum(kappa, self.curvature_limit)
         yielded = 1.5 * limit * (beyond - limit) + limit**3 / 2 * (1 / beyond - 1 / limit)
         return np.asarray(np.minimum(kappa, limit) ** 2 / 2 + yielded)
@@ -308,7 +308,7 @@ class TabulatedLaw(MaterialLaw):
 
     def __post_init__(self) -> None:
         for name in ("curvatures", "moments"):
-            array = np.array(getattr(self, name), dtype=float)
+            array = numbers(getattr(self, name), f"the law's {name}").copy()
             if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)) or np.any(array <= 0):
                 raise InputError(f"the law's {name} must be at least two positive, finite numbers")
             array.setflags(write=False)
@@ -327,7 +327,7 @@ class TabulatedLaw(MaterialLaw):
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`; beyond the table its last slope goes on."""
-        kappa = np.asarray(curvature, dtype=float)
+        kappa = numbers(curvature, "curvature")
         inside, over = self._split(kappa)
         return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))
 
@@ -363,7 +363,7 @@ class TabulatedLaw(MaterialLaw):
 
     def _split(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """The part of |kappa| within the table, and the part beyond it."""
-        kappa = np.abs(np.asarray(curvature, dtype=float))
+        kappa = np.abs(numbers(curvature, "curvature"))
         inside = np.minimum(kappa, self.curvatures[-1])
         return inside, kappa - inside
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from elastica_cad._values import require_number
 from elastica_cad.errors import InputError
 
 
@@ -28,7 +29,7 @@ def dead_zone_slope(poisson_ratio: float) -> float:
     >>> round(dead_zone_slope(0.3), 3)
     1.238
     """
-    nu = float(poisson_ratio)
+    nu = require_number(poisson_ratio, "Poisson's ratio")
     if not 0 <= nu <= 0.5:
         raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5")
     return float(np.pi * (1 + nu) / (3 + nu))

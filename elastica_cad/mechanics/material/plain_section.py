@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, numbers
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.material.section_limits import LayerStrain, ScaleRange, positive
@@ -63,7 +64,7 @@ class PlainSection:
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
         """Skin strain h/2 |kappa - kappa_0| of curvatures (n,), 1/mm; one layer."""
-        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
+        bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
         return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
 
     @property
@@ -92,10 +93,12 @@ class PerforatedSection(PlainSection):
     least_ligament: float = 0.5
 
     def __post_init__(self) -> None:
-        if self.ligaments < 1 or self.ligaments != int(self.ligaments):
-            raise InputError(f"a perforated strip has {self.ligaments} ligaments: give a whole number from 1")
-        if not (np.isfinite(self.least_ligament) and self.least_ligament >= 0):
-            raise InputError(f"least ligament is {self.least_ligament}: it can't be negative, in mm")
+        if not (is_number(self.ligaments) and self.ligaments >= 1 and self.ligaments == int(self.ligaments)):
+            raise InputError(
+                f"a perforated strip has {self.ligaments!r} ligaments: give a whole number from 1"
+            )
+        if not (is_number(self.least_ligament) and self.least_ligament >= 0):
+            raise InputError(f"least ligament is {self.least_ligament!r}: it can't be negative, in mm")
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
         """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""

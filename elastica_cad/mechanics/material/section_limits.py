@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 
 LIMIT_SLACK = 1e-9
@@ -71,9 +71,10 @@ class ScaleRange:
     def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
         """The range from the least and most E I (n,), N mm2, that each station can have, and K (n,)."""
         K = positive(stiffness, "stiffness")
-        c_min, c_max = np.broadcast_arrays(
-            np.asarray(least, dtype=float) / K, np.asarray(most, dtype=float) / K
+        low_EI, high_EI, K = matched(
+            numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K
         )
+        c_min, c_max = low_EI / K, high_EI / K
         low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
         return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)
 
@@ -101,18 +102,22 @@ class ScaleRange:
         return self.highest
 
 
+def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
+    """Rows of one value for each station, or one for all, as rows of the same length."""
+    try:
+        return tuple(np.broadcast_arrays(*rows))
+    except ValueError:
+        sizes = " and ".join(str(row.size) for row in rows)
+        raise InputError(
+            f"there are {sizes} finite values: give one a station, as many in each, or one for all"
+        ) from None
+
+
 def positive(values: ArrayLike, name: str) -> FloatArray:
     """The values (n,) as an array; refused with their station where one is not positive and finite."""
-    array = np.asarray(values, dtype=float)
+    array = numbers(values, name)
     good = np.isfinite(array) & (array > 0)
     if not good.all():
         i = int(np.argmin(good))
         raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: it must be positive")
     return array
-
-
-def require_number(value: object, name: str) -> float:
-    """The number; refused where it is none or not finite."""
-    if not is_number(value):
-        raise InputError(f"{name} is {value!r}: give a finite number")
-    return float(value)

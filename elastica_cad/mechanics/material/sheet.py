@@ -1,6 +1,6 @@
 """Sheets that strips are cut from: thickness, elasticity, weight, strain limit and kerf."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from elastica_cad._notebook import html_table
+from elastica_cad._values import is_number, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
@@ -132,7 +133,7 @@ class Sheet:
         G = self.shear_modulus
         if G is not None and not finite_number(G, f"sheet {self.name!r}: shear_modulus") > 0:
             raise InputError(f"sheet {self.name!r}: shear_modulus is {G:g}; it must be positive, in MPa")
-        sides = () if self.stock is None else tuple(self.stock)
+        sides = tuple(self.stock) if isinstance(self.stock, Iterable) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")
         object.__setattr__(self, "stock", sides or None)
@@ -141,7 +142,7 @@ class Sheet:
             if given is not None and not finite_number(given, f"sheet {self.name!r}: {limit}") > 0:
                 raise InputError(f"sheet {self.name!r}: {limit} is {given:g}; it must be positive, in mm")
         asked: object = self.grain
-        if isinstance(asked, int | float) and not isinstance(asked, bool):
+        if is_number(asked):
             object.__setattr__(self, "grain", self._grain_at(asked))
         if self.grain not in get_args(Grain):
             raise InputError(
@@ -286,11 +287,13 @@ class Sheet:
 
     def bending_stiffness(self, width: float) -> float:
         """E h^3 w / 12 of a plain strip of `width` mm, N mm2."""
-        return self.youngs_modulus * self.thickness**3 * width / 12
+        return (
+            self.youngs_modulus * self.thickness**3 * require_number(width, "the width of a strip", "mm") / 12
+        )
 
     def range_of(self, quantity: str) -> Range:
         """Lowest and highest `quantity` ("youngs_modulus", "thickness", ...); the number twice if certain."""
-        if quantity not in UNITS:
+        if not isinstance(quantity, str) or quantity not in UNITS:
             raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(UNITS)}")
         given: Range | None = getattr(self, f"{quantity}_range")
         value = float(getattr(self, quantity))

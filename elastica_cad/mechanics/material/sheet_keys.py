@@ -5,6 +5,7 @@ from math import isfinite
 from typing import Any
 
 from elastica_cad.errors import InputError
+from elastica_cad.errors import quoted as shown
 
 SCHEMA = 1
 
@@ -100,8 +101,8 @@ def finite_number(value: Any, where: str) -> float:
         raise InputError(f"{where} is {value!r}; it must be a number")
     try:
         number = float(value)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{where} is {value!r}; it must be a number") from error
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InputError(f"{where} is {shown(value)}; it must be a number") from error
     if not isfinite(number):
         raise InputError(f"{where} is {number}; it must be a finite number")
     return number

@@ -8,6 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, toml_slip
 from elastica_cad.mechanics.material.sheet_keys import (
     KEYS,
@@ -135,7 +136,7 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
     """
     import tomllib
 
-    path = Path(path)
+    path = require_path(path)
     if os.path.isdir(path):  # False, not an error, for a name that no disk takes
         raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
     try:

@@ -8,10 +8,10 @@ from typing import Self
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_whole
+from elastica_cad._values import is_whole, numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
+from elastica_cad.mechanics.material.section_limits import LayerStrain, positive
 from elastica_cad.mechanics.material.sheet import Sheet
 
 MOST_LEAVES = 50
@@ -100,7 +100,7 @@ class _PowerLaw(FixedLaw):
         self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
         """Strain p/2 |kappa - kappa_0| of the outermost fibre."""
-        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
+        bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
         strain = bend * positive(parameter, self.quantity) / 2
         return (LayerStrain(self.sheet.name, np.atleast_1d(strain), self.sheet.max_strain),)
 
@@ -255,7 +255,7 @@ class LeavesLaw(FixedLaw):
 
     def thickness(self, count: ArrayLike) -> FloatArray:
         """mm (n,) of `count` (n,) leaves."""
-        return np.asarray(self.sheet.thickness * np.asarray(count, dtype=float))
+        return np.asarray(self.sheet.thickness * numbers(count, "the count of leaves"))
 
     def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
         """The section of leaves that lie where they were laid."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import numbers, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -106,12 +106,12 @@ class Rod:
             "s": (n,), "position": (n, 2), "angle": (n,), "curvature": (n,), "stiffness": (n,),
             "moment": (n,), "force": (n, 2),
         }.items():  # fmt: skip
-            array = np.array(getattr(self, name), dtype=float)
+            array = numbers(getattr(self, name), f"rod {name}").copy()
             if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
                 raise InputError(f"rod {name} must be finite with shape {shape}, got {array.shape}")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
-        rest = np.asarray(self.natural_curvature, dtype=float)
+        rest = numbers(self.natural_curvature, "natural curvature")
         if rest.size not in (1, n) or not np.isfinite(rest).all():
             raise InputError(
                 f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm"
@@ -176,10 +176,11 @@ class Rod:
             whole_number(samples, "samples", 3)
         if bending_stiffness is not None:
             require_positive(bending_stiffness, "bending stiffness", "N mm2")
-        place = np.asarray(start, dtype=float)
+        place = numbers(start, "start")
         if place.shape != (2,):
             raise InputError(f"start must be two numbers, mm, got {start!r}")
         require_positive(length, "rod length")
+        require_number(angle, "the angle of a rod", "rad")
         profile, n = _profile_of(stiffness, length, samples)
         if not profile.is_positive:
             raise InputError("rod stiffness must be positive everywhere along the rod")
@@ -288,6 +289,7 @@ class Rod:
 
     def bend_at(self, s: FloatArray) -> FloatArray:
         """kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve its own."""
+        s = numbers(s, "arc lengths")
         if self.shape is None:
             return Profile.interpolate(self.s, self.curvature - self.natural_curvature)(s)
         curvature = self.shape.curvature_at(self.shape.parameter(np.minimum(s, self.shape.length)))
@@ -296,7 +298,7 @@ class Rod:
     def rest_at(self, s: FloatArray) -> FloatArray:
         """kappa_0 (n,), 1/mm, at arc lengths (n,), mm."""
         rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
-        return np.asarray(np.interp(s, self.s, rest))
+        return np.asarray(np.interp(numbers(s, "arc lengths"), self.s, rest))
 
     @property
     def node_lengths(self) -> FloatArray:
@@ -393,7 +395,7 @@ def _profile_of(stiffness: "ArrayLike | Profile", length: float, samples: int | 
         return stiffness, samples or DEFAULT_SAMPLES
     try:
         values = np.atleast_1d(np.asarray(stiffness, dtype=float))
-    except (TypeError, ValueError):  # words, rows of different lengths
+    except (TypeError, ValueError, OverflowError):  # words, rows of different lengths
         values = np.array([])
     if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
         raise InputError("stiffness must be positive, finite numbers: one, or one a node")

@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, solve_bordered
@@ -74,6 +75,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     >>> stability_determinant(rod).sign_changes.size
     0
     """
+    require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     n, rows, lengths = rod.angles.size, rod.constraint_rows, rod.edge_lengths
     right = np.zeros((n + 1, 1 + rows.shape[0]))
     # first edge's value of all fields: zeta'(0) = 1 as in Eq. 7, or zeta(0) = 1 where the angle is free
@@ -166,6 +168,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     InputError
         When the end of the rod leaves the angle free; start from the other end then.
     """
+    require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
         raise InputError("conjugate points need an end that holds the angle: run the rod the other way round")
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths

@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import crossing, lapack
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.discrete_rod import node_weights, tangents
@@ -225,7 +226,9 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     if isinstance(width, Profile):
         found = np.asarray(width(s), dtype=float)
     else:
-        given = np.atleast_1d(np.asarray(width, dtype=float))
+        given = np.atleast_1d(numbers(width, name))
+        if given.ndim != 1 or not given.size:
+            raise InputError(f"{name} is one finite number, a row of them, or a Profile, in mm")
         found = (
             np.interp(s, np.linspace(0, s[-1], given.size), given)
             if given.size > 1

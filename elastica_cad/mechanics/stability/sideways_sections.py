@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet_keys import even_shear_ratio
@@ -150,10 +151,10 @@ class SidewaysSection:
 
 def checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
     """G / E as given, else that of an isotropic sheet; or an InputError."""
-    nu = float(poisson_ratio)
+    nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
-    ratio = even_shear_ratio(nu) if shear_ratio is None else float(shear_ratio)
+    ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
     if not 0 < ratio < np.inf:
         raise InputError(f"shear_ratio is {shear_ratio}: G / E is positive")
     return ratio

@@ -5,9 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import require_number, require_record, several
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import point
+from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
@@ -106,6 +109,9 @@ def optimal_laminate(
     >>> round(float(laminate.backing_width.max()), 6)
     20.0
     """
+    require_curve(curve)
+    require_record(section, LaminatedSection, "the section", "a LaminatedSection(base, backing)")
+    masses = several("masses", masses, PointMass, "PointMass")
     s_end = curve.length
     if isinstance(base_width, Profile) and not np.isclose(base_width.length, s_end, rtol=1e-6):
         raise InputError(
@@ -174,7 +180,11 @@ def optimal_laminate(
 
 
 def _along(width: float | Profile, s: FloatArray) -> FloatArray:
-    return width(s) if isinstance(width, Profile) else np.full(s.shape, float(width))
+    return (
+        width(s)
+        if isinstance(width, Profile)
+        else np.full(s.shape, require_number(width, "base width", "mm"))
+    )
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
@@ -185,7 +195,7 @@ def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
 def _filled(section: LaminatedSection, direction: ArrayLike) -> Gravity:
     """Gravity of the laminate with two full layers, to begin with."""
     length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
-    x, y = np.asarray(direction, dtype=float)
+    x, y = point(direction, "direction")
     return Gravity(float(length ** (1 / 3)), (float(x), float(y)))
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -134,6 +135,7 @@ def optimal_rod(
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
+        require_record(law, MaterialLaw, "law", "a MaterialLaw record, or None")
         t = check.curve.parameter(np.linspace(0.0, check.length, _LAW_SAMPLES))
         law.require_design(float(np.abs(ExcessCurvature(check.curve, natural_curvature).at(t)).max()))
     problem = _Problem(
@@ -211,6 +213,8 @@ def _check_section(
 def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight | None) -> None:
     if samples is not None:
         whole_number(samples, "samples", 3)
+    if weight is not None:
+        require_record(weight, Weight, "weight", "a Weight record, or None")
     if weight is not None and gravity is None:
         raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
 
@@ -220,8 +224,8 @@ def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> N
         return
     if weight is None:
         raise InputError(f"{name} is for rods with a weight in newtons: pass weight=Weight(...) as well")
-    if not (np.isfinite(value) and value > 0):
-        raise InputError(f"{name.replace('_', ' ')} is {value}: it must be positive, in N mm2")
+    if not (is_number(value) and value > 0):
+        raise InputError(f"{name.replace('_', ' ')} is {value!r}: it must be positive, in N mm2")
 
 
 def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -196,8 +196,8 @@ def calibrate_cantilever(
     lengths, drops = _readings(overhang, droop)
     errors = {"reading": reading_error, "thickness": thickness_error, "density": density_error}
     for name, value in errors.items():
-        if not (np.isfinite(value) and value >= 0):
-            raise InputError(f"{name} error is {value}: it can't be negative")
+        if not (is_number(value) and value >= 0):
+            raise InputError(f"{name} error is {value!r}: it can't be negative")
     for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
         if number is not None:
             require_positive(number, name, unit)
@@ -223,7 +223,7 @@ def calibrate_cantilever(
 
 
 def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    lengths, drops = np.atleast_1d(np.asarray(overhang, dtype=float), np.asarray(droop, dtype=float))
+    lengths, drops = np.atleast_1d(numbers(overhang, "overhangs"), numbers(droop, "droops"))
     if lengths.shape != drops.shape or lengths.ndim != 1 or lengths.size == 0:
         raise InputError(
             f"{lengths.size} overhangs and {drops.size} droops: give one droop for each overhang"

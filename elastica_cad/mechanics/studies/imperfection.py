@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, system_of
@@ -66,6 +66,8 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
     NotConvergedError
         No rest shape found.
     """
+    require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
+    require_record(imperfection, Imperfection, "the imperfection", "an Imperfection")
     v, rod = imperfection, rod.following()
     changed, B = _as_cut(rod, v, max_width)
     limit = v.yield_curvature / v.thickness

@@ -7,6 +7,7 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.bend_forward import as_steps, reach, state_of, system_of
 from elastica_cad.mechanics.bending.bifurcation import is_straight
@@ -104,6 +105,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     >>> limit.kind, round(limit.at["load"], 2)
     ('bifurcation', 7.84)
     """
+    require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
     rod = rod.following()
     course = _Course.of(rod, path)
     t, state = _first_state(course, rod, side)
@@ -280,7 +282,7 @@ def _entries(path: Any) -> list[dict[str, Any]]:
         if any("supports" in step for step in steps):
             raise InputError("supports cannot change along a path: bend the rod with the new supports first")
         return steps
-    values = np.asarray(path, dtype=float)
+    values = numbers(path, "the path of loads")
     if values.ndim == 1 and values.size:
         return [_entry(value) for value in values]
     return as_steps(values)
@@ -292,7 +294,7 @@ def _entry(step: Any) -> dict[str, Any]:
         load = {"load": float(step["load"])} if "load" in step else {}
         rest = {name: value for name, value in step.items() if name != "load"}
         return {**as_steps([rest])[0], **load} if rest else load
-    value = np.asarray(step, dtype=float)
+    value = numbers(step, "a step of the path")
     if value.ndim == 0:
         if not (np.isfinite(value) and value >= 0):
             raise InputError(f"load factors must be finite and not negative, got {value}")

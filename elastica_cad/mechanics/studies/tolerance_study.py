@@ -9,13 +9,17 @@ from typing import NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad._values import is_whole, numbers, require_record
+from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.mechanics.bending.bend_forward import has_snapped
 from elastica_cad.mechanics.material.sheet import Range, Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.imperfection import Imperfection, feels_modulus, least_width, perturb_rod
 
 _CHUNK = 16  # bends that one task of an executor does
+
+MOST_SAMPLES = 100_000
+"""Rods that are bent in one study."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +63,12 @@ class ToleranceRanges:
             "yield_curvature",
             "width_loss",
         ):
-            low, high = getattr(self, name)
+            pair = numbers(getattr(self, name), f"the range of {name}")
+            if pair.shape != (2,):
+                raise InputError(
+                    f"range of {name} is {getattr(self, name)!r}: give the lowest and the highest"
+                )
+            low, high = pair.tolist()
             if not low <= high:
                 raise InputError(f"range of {name} is {low:g} to {high:g}: give the lowest first")
             if name not in {"angle", "width_loss"} and low <= 0:
@@ -80,6 +89,8 @@ class ToleranceRanges:
         stiffness_range, angle : (low, high)
             What a sheet says nothing about.
         """
+
+        sheet = Sheet.of(sheet)
 
         def factors(quantity: str) -> Range:
             low, high = sheet.range_of(quantity)
@@ -220,8 +231,15 @@ def tolerance_study(
     >>> study["weight"].worst
     0.0
     """
-    if samples < 1 or samples != int(samples):
-        raise InputError(f"samples is {samples}: give a whole number from 1")
+    require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
+    if not (is_whole(samples) and 1 <= samples <= MOST_SAMPLES):
+        raise InputError(f"samples is {samples!r}: give a whole number from 1 to {MOST_SAMPLES}")
+    if not (ranges is None or isinstance(ranges, ToleranceRanges)):
+        raise InputError(f"ranges are {quoted(ranges)}: give a ToleranceRanges record, or None")
+    if not (executor is None or callable(getattr(executor, "map", None))):
+        raise InputError(f"executor is {quoted(executor)}: give one of concurrent.futures, or None")
+    if not (is_whole(seed) and seed >= 0):
+        raise InputError(f"seed is {seed!r}: give a whole number from 0")
     found = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
     if max_width is None:
         found = replace(found, width_loss=(0.0, 0.0))

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import numbers
 
 
 @dataclass(frozen=True)
@@ -35,7 +36,7 @@ class InflectionLine:
 
     def distance(self, position: FloatArray) -> FloatArray:
         """Signed distances (n,) of points (n, 2), mm."""
-        return np.asarray((np.asarray(position) - np.asarray(self.point)) @ self.b)
+        return np.asarray((numbers(position, "positions") - np.asarray(self.point)) @ self.b)
 
     def as_dict(self) -> dict[str, Any]:
         """For reports."""

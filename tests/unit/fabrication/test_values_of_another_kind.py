@@ -1,10 +1,15 @@
 """Texts where numbers belong, one number where records do: records say so when they are made, not numpy later."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
+from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.interlocking.interlock import interlock
 from elastica_cad.fabrication.makeability.shop import Shop
@@ -12,12 +17,13 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.model.touching_widths import touching_widths
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
-from elastica_cad.fabrication.sheets.pieces import strip_pieces
+from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
+from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
@@ -27,14 +33,17 @@ from elastica_cad.forming.revolution.meridian import meridian
 from elastica_cad.forming.splitting import split
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc
 from elastica_cad.kit.kit_files import save_model
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import End
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw
+from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw, TabulatedLaw
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 pytestmark = pytest.mark.core
@@ -133,6 +142,26 @@ SLIPS = {
     "a pattern repeats at a step of three numbers in mm, not 5": lambda: Model([Placed(STRIP)]).repeated(
         2, 5
     ),
+    "a pattern of 1 strips, 1000000 times: a model holds": lambda: Model([Placed(STRIP)]).repeated(
+        10**6, (0, 0, 5)
+    ),
+    "arc radius is '2': give a finite number": lambda: Path.circle((0, 0), "2"),
+    "the bulge of an arc is '1': give": lambda: Arc.from_bulge((0, 0), (1, 1), "1"),
+    "a rectangle of 3 by 4 mm: both sides": lambda: Path.rectangle("3", 4),
+    "the segments of a path hold 'arch': give Line, Arc and Spline": lambda: Path("arch"),
+    "the law's curvatures must be numbers, not 'ab'": lambda: TabulatedLaw("ab", [1, 2]),
+    r"paths hold Path.*: give LayeredPath": lambda: Drawing("plate", [Path.circle((0, 0), 2)]),
+    "text to engrave is 3: give a text": lambda: Text((0, 0), 3, 5.0),
+    "needs a finite position": lambda: Text((0, 0), "A", "5"),
+    "holding tabs: least is '2'": lambda: HoldingTabs(least="2"),
+    "masses hold 3: give PointMass": lambda: Weight(1.0, masses=[3]),
+    "the correction is a float: give a Profile": lambda: Strip(ROD, SHEET, max_width=20, correction=1.0),
+    "^ends hold 5: give Tab records": lambda: StripSpec(ROD.curve, SHEET, law=RoundLaw(SHEET, 1, 2), ends=5),
+    "cut '2' times": lambda: Piece("a", STRIP.drawing(), SHEET, "2"),
+    "rod stiffness must be numbers, not 'x'": lambda: replace(ROD, stiffness="x"),
+    "the center must be two numbers": lambda: PlaneCurve.ellipse((0, 0, 0), (3, 2)),
+    "give angles at most 100 turns apart": lambda: PlaneCurve.arc((0, 0), 3, 0, 1e300),
+    "samples is .*: it must be a whole number, 1000000 at most": lambda: Rod.straight(100.0, samples=10**9),
 }
 
 

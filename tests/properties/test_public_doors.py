@@ -1,0 +1,116 @@
+"""Every public function is given things of another kind in place of each argument: it answers in one sentence.
+
+The examples in the docstrings are the sound calls that this begins with.
+"""
+
+import contextlib
+import doctest
+import importlib
+import inspect
+import io
+import pkgutil
+import sys
+import warnings
+
+import pytest
+
+import elastica_cad
+from elastica_cad.errors import ElasticaError
+
+pytestmark = pytest.mark.core
+
+FLOORS = ("geometry", "mechanics", "forming", "fabrication")
+ODD = (None, "x", object(), 10**400, (1, 2, 3))
+INNER = {
+    "Arc.all_of_bulges", "Arc.of_sound", "Box.clearance", "DiscreteRod.moment_imbalance",
+    "EndFixture.leaning", "EndPositions.equations", "FixedLength.equations", "Frame.of_sound",
+    "HalfPlane.clearance", "LaidLeaves.strains", "Laminated.bounded", "Laminated.laid_out",
+    "Layer.runs_as", "Line.of_sound", "Path.of_sound", "Perforated.laid_out",
+    "PerforatedSection.strains", "Plain.laid_out", "PlainSection.strains", "PlaneCurve.basis",
+    "PlaneCurve.derivatives", "PlaneCurve.of_sound", "PlaneCurve.position_and_velocity",
+    "Spline.motion_at", "Strip.breadth", "TSlot.side", "Tab.depth_at", "TabSeat.bends", "TabSeat.gaps",
+    "TabSeat.moved", "TabSeat.slopes",
+}  # fmt: skip
+"""What the house calls in its loops with what it has checked."""
+
+
+def public_names(floor):
+    """Public functions and methods of public records, by their code; answers are made by nobody else."""
+    found = {}
+    package = importlib.import_module(f"elastica_cad.{floor}")
+    for name in package.__all__:
+        value = getattr(package, name)
+        if inspect.isfunction(value):
+            found[inspect.unwrap(value).__code__] = name, lambda _own, value=value: value
+        elif inspect.isclass(value):
+            for method, raw in vars(value).items():
+                function = getattr(raw, "__func__", raw)
+                if method.startswith("_") or not inspect.isfunction(function):
+                    continue
+                code = inspect.unwrap(function).__code__
+                found[code] = f"{name}.{method}", lambda own, method=method: getattr(own, method)
+    return {code: known for code, known in found.items() if known[0] not in INNER}
+
+
+def example_calls(floor, wanted):
+    """The first call of each that the examples make."""
+    calls = {}
+
+    def watch(frame, event, _argument):
+        if event == "call" and frame.f_code in wanted and frame.f_code not in calls:
+            code = frame.f_code
+            names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+            calls[code] = {name: frame.f_locals[name] for name in names}
+
+    package = importlib.import_module(f"elastica_cad.{floor}")
+    for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+        tests = importlib.import_module(module.name)
+        sys.setprofile(watch)
+        try:
+            with contextlib.redirect_stdout(io.StringIO()):
+                doctest.testmod(tests)
+        finally:
+            sys.setprofile(None)
+    return calls
+
+
+def calls_with(function, arguments, name, odd):
+    """The call with one argument replaced."""
+    given = {**arguments, name: odd}
+    positional, keywords = [], {}
+    for key, one in inspect.signature(function).parameters.items():
+        if one.kind in (one.VAR_POSITIONAL, one.VAR_KEYWORD) or key not in given:
+            continue
+        if one.kind is one.KEYWORD_ONLY:
+            keywords[key] = given[key]
+        else:
+            positional.append(given[key])
+    function(*positional, **keywords)
+
+
+@pytest.mark.parametrize("floor", FLOORS)
+def test_one_sentence_whatever_is_given(floor, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    wanted = public_names(floor)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        calls = example_calls(floor, wanted)
+    assert len(calls) > 12
+    wrong = []
+    for code, arguments in calls.items():
+        name, bound = wanted[code]
+        own = arguments.get("self", arguments.get("cls"))
+        function = bound(own)
+        for argument in set(arguments) - {"self", "cls"}:
+            for odd in ODD:
+                try:
+                    calls_with(function, arguments, argument, odd)
+                except ElasticaError:
+                    continue
+                except Exception as error:
+                    wrong.append((name, argument, odd if odd != 10**400 else "10**400", type(error).__name__))
+    assert not wrong, "\n".join(map(str, sorted(map(str, wrong))))
+
+
+def test_the_front_door_has_them_all():
+    assert set(FLOORS) < set(elastica_cad.__all__)
