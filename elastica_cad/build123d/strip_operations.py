@@ -90,7 +90,7 @@ def elastic_strip(
         No path and no pending edges, an unknown form, and as `StripOutline`.
     """
     forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
-    if form not in forms:
+    if not isinstance(form, str) or form not in forms:
         raise InputError(f"form {form!r} is not known: choose one of {', '.join(forms)}")
     builder = bd.BuildSketch if form == "outline" else bd.BuildPart
     context = builder._get_context("elastic_strip")

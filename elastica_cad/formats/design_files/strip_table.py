@@ -170,7 +170,8 @@ def read_drawn_curve(table: Table, folder: Path, read_curves: CurveReader) -> Pl
             f"{curve.where} must hold one of file, x (with y and t), ellipse or spline, not "
             f"{', '.join(curve.data) or 'nothing'}"
         )
-    drawn = kinds[found[0]](curve, folder, read_curves)
+    with curve.naming():
+        drawn = kinds[found[0]](curve, folder, read_curves)
     return reshape_curve(drawn, curve.table("reshape")) if curve.has("reshape") else drawn
 
 

@@ -323,6 +323,9 @@ BAD = {
     HEAD + "min_width = nan\n[[strips]]\n" + ARC: "min_width is nan: give a finite number",
     HEAD + f"let.a = {'9' * 400}\n[[strips]]\n" + ARC: "let.a is a whole number of many digits: give",
     HEAD + "let.a = '10 ** 300'\n[[strips]]\n" + ARC: "let.a is 1e.300: give a finite number",
+    HEAD + "[[strips]]\nlabel = 'A'\ncurve.spline = [[0, 0], [50, 40], [100, 0]]\n": (
+        r"design.toml: strips\[1\] \(A\): curve: 3 control points are too few for degree 4"
+    ),
     "a = [": "is no TOML file",
     HEAD + "min_width = 2,5\n": "write decimals with a point, 2.5",
     HEAD + '[[strips]]\ncurve = "C:\\Users\\anna\\a.csv"\n': "write / in place of",
