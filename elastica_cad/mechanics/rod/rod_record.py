@@ -189,7 +189,8 @@ class Rod:
         profile = profile.scaled(1 / K.min())
         tangent = np.array([np.cos(angle), np.sin(angle)])
         rest = nodal_curvature(natural_curvature, s)
-        loaded = gravity is not None or weight is not None or bool(np.any(rest))
+        bent = bool(np.any(numbers(rest, "natural curvature")))
+        loaded = gravity is not None or weight is not None or bent
         return cls(
             s=s, position=place + s[:, None] * tangent,
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
