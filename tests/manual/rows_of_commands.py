@@ -286,7 +286,7 @@ def _limits(row, folder):
 
 
 MAKE = ("strip", "arch.svg", *PLY, "-o", "o")
-NEAR = ("strip", "wave.svg", *PLY, "--nearest", "-o", "o")
+NEAR = ("strip", "s.svg", *PLY, "--nearest", "-o", "o")
 PROVOKED = {
     "can take this curve": (r"can take this curve", "check", "arch.svg"),
     "its inflections do not lie on one line": (
