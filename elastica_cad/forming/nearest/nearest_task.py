@@ -33,13 +33,14 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import (
     NaturalCurvature,
     RestCurvature,
+    nodal_curvature,
     require_natural_curvature,
 )
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.rod.rod_system import RodSystem
+from elastica_cad.mechanics.rod.rod_record import Rod, scaled_to_least
+from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 Measure: TypeAlias = Literal["mean", "closest", "max"]
@@ -205,22 +206,34 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        nodes = self.nodes
+        if self.gravity is None and self.section is None:  # no weight to be asked of a record
+            s = np.linspace(0.0, length, self.nodes)
+            profile, K = scaled_to_least(profile, s)
+            rest = nodal_curvature(self.natural_curvature, s)
+            return Rod(profile=profile, **self._state_of(mapped, K, rest, np.zeros((s.size, 2))).record)
         blank = Rod.straight(
-            length, profile, samples=nodes, gravity=self.gravity, supports=self.supports,
+            length, profile, samples=self.nodes, gravity=self.gravity, supports=self.supports,
             natural_curvature=self.natural_curvature,
         )  # fmt: skip
         if self.section is not None:
             blank = self.section.carried_by(blank, mapped.stiffness)
+        state = self._state_of(mapped, blank.stiffness, blank.natural_curvature, blank.nodal_load)
+        return state.rod(blank)
+
+    def _state_of(
+        self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
+    ) -> RodState:
+        """In millimetres, of nodal stiffness (n,) over its least, kappa_0 and weight (n, 2)."""
+        size = self.target.size
         position = mapped.position * size + self.target.origin
         system = RodSystem(
-            stiffness=blank.stiffness, edge_length=length / (nodes - 1), load=blank.nodal_load,
-            natural_curvature=blank.natural_curvature, supports=self.supports, start=position[0], end=position[-1],
+            stiffness=K, edge_length=mapped.length * size / (self.nodes - 1), load=load, natural_curvature=rest,
+            supports=self.supports, start=position[0], end=position[-1],
             end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
         )  # fmt: skip
-        force = mapped.force / (least * size**2)
+        force = mapped.force / (float(mapped.stiffness.min()) * size**2)
         reactions = (force - system.given_force)[:, list(system.held)].mean(axis=0)
-        return system.state(mapped.angles, reactions).rod(blank)
+        return system.state(mapped.angles, reactions)
 
     @property
     def basis(self) -> StiffnessBasis:

@@ -182,18 +182,15 @@ class Rod:
         require_positive(length, "rod length")
         require_number(angle, "the angle of a rod", "rad")
         profile, n = _profile_of(stiffness, length, samples)
-        if not profile.is_positive:
-            raise InputError("rod stiffness must be positive everywhere along the rod")
         s = np.linspace(0.0, length, n)
-        K = profile(s)
-        profile = profile.scaled(1 / K.min())
+        profile, K = scaled_to_least(profile, s)
         tangent = np.array([np.cos(angle), np.sin(angle)])
         rest = nodal_curvature(natural_curvature, s)
         bent = bool(np.any(numbers(rest, "natural curvature")))
         loaded = gravity is not None or weight is not None or bent
         return cls(
             s=s, position=place + s[:, None] * tangent,
-            angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
+            angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K,
             moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity,
             supports=supports, natural_curvature=rest, residual=float(loaded), weight=weight,
             bending_stiffness=bending_stiffness, law=law, section=section,
@@ -384,6 +381,20 @@ class Rod:
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()
         residual = float(imbalance / size) if size > 0 else float(imbalance > 0)
         return replace(self, stiffness=K, profile=profile, residual=residual)
+
+
+def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
+    """A stiffness and its values at nodes s (n,), mm, over the least of these.
+
+    Raises
+    ------
+    InputError
+        It is not positive.
+    """
+    if not profile.is_positive:
+        raise InputError("rod stiffness must be positive everywhere along the rod")
+    K = profile(s)
+    return profile.scaled(1 / K.min()), K / K.min()
 
 
 def _profile_of(stiffness: "ArrayLike | Profile", length: float, samples: int | None) -> tuple[Profile, int]:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -248,6 +248,11 @@ class RodState:
 
     def rod(self, like: Rod) -> Rod:
         """The `Rod` record of an equilibrium; profile, weight and names as in `like`."""
+        return replace(like, **self.record)
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """What the `Rod` record of an equilibrium has of it by name: all but profile, weight and section."""
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
         force[1:-1] = (edge[:-1] + edge[1:]) / 2
@@ -271,10 +276,10 @@ class RodState:
         start = system.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
             position[:, i] += system.start[i] if held_at_start else system.end[i] - position[-1, i]
-        return replace(
-            like,
-            s=np.linspace(0.0, system.length, n + 1), position=position, angle=angle, curvature=curvature,
-            stiffness=system.stiffness, moment=self.moments, force=force, supports=system.supports,
-            residual=self.imbalance, natural_curvature=system.natural_curvature, law=system.law, shape=None,
-            check=None, moved=0.0, warnings=(),
-        )  # fmt: skip
+        return {
+            "s": np.linspace(0.0, system.length, n + 1), "position": position, "angle": angle,
+            "curvature": curvature, "stiffness": system.stiffness, "moment": self.moments, "force": force,
+            "supports": system.supports, "residual": self.imbalance,
+            "natural_curvature": system.natural_curvature, "law": system.law, "shape": None, "check": None,
+            "moved": 0.0, "warnings": (),
+        }  # fmt: skip
