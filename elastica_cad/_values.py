@@ -68,6 +68,14 @@ def require_number(value: object, what: str, unit: str = "") -> float:
     return float(value)
 
 
+def as_floats(values: object) -> FloatArray | None:
+    """An array of floats; None of texts, rows of unequal length, or whole numbers beyond all floats."""
+    try:
+        return np.asarray(cast("ArrayLike", values), dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        return None
+
+
 def numbers(values: object, what: str) -> FloatArray:
     """Numbers of any shape as floats; NaN and infinity pass.
 
@@ -81,12 +89,10 @@ def numbers(values: object, what: str) -> FloatArray:
     >>> numbers([1, 2], "the heights").tolist()
     [1.0, 2.0]
     """
-    try:
-        if values is not None:  # numpy takes it for NaN
-            return np.asarray(cast("ArrayLike", values), dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        pass
-    raise InputError(f"{what} must be numbers, not {quoted(values)}")
+    array = None if values is None else as_floats(values)  # numpy takes None for NaN
+    if array is None:
+        raise InputError(f"{what} must be numbers, not {quoted(values)}")
+    return array
 
 
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:

@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import as_floats
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -232,10 +233,10 @@ class _Cut:
 def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | None:
     if places is None:
         return None
-    try:
-        s = np.unique(np.asarray(places, dtype=float))
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(f"places must be arc lengths in mm, not {places!r}") from None
+    given = as_floats(places)
+    if given is None:
+        raise InputError(f"places must be arc lengths in mm, not {places!r}")
+    s = np.unique(given)
     if not np.all(np.isfinite(s)):
         raise InputError("places of supports must be finite arc lengths, in mm")
     t = curve.parameter(s)

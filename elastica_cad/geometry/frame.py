@@ -7,7 +7,7 @@ from math import hypot, isfinite
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_number, require_record
+from elastica_cad._values import as_floats, numbers, require_number, require_record
 from elastica_cad.errors import InputError
 
 _PARTS = ("origin", "x_axis", "y_axis")
@@ -137,12 +137,11 @@ def frame_or_plain(frame: Frame | None, what: str = "the frame") -> Frame:
 
 
 def _row(name: str, given: ArrayLike) -> FloatArray:
-    try:
-        row = np.array(given, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(f"frame {name} must be three finite numbers, got {given!r}") from None
+    row = as_floats(given)
+    if row is None:
+        raise InputError(f"frame {name} must be three finite numbers, got {given!r}")
     _require_finite(name, row)
-    return row
+    return row.copy()
 
 
 def _require_finite(name: str, row: FloatArray) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_whole
+from elastica_cad._values import as_floats, is_number, is_whole
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.placed_strip import Placed
 
@@ -73,8 +73,5 @@ def _refuse_too_many(count: int, of: int) -> None:
 
 def _vector(values: ArrayLike) -> FloatArray | None:
     """Three finite numbers (3,); None of anything else."""
-    try:
-        array = np.asarray(values, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        return None
-    return array if array.shape == (3,) and np.isfinite(array).all() else None
+    array = as_floats(values)
+    return array if array is not None and array.shape == (3,) and np.isfinite(array).all() else None

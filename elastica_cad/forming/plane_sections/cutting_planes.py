@@ -3,7 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_whole
+from elastica_cad._values import as_floats, is_whole
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.forming.plane_sections.triangle_mesh import FARTHEST_MM
 from elastica_cad.geometry.frame import Frame
@@ -156,10 +156,9 @@ def _row(name: str, value: ArrayLike) -> list[float]:
 
 
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
-    try:
-        v = np.asarray(value, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{name} must be numbers, not {str(value)[:60]!r}") from None
+    v = as_floats(value)
+    if v is None:
+        raise InputError(f"{name} must be numbers, not {str(value)[:60]!r}")
     if not np.all(np.isfinite(v)):
         raise InputError(f"{name} must be finite numbers, got {v.tolist()}")
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:

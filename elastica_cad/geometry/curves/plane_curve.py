@@ -151,8 +151,7 @@ class PlaneCurve(NurbsCurve):
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
         """All places where the curvature is `level` (1/mm); before, after: signs of curvature - level."""
-        require_number(level, "the curvature to look for", "1/mm")
-        level = float(level)
+        level = require_number(level, "the curvature to look for", "1/mm")
         if level == 0:
             return self.curvature_zeros
         found = zeros.curvature_level_places(

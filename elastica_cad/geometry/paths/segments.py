@@ -131,8 +131,7 @@ class Arc:
     def __init__(self, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> None:
         object.__setattr__(self, "center", point(center, "arc center"))
         for name, value in {"radius": radius, "start_angle": start_angle, "end_angle": end_angle}.items():
-            require_number(value, f"arc {name}")
-            object.__setattr__(self, name, float(value))
+            object.__setattr__(self, name, require_number(value, f"arc {name}"))
         if self.radius <= 0:
             raise InputError(f"arc radius is {self.radius:g} mm at {place(self.center)}: it must be positive")
         if self.sweep == 0 or abs(self.sweep) > 2 * np.pi * (1 + 1e-12):

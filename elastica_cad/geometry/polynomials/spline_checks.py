@@ -5,16 +5,17 @@ from collections.abc import Sequence
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import as_floats
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 
 def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
     """A read-only float array of `values`; refuses what is no number, NaN and infinity."""
-    try:
-        array = np.array(values, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{name} must be numbers") from None
+    given = as_floats(values)
+    if given is None:
+        raise InputError(f"{name} must be numbers")
+    array = given.copy()
     if not np.isfinite(array).all():
         first = np.argwhere(~np.isfinite(array))[0].tolist()
         raise InputError(f"{name} holds NaN or infinite values, the first at index {first}")

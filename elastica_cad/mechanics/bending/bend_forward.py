@@ -7,6 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import as_floats
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.bifurcation import is_straight, leave_straight, stretch
 from elastica_cad.mechanics.bending.newton_continuation import Reached, follow, is_balanced, relax
@@ -202,12 +203,9 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
                     f"use {', '.join(sorted(known))}"
                 )
         return steps
-    try:
-        points = np.asarray(path, dtype=float)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise InputError(
-            "a path is a row of (x, y) of the end, or of mappings with keywords of bend"
-        ) from error
+    points = as_floats(path)
+    if points is None:
+        raise InputError("a path is a row of (x, y) of the end, or of mappings with keywords of bend")
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
         raise InputError(f"a path of end positions must be finite with shape (k, 2), got {points.shape}")
     return [{"end": point} for point in points]
@@ -277,10 +275,8 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
         at = (np.arange(edges.size) + 0.5) / edges.size
         edges = np.interp((np.arange(n) + 0.5) / n, at, edges)
     else:
-        try:
-            edges = np.asarray(guess, dtype=float)
-        except (TypeError, ValueError, OverflowError):
-            edges = np.array([])
+        given = as_floats(guess)
+        edges = np.array([]) if given is None else given
         if edges.shape == (n + 1,):
             edges = (edges[:-1] + edges[1:]) / 2
         if edges.shape != (n,) or not np.all(np.isfinite(edges)):
@@ -298,11 +294,8 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
     if value is None:
         return np.array(own)
-    try:
-        pair = np.asarray(value, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        pair = np.array([])
-    if pair.shape != (2,) or not np.all(np.isfinite(pair)):
+    pair = as_floats(value)
+    if pair is None or pair.shape != (2,) or not np.all(np.isfinite(pair)):
         raise InputError(f"{name} must be two finite numbers, mm, got {value!r}")
     return pair
 
@@ -361,15 +354,12 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
             if free[k] and not before[k].angle:
                 own[k] = sign * present.moment[node]
         return own
-    try:
-        given = np.asarray(moment, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        given = np.array([])
-    if given.shape == ():
+    given = as_floats(moment)
+    if given is not None and given.shape == ():
         if free == [True, True]:
             raise InputError("both ends turn freely: give the moments of both, (start, end)")
         own[free.index(True) if True in free else 0] = float(given)
-    elif given.shape == (2,):
+    elif given is not None and given.shape == (2,):
         own[:] = given
     else:
         raise InputError(f"moment must be one number or two (start, end), 1/mm, got {moment!r}")

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers, require_positive
+from elastica_cad._values import as_floats, is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 
 
@@ -39,11 +39,8 @@ class Gravity:
             raise InputError(
                 f"gravity length is {self.length!r}; it must be positive, in mm (200 gsm card: 96)"
             )
-        try:
-            d = np.asarray(self.direction, dtype=float)
-        except (TypeError, ValueError, OverflowError):
-            d = np.array([])
-        if d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
+        d = as_floats(self.direction)
+        if d is None or d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
             raise InputError(
                 f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)"
             )

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_number, require_positive
+from elastica_cad._values import as_floats, numbers, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -405,10 +405,8 @@ def _profile_of(stiffness: "ArrayLike | Profile", length: float, samples: int | 
                 f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
             )
         return stiffness, samples or DEFAULT_SAMPLES
-    try:
-        values = np.atleast_1d(np.asarray(stiffness, dtype=float))
-    except (TypeError, ValueError, OverflowError):  # words, rows of different lengths
-        values = np.array([])
+    given = as_floats(stiffness)
+    values = np.array([]) if given is None else np.atleast_1d(given)
     if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
         raise InputError("stiffness must be positive, finite numbers: one, or one a node")
     n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
