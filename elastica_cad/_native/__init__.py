@@ -10,6 +10,9 @@ from typing import Protocol, cast
 
 from elastica_cad._types import FloatArray, IntArray
 
+MOST_DEGREE = 32
+"""Of the polynomials that kernels have room for."""
+
 
 class Kernels(Protocol):
     """The compiled functions. Arrays are contiguous float64 or, of places in others, int64; the last arguments are
@@ -71,6 +74,29 @@ class Kernels(Protocol):
         active: IntArray, inverse: FloatArray, vertex: FloatArray, /,
     ) -> int:  # fmt: skip
         """`_exchanged` of `mechanics.stiffness.vertex_exchange.VertexExchange`: how it ended."""
+
+    def extraction(self, degree: int, near: FloatArray, matrix: FloatArray, /) -> None:
+        """That of `geometry.polynomials.bezier_pieces`."""
+
+    def fit_splines(
+        self, degree: int, spans: tuple[IntArray, FloatArray, FloatArray],
+        rule: tuple[FloatArray, FloatArray, FloatArray], samples: FloatArray, band: FloatArray,
+        coefficients: FloatArray, errors: FloatArray, /,
+    ) -> int:  # fmt: skip
+        """`_least_squares` of `geometry.polynomials.fit_function`, with the errors; 0 where there is none."""
+
+    def derivative_series(
+        self, sizes: tuple[int, int],
+        pieces: tuple[IntArray, FloatArray, FloatArray, FloatArray, FloatArray], raised: FloatArray,
+        series: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`_series` of `geometry.curves.curve_derivatives.RationalPieces`; degree, numbers of a place."""
+
+    def inverse_cells(
+        self, t: FloatArray, s: FloatArray, series: FloatArray, at_steps: FloatArray, paces: FloatArray,
+        meets: FloatArray, cubics: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`_inverse` of `geometry.curves.arc_length.ArcLength`."""
 
     def shoot(
         self, bend: FloatArray, rest: FloatArray, pull_x: FloatArray, pull_y: FloatArray, moment: float,

@@ -22,6 +22,29 @@ static inline PyObject *refused(const char *why)
     return NULL;
 }
 
+/* Are all indices those of one of `count` things? 0 with a Python error where one is not. */
+static inline int within(Py_ssize_t count, Py_ssize_t places, const int64_t *indices, const char *name)
+{
+    for (Py_ssize_t i = 0; i < places; i++)
+        if (indices[i] < 0 || indices[i] >= count) {
+            PyErr_Format(PyExc_IndexError, "%s must be from 0 to %zd", name, count - 1);
+            return 0;
+        }
+    return 1;
+}
+
+/* The three arrays of an arc length; 0 with a Python error where one does not fit. */
+static inline int borrow_arc(Borrowed *arrays, PyObject **given, ArcLengths *arc)
+{
+    const Py_ssize_t ends = array_size(given[0]), entries = array_size(given[2]);
+    if (ends < 2 || entries < ends - 1)
+        return refused("an arc length has one panel or more") != NULL;
+    arc->panels = ends - 1;
+    arc->terms = entries / arc->panels;
+    return (arc->t = borrow(arrays, given[0], ends, 0, "t")) && (arc->s = borrow(arrays, given[1], ends, 0, "s")) &&
+           (arc->series = borrow(arrays, given[2], arc->panels * arc->terms, 0, "series"));
+}
+
 PyObject *py_legendre_sums(PyObject *module, PyObject *arguments);
 PyObject *py_bernstein_sums(PyObject *module, PyObject *arguments);
 PyObject *py_arc_lengths_at(PyObject *module, PyObject *arguments);
@@ -30,5 +53,9 @@ PyObject *py_speed_panels(PyObject *module, PyObject *arguments);
 PyObject *py_evaluate_panels(PyObject *module, PyObject *arguments);
 PyObject *py_extremes(PyObject *module, PyObject *arguments);
 PyObject *py_vertex_exchange(PyObject *module, PyObject *arguments);
+PyObject *py_extraction(PyObject *module, PyObject *arguments);
+PyObject *py_fit_splines(PyObject *module, PyObject *arguments);
+PyObject *py_derivative_series(PyObject *module, PyObject *arguments);
+PyObject *py_inverse_cells(PyObject *module, PyObject *arguments);
 
 #endif

@@ -91,6 +91,22 @@ typedef struct {
     const double *rows, *limits;
 } FewNumbers;
 
+/* The spans of geometry/polynomials/fit_function.py, rule and probes on each, and values at all (sites + probes, columns). */
+typedef struct {
+    Py_ssize_t spans, degree, count, sites, probes, columns;
+    const int64_t *first;
+    const double *widths, *matrix, *inner, *weight, *probing, *samples;
+} SplineFit;
+
+#define DERIVATIVES 4 /* of a curve, its position among them, that are kept piece by piece */
+
+/* `RationalPieces` of geometry/curves/curve_derivatives.py: numbers of a place are 2, or 3 with its weight. */
+typedef struct {
+    Py_ssize_t count, degree, numbers, points;
+    const int64_t *first;
+    const double *control_points, *matrix, *widths, *origins;
+} CurvePieces;
+
 enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
 
 static inline double between(double low, double x, double high)
@@ -185,5 +201,19 @@ Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double
 
 /* One of the three above; `active` and `inverse` are where it begins and where it ends. */
 int vertex_exchange(const FewNumbers *program, int64_t *active, double *inverse, double *vertex);
+
+/* Of knots (2 degree, spans) about each span, rows (degree + 1, degree + 1) of its Bezier points. */
+void extraction(Py_ssize_t spans, Py_ssize_t degree, const double *near, double *matrix);
+
+/* Coefficients (count, columns) and the largest error (spans,) on each span; 0 where no spline is nearest. `band` is room
+   for (count, degree + 1). */
+int fit_splines(const SplineFit *fit, double *band, double *coefficients, double *errors);
+
+/* `_series` of those pieces, (count, degree + 1, DERIVATIVES, numbers), by matrices that raise their degree. */
+void derivative_series(const CurvePieces *pieces, const double *raised, double *series);
+
+/* `ArcLength._inverse`, by the terms (cells + 1, terms) of its series and of their slopes where cells meet. */
+void inverse_cells(const ArcLengths *arc, Py_ssize_t cells, const double *at_steps, const double *paces,
+                   double *meets, double *cubics);
 
 #endif

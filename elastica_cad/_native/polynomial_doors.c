@@ -1,17 +1,6 @@
 /* What Python sees of the kernels for piecewise polynomials and for small linear programs. */
 #include "doors.h"
 
-/* Are all indices those of one of `count` things? 0 with a Python error where one is not. */
-static int within(Py_ssize_t count, Py_ssize_t places, const int64_t *indices, const char *name)
-{
-    for (Py_ssize_t i = 0; i < places; i++)
-        if (indices[i] < 0 || indices[i] >= count) {
-            PyErr_Format(PyExc_IndexError, "%s must be from 0 to %zd", name, count - 1);
-            return 0;
-        }
-    return 1;
-}
-
 PyObject *py_legendre_sums(PyObject *module, PyObject *arguments)
 {
     PyObject *series, *panels, *at, *out, *answer = NULL;
@@ -20,8 +9,8 @@ PyObject *py_legendre_sums(PyObject *module, PyObject *arguments)
         return NULL;
     Borrowed arrays = {.count = 0};
     const Py_ssize_t places = array_size(at), values = array_size(out);
-    if (places < 0 || values < 0 || order < 1 || (places && values % places))
-        return refused("sums of Legendre series need places, and room for as many values at each");
+    if (places < 0 || values < 0 || order < 1 || order > MOST_ORDER || (places && values % places))
+        return refused("sums of Legendre series of at most 32 terms need places, and room for as many values at each");
     const Py_ssize_t columns = places ? values / places : 0;
     const double *coefficients, *x;
     const int64_t *panel;
@@ -80,18 +69,6 @@ PyObject *py_bernstein_sums(PyObject *module, PyObject *arguments)
 done:
     give_back(&arrays);
     return answer;
-}
-
-/* The three arrays of an arc length; 0 with a Python error where one does not fit. */
-static int borrow_arc(Borrowed *arrays, PyObject **given, ArcLengths *arc)
-{
-    const Py_ssize_t ends = array_size(given[0]), entries = array_size(given[2]);
-    if (ends < 2 || entries < ends - 1)
-        return refused("an arc length has one panel or more") != NULL;
-    arc->panels = ends - 1;
-    arc->terms = entries / arc->panels;
-    return (arc->t = borrow(arrays, given[0], ends, 0, "t")) && (arc->s = borrow(arrays, given[1], ends, 0, "s")) &&
-           (arc->series = borrow(arrays, given[2], arc->panels * arc->terms, 0, "series"));
 }
 
 PyObject *py_arc_lengths_at(PyObject *module, PyObject *arguments)

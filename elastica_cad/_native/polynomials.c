@@ -4,21 +4,54 @@
 #include <math.h>
 #include <string.h>
 
-void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns, const double *coefficients,
-                   const int64_t *panel, const double *x, double *values)
+/* P_k = ahead[k] x P_(k-1) - back[k] P_(k-2). */
+typedef struct {
+    double ahead[MOST_ORDER], back[MOST_ORDER];
+} Legendre;
+
+static Legendre legendre(Py_ssize_t order)
 {
-    for (Py_ssize_t i = 0; i < places; i++) {
-        const double *restrict row = coefficients + panel[i] * order * columns;
-        double *restrict sum = values + i * columns;
-        double before = 1.0, now = x[i];
-        for (Py_ssize_t j = 0; j < columns; j++)
-            sum[j] = order > 1 ? row[j] + now * row[columns + j] : row[j];
-        for (Py_ssize_t k = 2; k < order; k++) {
-            const double following = ((2 * k - 1) * x[i] * now - (k - 1) * before) / k;
-            before = now;
-            now = following;
-            for (Py_ssize_t j = 0; j < columns; j++)
-                sum[j] += now * row[k * columns + j];
+    Legendre by;
+    for (Py_ssize_t k = 2; k < order; k++) {
+        by.ahead[k] = (2.0 * k - 1.0) / k;
+        by.back[k] = (k - 1.0) / k;
+    }
+    return by;
+}
+
+#define BESIDE 4 /* places that a processor evaluates beside each other */
+
+/* Polynomials (order, BESIDE) at a few places. */
+static void legendre_polynomials(const Legendre *by, Py_ssize_t order, const double *x, double (*polynomials)[BESIDE])
+{
+    for (int i = 0; i < BESIDE; i++) {
+        polynomials[0][i] = 1.0;
+        polynomials[1][i] = x[i];
+    }
+    for (Py_ssize_t k = 2; k < order; k++)
+        for (int i = 0; i < BESIDE; i++)
+            polynomials[k][i] = by->ahead[k] * x[i] * polynomials[k - 1][i] - by->back[k] * polynomials[k - 2][i];
+}
+
+WIDE void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns, const double *coefficients,
+                        const int64_t *panel, const double *x, double *values)
+{
+    const Legendre by = legendre(order);
+    double polynomials[MOST_ORDER + 1][BESIDE];
+    for (Py_ssize_t first = 0; first < places; first += BESIDE) {
+        double at[BESIDE] = {0.0};
+        const int count = places - first < BESIDE ? (int)(places - first) : BESIDE;
+        for (int i = 0; i < count; i++)
+            at[i] = x[first + i];
+        legendre_polynomials(&by, order, at, polynomials);
+        for (int i = 0; i < count; i++) {
+            const double *row = coefficients + panel[first + i] * order * columns;
+            for (Py_ssize_t j = 0; j < columns; j++) {
+                double sum = 0.0;
+                for (Py_ssize_t k = 0; k < order; k++)
+                    sum += polynomials[k][i] * row[k * columns + j];
+                values[(first + i) * columns + j] = sum;
+            }
         }
     }
 }
@@ -121,14 +154,14 @@ static double extreme_near(const ExtremeSearch *search, const double *series, do
 {
     const Py_ssize_t order = search->order;
     const double low = fmax(start - search->reach, -1.0), high = fmin(start + search->reach, 1.0);
-    double derivatives[3][MOST_ORDER], x = start;
-    const int64_t first_panel = 0;
+    const int64_t each[3] = {0, 1, 2};
+    double derivatives[3 * MOST_ORDER], x = start;
     for (int d = 0; d < 3; d++)
-        derive(order, search->slopes, d ? derivatives[d - 1] : series, derivatives[d]);
+        derive(order, search->slopes, d ? derivatives + (d - 1) * order : series, derivatives + d * order);
     for (int step = 0; step < search->steps; step++) {
+        const double places[3] = {x, x, x};
         double at[3];
-        for (int d = 0; d < 3; d++)
-            legendre_sums(1, order, 1, derivatives[d], &first_panel, &x, &at[d]);
+        legendre_sums(3, order, 1, derivatives, each, places, at);
         const double bend = 2 * at[1] * at[1] - at[0] * at[2];
         x = between(low, bend != 0 ? x + -2 * at[0] * at[1] / bend : x, high);
     }

@@ -36,6 +36,11 @@ _STEPS = np.linspace(-1.0, 1.0, _CELLS + 1)
 _AT_STEPS = chebyshev(_STEPS, _DEGREE + 2)
 """Places in a panel between which its inverse is a cubic to 1e-8, and the polynomials (17, 33) there."""
 
+_PACE_AT_STEPS = _DERIVED @ _AT_STEPS[:-1]
+"""Slopes (17, 33) of the polynomials there."""
+
+_IN_ROWS = np.ascontiguousarray(_AT_STEPS.T), np.ascontiguousarray(_PACE_AT_STEPS.T)
+
 _LAST_NEWTON_STEP, _STEP_FROM_CUBIC = 1e-8, 2e-8
 """In a panel from -1 to 1: the next step would be its square, or from a cubic, whose slope is as exact as it, as
 little."""
@@ -135,11 +140,16 @@ class ArcLength:
 
         These are the cell's start, shares of it a mm, and the place x as a cubic in the share that is behind.
         """
+        cells = len(self.series) * _CELLS
+        if kernels is not None:
+            meets, rows = np.empty(cells - 1), np.empty((cells, 6))
+            kernels.inverse_cells(self.t, self.s, self.series, *_IN_ROWS, meets, rows)
+            return meets, rows
         reached = self.series @ _AT_STEPS + self.s[:-1, None]
         reached[:, 0], reached[:, -1] = self.s[:-1], self.s[1:]
         size = np.maximum(reached[:, 1:] - reached[:, :-1], np.finfo(float).tiny)
         # dx over the cell at its ends, as fast as there
-        pace = self._slopes @ _AT_STEPS[:-1]
+        pace = self.series @ _PACE_AT_STEPS
         pace = np.where(pace > 0, pace, np.inf)
         first, last, step = size / pace[:, :-1], size / pace[:, 1:], 2.0 / _CELLS
         cubics = np.empty((*size.shape, 6))

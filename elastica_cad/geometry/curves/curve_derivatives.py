@@ -6,7 +6,7 @@ from math import comb
 
 import numpy as np
 
-from elastica_cad._native import kernels
+from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table, compiled_arc_length
@@ -121,7 +121,7 @@ class RationalPieces:
     def _sums(self, index: IntArray, u: FloatArray, first: int, end: int) -> FloatArray:
         """Columns (n, ...) from `first` to `end` of `_series` at local coordinates u (n,) of spans (n,)."""
         series, degree = self._series, self.spans.degree
-        if kernels is not None and degree <= _MOST_COMPILED:
+        if kernels is not None and degree <= MOST_DEGREE:
             values = np.empty((u.size, end - first))
             sizes = (len(series), degree, series.shape[2], first)
             kernels.bernstein_sums(
@@ -151,7 +151,7 @@ class RationalPieces:
     @property
     def compiled_series(self) -> BernsteinSeries | None:
         """What kernels evaluate, None where there are none, weights differ or the degree is beyond their room."""
-        if kernels is None or self.rational or self.spans.degree > _MOST_COMPILED:
+        if kernels is None or self.rational or self.spans.degree > MOST_DEGREE:
             return None
         return BernsteinSeries(self.edges, self._series)
 
@@ -174,6 +174,12 @@ class RationalPieces:
         carry that of their coordinates.
         """
         spans, degree = self.spans, self.spans.degree
+        if kernels is not None and degree <= MOST_DEGREE:
+            series = np.empty((len(spans.first), degree + 1, _ORDERS * self._dimension))
+            first = np.ascontiguousarray(spans.first, dtype=np.intp)
+            pieces = first, self.control_points, spans.matrix, spans.widths, self._origins
+            kernels.derivative_series((degree, self._dimension), pieces, _all_raised(degree), series)
+            return series
         near = self.control_points[self._acting]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
         difference = spans.matrix @ near[..., : self._dimension]
@@ -201,7 +207,6 @@ class RationalPieces:
 
 
 _ORDERS = 4  # position and three derivatives
-_MOST_COMPILED = 32  # the degree up to which the compiled sums have room
 
 
 @lru_cache(maxsize=64)
@@ -211,6 +216,12 @@ def _raised(degree: int, times: int) -> FloatArray:
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
     return np.ascontiguousarray((c * binomials(degree)).T)
+
+
+@lru_cache(maxsize=64)
+def _all_raised(degree: int) -> FloatArray:
+    """Those for all derivatives that there are, one behind the other."""
+    return np.concatenate([_raised(degree, k).ravel() for k in range(min(degree + 1, _ORDERS))])
 
 
 def quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:

@@ -5,6 +5,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import FloatArray, IntArray
 
 _KEPT = 32  # knot vectors whose spans are kept: those of a curve, its stiffness, its widths and their copies
@@ -109,6 +110,10 @@ def extraction(near: FloatArray) -> FloatArray:
     """Of spans with 2 * degree knots about each, rows of (2 degree, p): see `Spans.matrix`, (p, ...)."""
     degree = len(near) // 2
     size = degree + 1
+    if kernels is not None and 0 < degree <= MOST_DEGREE:
+        matrix = np.empty((near.shape[1], size, size))
+        kernels.extraction(degree, np.ascontiguousarray(near), matrix)
+        return matrix
     # spans run along the last axis: numpy is slow where that is short
     ends = near[degree - 1 : degree + 1]
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))

@@ -7,6 +7,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
+from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_whole, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError, quoted
@@ -102,16 +103,14 @@ def adaptive_splines(
     """The same on many domains, each by itself, at one go; `knots` to begin with are those of each, or of none."""
     if not domains:
         return []
-    sites, weight = gauss_rule(degree + 3)
-    places, inner, probing = _places(degree)
+    places, *_ = _places(degree)
     begun = knots if len(knots) else [()] * len(domains)
     spans = _Spans.between(domains, breaks, [np.asarray(own, dtype=float) for own in begun], degree)
     samples = _sampled(function, spans.low, spans.high, places)
     names = np.arange(len(domains))
     found = dict[int, tuple[FloatArray, FloatArray]]()
     while True:
-        coefficients = _least_squares(spans, samples[:, : sites.size], inner, weight)
-        error = _largest_errors(spans, coefficients, samples[:, sites.size :], probing)
+        coefficients, error = _fitted(spans, samples)
         accepted = np.maximum(tolerance, rounding * spans.largest(np.abs(samples)))
         # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
         bad = error > np.maximum(accepted, _REFINED_SHARE * spans.largest(error))[spans.owner]
@@ -240,7 +239,7 @@ def _places(degree: int) -> tuple[FloatArray, FloatArray, FloatArray]:
     """
     sites, _ = gauss_rule(degree + 3)
     places = np.concatenate([(1 + sites) / 2, _PROBES])
-    basis = scaled_bernstein(degree, places) * binomials(degree)
+    basis = np.ascontiguousarray(scaled_bernstein(degree, places) * binomials(degree))
     return places, basis[: sites.size], basis[sites.size :]
 
 
@@ -367,6 +366,23 @@ class _Spans:
         return _Spans(low, high, self.owner.repeat(parts), repeats, self.degree)
 
 
+def _fitted(spans: _Spans, samples: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Coefficients (m, ...) of the splines nearest to samples (p, k, ...), and their errors (p,) at the probes."""
+    degree, count = spans.degree, spans.count
+    _, weight = gauss_rule(degree + 3)
+    _, inner, probing = _places(degree)
+    if kernels is None or degree > MOST_DEGREE:
+        coefficients = _least_squares(spans, samples[:, : weight.size], inner, weight)
+        return coefficients, _largest_errors(spans, coefficients, samples[:, weight.size :], probing)
+    coefficients, error = np.empty((count, *samples.shape[2:])), np.empty(spans.low.size)
+    first, band = np.ascontiguousarray(spans.first, dtype=np.intp), np.empty((count, degree + 1))
+    of_spans, rule = (first, spans.widths, spans.matrix), (inner, weight, probing)
+    values = np.ascontiguousarray(samples)
+    if not kernels.fit_splines(degree, of_spans, rule, values, band, coefficients, error):
+        raise _no_site()
+    return coefficients, error
+
+
 def _least_squares(spans: _Spans, values: FloatArray, inner: FloatArray, weight: FloatArray) -> FloatArray:
     """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at the sites of spans."""
     degree, count = spans.degree, spans.count
@@ -385,8 +401,12 @@ def _least_squares(spans: _Spans, values: FloatArray, inner: FloatArray, weight:
             banded[degree - (j - i), acting[j]] += gram[:, i, j]
     _, solution, info = lapack().dpbsv(banded, total)
     if info != 0:
-        raise np.linalg.LinAlgError("a span of the spline holds no place of the fit")
+        raise _no_site()
     return np.asarray(solution, dtype=float).reshape(count, *values.shape[2:])
+
+
+def _no_site() -> np.linalg.LinAlgError:
+    return np.linalg.LinAlgError("a span of the spline holds no place of the fit")
 
 
 def _largest_errors(

@@ -73,6 +73,7 @@ def ask_here(cases, seed):
         ask_polynomials(kernels, rng, case)
         ask_arc_lengths(kernels, rng, case)
         ask_vertices(kernels, rng, case)
+        ask_splines(kernels, rng, case)
     return refused_arrays(kernels)
 
 
@@ -194,6 +195,39 @@ def ask_arc_lengths(kernels, rng, case):
         *curve, rule, cut, rng.normal(), np.empty(grid), np.empty((*grid, 2)), np.empty(grid), np.empty(grid),
         np.empty(count),
     )  # fmt: skip
+
+
+def ask_splines(kernels, rng, case):
+    """Knots in no order, spans that no place is in, control points that are not there; curves that stand still."""
+    from elastica_cad.geometry.curves import arc_length, curve_derivatives
+
+    spans, degree, columns = (int(n) for n in rng.integers(1, 13, 3))
+    if case % 10 == 0:
+        degree = 32
+    size, count = degree + 1, degree + spans
+    near, matrix = odd(rng, case, 2 * degree, spans), np.empty((spans, size, size))
+    if case % 3:
+        near.sort(axis=0)
+    kernels.extraction(degree, near, matrix)
+    first, widths = rng.integers(0, spans, spans), odd(rng, case, spans)
+    sites, probes = (int(n) for n in rng.integers(1, 9, 2))
+    rule = odd(rng, case, sites, size), rng.random(sites), odd(rng, case, probes, size)
+    samples = odd(rng, case, spans, sites + probes, columns)
+    kernels.fit_splines(
+        degree, (first, widths, matrix), rule, samples, np.empty((count, size)), np.empty((count, columns)),
+        np.empty(spans),
+    )  # fmt: skip
+    numbers = int(rng.integers(2, 4))
+    series = np.empty((spans, size, 4 * numbers))
+    raised = curve_derivatives._all_raised(degree)
+    pieces = odd(rng, case, count, 3), matrix, widths, odd(rng, case, spans, 2)
+    kernels.derivative_series((degree, numbers), (first, *pieces), raised, series)
+    table = odd(rng, case, spans + 1), odd(rng, case, spans + 1), odd(rng, case, spans, 17)
+    kernels.inverse_cells(*table, *arc_length._IN_ROWS, np.empty(32 * spans - 1), np.empty((32 * spans, 6)))
+    first[0] = rng.choice([-1, spans, 2**62])
+    with suppress(IndexError):
+        kernels.derivative_series((degree, numbers), (first, *pieces), raised, series)
+        raise AssertionError("a control point outside its array was taken")
 
 
 def ask_vertices(kernels, rng, case):

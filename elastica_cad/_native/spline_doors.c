@@ -1,0 +1,133 @@
+/* What Python sees of spline_fits.c and curve_tables.c. */
+#include "doors.h"
+
+PyObject *py_extraction(PyObject *module, PyObject *arguments)
+{
+    PyObject *knots, *out, *answer = NULL;
+    Py_ssize_t degree;
+    if (!PyArg_ParseTuple(arguments, "nOO", &degree, &knots, &out))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const Py_ssize_t entries = array_size(knots);
+    if (entries < 0 || degree < 1 || degree > MOST_DEGREE || entries % (2 * degree))
+        return refused("spans have a degree of 1 to 32, and twice as many knots about each");
+    const Py_ssize_t spans = entries / (2 * degree);
+    const double *near;
+    double *matrix;
+    BORROW(near, knots, entries, "near");
+    BORROW_OUT(matrix, out, spans * (degree + 1) * (degree + 1), "matrix");
+    Py_BEGIN_ALLOW_THREADS
+    extraction(spans, degree, near, matrix);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_fit_splines(PyObject *module, PyObject *arguments)
+{
+    PyObject *of_spans[3], *of_rule[3], *values, *room, *out[2], *answer = NULL;
+    SplineFit fit;
+    if (!PyArg_ParseTuple(arguments, "n(OOO)(OOO)OOOO", &fit.degree, &of_spans[0], &of_spans[1], &of_spans[2],
+                          &of_rule[0], &of_rule[1], &of_rule[2], &values, &room, &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    double *band, *coefficients, *errors;
+    int fitted;
+    const Py_ssize_t size = fit.degree + 1, spans = array_size(of_spans[0]), entries = array_size(room);
+    const Py_ssize_t sites = array_size(of_rule[1]), probed = array_size(of_rule[2]), held = array_size(out[0]);
+    if (fit.degree < 1 || fit.degree > MOST_DEGREE || spans < 1 || entries < size || sites < 1 || probed < 0 || held < 0)
+        return refused("a fit has a degree of 1 to 32, and a span, a coefficient of it and a site or more");
+    fit.spans = spans;
+    fit.sites = sites;
+    fit.probes = probed / size;
+    fit.count = entries / size;
+    fit.columns = held / fit.count;
+    BORROW_WHOLE(fit.first, of_spans[0], spans, "first");
+    BORROW(fit.widths, of_spans[1], spans, "widths");
+    BORROW(fit.matrix, of_spans[2], spans * size * size, "matrix");
+    BORROW(fit.inner, of_rule[0], sites * size, "inner");
+    BORROW(fit.weight, of_rule[1], sites, "weight");
+    BORROW(fit.probing, of_rule[2], fit.probes * size, "probing");
+    BORROW(fit.samples, values, spans * (sites + fit.probes) * fit.columns, "samples");
+    BORROW_OUT(band, room, fit.count * size, "band");
+    BORROW_OUT(coefficients, out[0], fit.count * fit.columns, "coefficients");
+    BORROW_OUT(errors, out[1], spans, "errors");
+    if (!within(fit.count - fit.degree, spans, fit.first, "first"))
+        goto done;
+    Py_BEGIN_ALLOW_THREADS
+    fitted = fit_splines(&fit, band, coefficients, errors);
+    Py_END_ALLOW_THREADS
+    answer = PyLong_FromLong(fitted);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_derivative_series(PyObject *module, PyObject *arguments)
+{
+    PyObject *of_pieces[5], *raises, *out, *answer = NULL;
+    CurvePieces c;
+    if (!PyArg_ParseTuple(arguments, "(nn)(OOOOO)OO", &c.degree, &c.numbers, &of_pieces[0], &of_pieces[1],
+                          &of_pieces[2], &of_pieces[3], &of_pieces[4], &raises, &out))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *raised;
+    double *series;
+    const Py_ssize_t count = array_size(of_pieces[0]), entries = array_size(of_pieces[1]);
+    if (c.degree < 1 || c.degree > MOST_DEGREE || c.numbers < 2 || c.numbers > 3 || count < 0 || entries < 0)
+        return refused("curves have a degree of 1 to 32, and two or three numbers of a place");
+    const Py_ssize_t size = c.degree + 1;
+    Py_ssize_t raising = 0;
+    for (Py_ssize_t k = 0; k < DERIVATIVES && k <= c.degree; k++)
+        raising += size * (size - k);
+    c.count = count;
+    c.points = entries / 3;
+    BORROW_WHOLE(c.first, of_pieces[0], count, "first");
+    BORROW(c.control_points, of_pieces[1], 3 * c.points, "control_points");
+    BORROW(c.matrix, of_pieces[2], count * size * size, "matrix");
+    BORROW(c.widths, of_pieces[3], count, "widths");
+    BORROW(c.origins, of_pieces[4], 2 * count, "origins");
+    BORROW(raised, raises, raising, "raised");
+    BORROW_OUT(series, out, count * size * DERIVATIVES * c.numbers, "series");
+    if (!within(c.points - c.degree, count, c.first, "first"))
+        goto done;
+    Py_BEGIN_ALLOW_THREADS
+    derivative_series(&c, raised, series);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_inverse_cells(PyObject *module, PyObject *arguments)
+{
+    PyObject *of_arc[3], *steps, *slopes, *out[2], *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOOOOOO", &of_arc[0], &of_arc[1], &of_arc[2], &steps, &slopes, &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    ArcLengths arc;
+    const double *at_steps, *paces;
+    double *meets, *cubics;
+    const Py_ssize_t table = array_size(steps);
+    if (table < 0 || !borrow_arc(&arrays, of_arc, &arc))
+        goto done;
+    const Py_ssize_t cells = table / arc.terms - 1;
+    if (cells < 1) {
+        refused("a panel has one cell or more");
+        goto done;
+    }
+    BORROW(at_steps, steps, (cells + 1) * arc.terms, "at_steps");
+    BORROW(paces, slopes, (cells + 1) * arc.terms, "paces");
+    BORROW_OUT(meets, out[0], arc.panels * cells - 1, "meets");
+    BORROW_OUT(cubics, out[1], 6 * arc.panels * cells, "cubics");
+    Py_BEGIN_ALLOW_THREADS
+    inverse_cells(&arc, cells, at_steps, paces, meets, cubics);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}

@@ -1,0 +1,103 @@
+"""The compiled fits of splines and tables of curves beside their twins in Python."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from elastica_cad import _native
+from elastica_cad.geometry.curves import arc_length, curve_derivatives
+from elastica_cad.geometry.polynomials import bezier_pieces, fit_function
+from elastica_cad.geometry.polynomials.spline_function import SplineFunction
+from tests.unit.test_compiled_polynomials import drawn, ellipses
+from tests.unit.test_compiled_twins import CLOSE, SEEDS, both, distance
+
+__all__ = ["both"]
+
+DEGREES = (1, 3, 5, 8, 12)
+"""Those of the fits that the library makes are 3 to 5."""
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 5, 12, 32])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_bezier_points_of_spans(both, seed, degree):
+    """The same digits, also beside knots that stand together; a blossom has shares whose sum is 1."""
+    near = np.sort(np.random.default_rng(seed).uniform(size=(2 * degree, 7)), axis=0)
+    near[degree:] += 0.1
+    near[: seed % degree] = near[0]
+    compiled, plain = both(bezier_pieces, lambda: bezier_pieces.extraction(near))
+    np.testing.assert_array_equal(compiled, plain)
+    assert np.abs(compiled.sum(axis=2) - 1).max() < CLOSE
+
+
+def test_bezier_points_beyond_the_compiled_room(both):
+    near = np.linspace(0, 1, 66)[:, None]
+    compiled, plain = both(bezier_pieces, lambda: bezier_pieces.extraction(near))
+    np.testing.assert_array_equal(compiled, plain)
+
+
+@pytest.mark.parametrize("columns", [(), (2,)])
+@pytest.mark.parametrize("degree", DEGREES)
+@pytest.mark.parametrize("seed", range(4))
+def test_fits_of_functions(both, seed, degree, columns):
+    """Two splines side by side, the first with a kink and a jump, that are refined until they follow."""
+    rng = np.random.default_rng(seed)
+    waves, phases = rng.uniform(1, 9, columns), rng.uniform(0, 6, columns)
+
+    def function(x):
+        x = x.reshape(-1, *(1,) * len(columns))
+        return np.sin(waves * x + phases) + np.abs(x - 0.5) + (x > 0.8)
+
+    tolerance = 1e-4 if degree == 1 else 1e-6
+    asked = {"degree": degree, "tolerance": tolerance, "breaks": [(0.5, 0), (0.8, -1)]}
+    compiled, plain = both(
+        fit_function,
+        lambda: fit_function.adaptive_splines(function, [(0.0, 1.0), (1.0, 1.7)], **asked),
+    )
+    for (knots, coefficients), (plain_knots, plain_coefficients) in zip(compiled, plain, strict=True):
+        np.testing.assert_array_equal(knots, plain_knots)
+        assert coefficients.shape == plain_coefficients.shape
+        x = np.linspace(knots[0], knots[-1], 101)
+        values = SplineFunction.of(knots, coefficients, degree)(x)
+        assert distance(values, SplineFunction.of(knots, plain_coefficients, degree)(x)) < CLOSE
+        if degree < 8:  # beyond, B-splines are so alike that rounding tells their shares apart no better
+            assert distance(coefficients, plain_coefficients) < CLOSE
+
+
+def test_a_span_without_a_place_is_told_by_both(both):
+    """One so narrow that no place in it has any weight."""
+    spans = fit_function._Spans(np.zeros(1), np.array([5e-324]), np.zeros(1, dtype=int), np.array([4]), 3)
+    samples = np.ones((1, 14))
+
+    def fitted():
+        with pytest.raises(np.linalg.LinAlgError) as told:
+            fit_function._fitted(spans, samples)
+        return str(told.value)
+
+    compiled, plain = both(fit_function, fitted)
+    assert compiled == plain
+
+
+@pytest.mark.parametrize("curve", [drawn, ellipses])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_derivatives_piece_by_piece(both, seed, curve):
+    compiled, plain = both(curve_derivatives, lambda: curve(seed)._pieces._series)
+    assert compiled.shape == plain.shape
+    assert distance(compiled, plain) < CLOSE
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_where_newtons_method_starts(both, seed):
+    table = drawn(seed)._pieces.arc_length
+    (meets, cubics), plain = both(arc_length, lambda: replace(table)._inverse)
+    assert distance(meets, plain[0]) < CLOSE
+    assert distance(cubics[:, 1], plain[1][:, 1]) < CLOSE
+    assert np.abs(cubics[:, 2:] - plain[1][:, 2:]).max() < CLOSE  # places from -1 to 1
+
+
+def test_control_points_outside_their_array_are_refused():
+    size, out = 4, np.empty((1, 4, 8))
+    pieces = np.array([1]), np.ones((4, 3)), np.eye(size)[None], np.ones(1), np.zeros((1, 2))
+    raised = curve_derivatives._all_raised(3)
+    with pytest.raises(IndexError):
+        _native.kernels.derivative_series((3, 2), pieces, raised, out)
