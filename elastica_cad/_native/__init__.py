@@ -75,6 +75,11 @@ class Kernels(Protocol):
     ) -> int:  # fmt: skip
         """`_exchanged` of `mechanics.stiffness.vertex_exchange.VertexExchange`: how it ended."""
 
+    def cubic_extremes(
+        self, pieces: FloatArray, edges: FloatArray, /
+    ) -> tuple[tuple[float, float], tuple[float, float]]:
+        """`_extreme_points` of a cubic `geometry.paths.profile.Profile`."""
+
     def extraction(self, degree: int, near: FloatArray, matrix: FloatArray, /) -> None:
         """That of `geometry.polynomials.bezier_pieces`."""
 

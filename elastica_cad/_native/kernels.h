@@ -202,6 +202,9 @@ Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double
 /* One of the three above; `active` and `inverse` are where it begins and where it ends. */
 int vertex_exchange(const FewNumbers *program, int64_t *active, double *inverse, double *vertex);
 
+/* Place and value of the least and of the largest value of cubics (pieces, 4) between edges. */
+void cubic_extremes(Py_ssize_t pieces, const double *coefficients, const double *edges, double *found);
+
 /* Of knots (2 degree, spans) about each span, rows (degree + 1, degree + 1) of its Bezier points. */
 void extraction(Py_ssize_t spans, Py_ssize_t degree, const double *near, double *matrix);
 

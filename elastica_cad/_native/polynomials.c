@@ -199,3 +199,46 @@ Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double
     }
     return found;
 }
+
+/* A value of a cubic in Bernstein form, by de Casteljau. */
+static double cubic_at(const double *c, double u)
+{
+    const double a = c[0] + (c[1] - c[0]) * u, b = c[1] + (c[2] - c[1]) * u, d = c[2] + (c[3] - c[2]) * u;
+    const double left = a + (b - a) * u, right = b + (d - b) * u;
+    return left + (right - left) * u;
+}
+
+/* The least and the largest so far, each as a place and a value. */
+static void take(double value, double place, double *found)
+{
+    if (value < found[1]) {
+        found[0] = place;
+        found[1] = value;
+    }
+    if (value > found[3]) {
+        found[2] = place;
+        found[3] = value;
+    }
+}
+
+void cubic_extremes(Py_ssize_t pieces, const double *coefficients, const double *edges, double *found)
+{
+    found[0] = found[2] = edges[0];
+    found[1] = found[3] = coefficients[0];
+    for (Py_ssize_t i = 0; i < pieces; i++)
+        take(coefficients[4 * i], edges[i], found);
+    for (Py_ssize_t i = 0; i < pieces; i++)
+        take(coefficients[4 * i + 3], edges[i] + (edges[i + 1] - edges[i]), found);
+    const double low = found[1], high = found[3];
+    for (Py_ssize_t i = 0; i < pieces; i++) {
+        const double *c = coefficients + 4 * i;
+        if (!(fmin(c[1], c[2]) < low || fmax(c[1], c[2]) > high))
+            continue;
+        /* a (1 - u)^2 + 2 b u (1 - u) + c u^2 = 0, in the form that takes no difference of like numbers */
+        const double a = c[1] - c[0], b = c[2] - c[1], d = c[3] - c[2], q = b - a, square = a - 2 * b + d;
+        const double r = -(q + copysign(sqrt(q * q - a * square), q)), roots[2] = {r / square, a / r};
+        for (int k = 0; k < 2; k++)
+            if (roots[k] > 0 && roots[k] < 1)
+                take(cubic_at(c, roots[k]), edges[i] + roots[k] * (edges[i + 1] - edges[i]), found);
+    }
+}

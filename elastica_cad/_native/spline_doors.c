@@ -1,5 +1,27 @@
-/* What Python sees of spline_fits.c and curve_tables.c. */
+/* What Python sees of splines: of spline_fits.c, curve_tables.c, and cubics of polynomials.c. */
 #include "doors.h"
+
+PyObject *py_cubic_extremes(PyObject *module, PyObject *arguments)
+{
+    PyObject *cubics, *ends, *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OO", &cubics, &ends))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *coefficients, *edges;
+    double found[4];
+    const Py_ssize_t pieces = array_size(ends) - 1;
+    if (pieces < 1)
+        return refused("a spline has one piece or more");
+    BORROW(coefficients, cubics, 4 * pieces, "pieces");
+    BORROW(edges, ends, pieces + 1, "edges");
+    Py_BEGIN_ALLOW_THREADS
+    cubic_extremes(pieces, coefficients, edges, found);
+    Py_END_ALLOW_THREADS
+    answer = Py_BuildValue("(dd)(dd)", found[0], found[1], found[2], found[3]);
+done:
+    give_back(&arrays);
+    return answer;
+}
 
 PyObject *py_extraction(PyObject *module, PyObject *arguments)
 {

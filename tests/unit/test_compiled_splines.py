@@ -7,6 +7,8 @@ import pytest
 
 from elastica_cad import _native
 from elastica_cad.geometry.curves import arc_length, curve_derivatives
+from elastica_cad.geometry.paths import profile
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials import bezier_pieces, fit_function
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction
 from tests.unit.test_compiled_polynomials import drawn, ellipses
@@ -93,6 +95,23 @@ def test_where_newtons_method_starts(both, seed):
     assert distance(meets, plain[0]) < CLOSE
     assert distance(cubics[:, 1], plain[1][:, 1]) < CLOSE
     assert np.abs(cubics[:, 2:] - plain[1][:, 2:]).max() < CLOSE  # places from -1 to 1
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_extremes_of_cubic_profiles(both, seed):
+    """The same extremes in the same places, at knots, between them, and of what is even throughout."""
+    rng = np.random.default_rng(seed)
+    knots = np.concatenate([[0.0] * 4, np.sort(rng.uniform(0, 9, seed % 7)), [9.0] * 4])
+    heights = rng.integers(0, 3, knots.size - 4) if seed % 2 else rng.normal(size=knots.size - 4)
+
+    def asked():
+        one = Profile(knots, heights.astype(float))
+        return *one.extremes, *one.extreme_places, one(np.array(one.extreme_places))
+
+    (low, high, first, second, there), plain = both(profile, asked)
+    assert (low, high) == pytest.approx(plain[:2], abs=CLOSE)
+    assert there == pytest.approx([low, high], abs=CLOSE)
+    assert (first, second) == pytest.approx(plain[2:4], abs=1e-6)  # flat there: only the value is sharp
 
 
 def test_control_points_outside_their_array_are_refused():

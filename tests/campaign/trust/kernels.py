@@ -217,6 +217,7 @@ def ask_splines(kernels, rng, case):
         degree, (first, widths, matrix), rule, samples, np.empty((count, size)), np.empty((count, columns)),
         np.empty(spans),
     )  # fmt: skip
+    kernels.cubic_extremes(odd(rng, case, spans, 4), odd(rng, case, spans + 1))
     numbers = int(rng.integers(2, 4))
     series = np.empty((spans, size, 4 * numbers))
     raised = curve_derivatives._all_raised(degree)
