@@ -19,6 +19,12 @@ class Kernels(Protocol):
     filled; truth is 0 or 1.
     """
 
+    def locate(
+        self, edges: FloatArray, to_left: bool, low: float, places: FloatArray, piece: IntArray,
+        x: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """Between which edges places lie, and where from `low` to 1: `Spans.locate`, `locate_in_panels`."""
+
     def legendre_sums(
         self,
         coefficients: FloatArray,

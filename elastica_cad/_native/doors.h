@@ -45,6 +45,7 @@ static inline int borrow_arc(Borrowed *arrays, PyObject **given, ArcLengths *arc
            (arc->series = borrow(arrays, given[2], arc->panels * arc->terms, 0, "series"));
 }
 
+PyObject *py_locate(PyObject *module, PyObject *arguments);
 PyObject *py_legendre_sums(PyObject *module, PyObject *arguments);
 PyObject *py_bernstein_sums(PyObject *module, PyObject *arguments);
 PyObject *py_arc_lengths_at(PyObject *module, PyObject *arguments);

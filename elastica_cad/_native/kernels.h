@@ -177,6 +177,10 @@ int interior_points(const Quadratic *program, const InteriorSettings *settings, 
 /* 1 where the mode is found and proved the lowest, 0 where it is not, -1 without memory. */
 int lowest_mode(const SecondVariation *variation, double *mode, double *multipliers, double *value);
 
+/* In which piece between edges (pieces + 1,) places lie, at an edge the right or the left one, and where, from low to 1. */
+void locate(Py_ssize_t pieces, const double *edges, int to_left, double low, Py_ssize_t count, const double *places,
+            int64_t *piece, double *x);
+
 /* Legendre series (order, columns) of the panels (places,) at x: values (places, columns). */
 void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns, const double *coefficients,
                    const int64_t *panel, const double *x, double *values);

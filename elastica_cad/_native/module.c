@@ -318,6 +318,7 @@ done:
 }
 
 static PyMethodDef functions[] = {
+    {"locate", py_locate, METH_VARARGS, NULL},
     {"legendre_sums", py_legendre_sums, METH_VARARGS, NULL},
     {"bernstein_sums", py_bernstein_sums, METH_VARARGS, NULL},
     {"arc_lengths_at", py_arc_lengths_at, METH_VARARGS, NULL},

@@ -1,6 +1,33 @@
 /* What Python sees of the kernels for piecewise polynomials and for small linear programs. */
 #include "doors.h"
 
+PyObject *py_locate(PyObject *module, PyObject *arguments)
+{
+    PyObject *ends, *at, *out[2], *answer = NULL;
+    int to_left;
+    double low;
+    if (!PyArg_ParseTuple(arguments, "OpdOOO", &ends, &to_left, &low, &at, &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *edges, *places;
+    double *x;
+    int64_t *piece;
+    const Py_ssize_t pieces = array_size(ends) - 1, count = array_size(at);
+    if (pieces < 1 || count < 0)
+        return refused("places are looked for between two edges or more");
+    BORROW(edges, ends, pieces + 1, "edges");
+    BORROW(places, at, count, "places");
+    BORROW_WHOLE_OUT(piece, out[0], count, "piece");
+    BORROW_OUT(x, out[1], count, "x");
+    Py_BEGIN_ALLOW_THREADS
+    locate(pieces, edges, to_left, low, count, places, piece, x);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
 PyObject *py_legendre_sums(PyObject *module, PyObject *arguments)
 {
     PyObject *series, *panels, *at, *out, *answer = NULL;

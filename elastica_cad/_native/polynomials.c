@@ -56,6 +56,19 @@ WIDE void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns,
     }
 }
 
+void locate(Py_ssize_t pieces, const double *edges, int to_left, double low, Py_ssize_t count, const double *places,
+            int64_t *piece, double *x)
+{
+    for (Py_ssize_t i = 0; i < count; i++) {
+        Py_ssize_t p = passed(pieces - 1, edges + 1, places[i]);
+        while (to_left && p > 0 && edges[p] == places[i])
+            p--;
+        const double share = (places[i] - edges[p]) / (edges[p + 1] - edges[p]);
+        piece[i] = p;
+        x[i] = between(low, low + (1.0 - low) * share, 1.0);
+    }
+}
+
 void bernstein_sums(Py_ssize_t places, const BernsteinPieces *pieces, const int64_t *piece, const double *u,
                     double *values)
 {

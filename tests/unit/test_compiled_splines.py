@@ -9,8 +9,9 @@ from elastica_cad import _native
 from elastica_cad.geometry.curves import arc_length, curve_derivatives
 from elastica_cad.geometry.paths import profile
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials import bezier_pieces, fit_function
+from elastica_cad.geometry.polynomials import bezier_pieces, fit_function, panel_functions
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction
+from elastica_cad.geometry.polynomials.spline_spans import SplineSpans
 from tests.unit.test_compiled_polynomials import drawn, ellipses
 from tests.unit.test_compiled_twins import CLOSE, SEEDS, both, distance
 
@@ -36,6 +37,22 @@ def test_bezier_points_beyond_the_compiled_room(both):
     near = np.linspace(0, 1, 66)[:, None]
     compiled, plain = both(bezier_pieces, lambda: bezier_pieces.extraction(near))
     np.testing.assert_array_equal(compiled, plain)
+
+
+@pytest.mark.parametrize("left", [False, True])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_where_places_lie(both, seed, left):
+    """At edges on either side, between them, and beyond the ends."""
+    rng = np.random.default_rng(seed)
+    edges = np.cumsum(rng.uniform(0.1, 3, seed + 2))
+    places = np.concatenate([edges, rng.uniform(edges[0] - 1, edges[-1] + 1, 50)])
+    spans = bezier_pieces.Spans(seed + 4, edges, np.arange(seed + 1), np.zeros((seed + 1, 4, 4)))
+    (index, u), plain = both(bezier_pieces, lambda: spans.locate(places, left=left))
+    np.testing.assert_array_equal(index, plain[0])
+    assert distance(u, plain[1]) < CLOSE
+    (panel, x), plain = both(panel_functions, lambda: panel_functions.locate_in_panels(edges, places))
+    np.testing.assert_array_equal(panel, plain[0])
+    assert distance(x, plain[1]) < CLOSE
 
 
 @pytest.mark.parametrize("columns", [(), (2,)])
@@ -68,7 +85,7 @@ def test_fits_of_functions(both, seed, degree, columns):
 
 def test_a_span_without_a_place_is_told_by_both(both):
     """One so narrow that no place in it has any weight."""
-    spans = fit_function._Spans(np.zeros(1), np.array([5e-324]), np.zeros(1, dtype=int), np.array([4]), 3)
+    spans = SplineSpans(np.zeros(1), np.array([5e-324]), np.zeros(1, dtype=int), np.array([4]), 3)
     samples = np.ones((1, 14))
 
     def fitted():

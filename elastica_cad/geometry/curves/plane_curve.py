@@ -110,7 +110,7 @@ class PlaneCurve(NurbsCurve):
         """Parameters at arc lengths s (mm)."""
         s = numbers(s, "arc lengths")
         slack = 1e-9 * self.length
-        if s.size and not (np.all(s >= -slack) and np.all(s <= self.length + slack)):
+        if s.size and not (s.min() >= -slack and s.max() <= self.length + slack):
             raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
         inside = np.minimum(np.maximum(s.ravel(), 0.0), self.length)
         return self._pieces.arc_length.parameter_at(inside).reshape(s.shape)

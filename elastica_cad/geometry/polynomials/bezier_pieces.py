@@ -52,6 +52,8 @@ class Spans:
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
         """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
+        if kernels is not None:
+            return located(self.edges, t, low=0.0, left=left)
         index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         u = (t - self.edges[index]) / self.widths[index]
         return index, np.minimum(np.maximum(u, 0.0), 1.0)
@@ -74,6 +76,16 @@ class Spans:
         width = self.widths[index]
         bernstein = _bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
         return np.asarray(np.einsum("ni,nij->nj", bernstein, self.matrix[index])), index
+
+
+def located(
+    edges: FloatArray, places: FloatArray, *, low: float, left: bool = False
+) -> tuple[IntArray, FloatArray]:
+    """Between which edges (p + 1,) places (n,) lie, and where there, from `low` to 1, compiled."""
+    assert kernels is not None
+    piece, x = np.empty(places.shape, dtype=np.intp), np.empty(places.shape)
+    kernels.locate(np.ascontiguousarray(edges), left, low, np.ascontiguousarray(places), piece, x)
+    return piece, x
 
 
 def bezier_spans(knots: FloatArray, degree: int) -> Spans:

@@ -1,8 +1,7 @@
 """Splines that follow a given function to a tolerance, with knots where they are needed."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -12,10 +11,9 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_whole, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_pieces, extraction
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_pieces
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
-from elastica_cad.geometry.polynomials.knot_runs import knot_repeats
-from elastica_cad.geometry.running_sums import numbers_in_groups
+from elastica_cad.geometry.polynomials.spline_spans import NARROWEST_SHARE, SplineSpans
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
@@ -28,13 +26,6 @@ _MOST_SPANS = 3000
 
 _REFINED_SHARE = 0.05
 """Spans whose error is above this share of the largest are refined in one round."""
-
-_NARROWEST_SHARE = 1e-9  # of the domain
-_SAME_BREAK_SHARE = 1e-10  # of the domain: breaks no farther apart are one
-_ALIKE = (
-    1e-7  # the same where the slope goes on in one of them: the span between them could not be solved for
-)
-_WIDER_TIMES = 8.0  # than its neighbour: cut with it
 
 
 def adaptive_spline(
@@ -105,7 +96,7 @@ def adaptive_splines(
         return []
     places, *_ = _places(degree)
     begun = knots if len(knots) else [()] * len(domains)
-    spans = _Spans.between(domains, breaks, [np.asarray(own, dtype=float) for own in begun], degree)
+    spans = SplineSpans.between(domains, breaks, [np.asarray(own, dtype=float) for own in begun], degree)
     samples = _sampled(function, spans.low, spans.high, places)
     names = np.arange(len(domains))
     found = dict[int, tuple[FloatArray, FloatArray]]()
@@ -157,44 +148,12 @@ def fit_spans(
     return coefficients, np.where(error <= accepted, 1, _parts(error / accepted, degree))
 
 
-def _break_orders(breaks: Sequence[tuple[float, int]], domain: tuple[float, float]) -> dict[float, int]:
-    """Least continuity at each break inside the domain; breaks too close to be told apart count as one."""
-    length = domain[1] - domain[0]
-    order: dict[float, int] = {}
-    last = domain[0]
-    for place, continuity in sorted(breaks):
-        if not domain[0] + _SAME_BREAK_SHARE * length < place < domain[1] - _SAME_BREAK_SHARE * length:
-            continue
-        before = order.get(last)
-        if (
-            before is None
-            or place - last > (_ALIKE if max(before, continuity) > 0 else _SAME_BREAK_SHARE) * length
-        ):
-            order[place] = continuity
-            last = place
-        elif continuity < before:
-            # the rougher of the two is where it is
-            del order[last]
-            order[place] = continuity
-            last = place
-    return order
-
-
 def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
     """Breaks as pairs of a place and a whole number."""
     rows = numbers(breaks, "breaks")
     if rows.size and rows.shape[1:] != (2,):
         raise InputError("breaks are pairs of a place and how often the function can be differentiated there")
     return [(place, int(continuity)) for place, continuity in rows.tolist()]
-
-
-def _with_knots(edges: FloatArray, knots: FloatArray) -> FloatArray:
-    """The edges and those knots that lie between them, none next to an edge."""
-    knots = knots[(knots > edges[0]) & (knots < edges[-1])]
-    after = np.searchsorted(edges, knots)
-    apart = np.minimum(edges[after] - knots, knots - edges[after - 1])
-    both = np.sort(np.concatenate([edges, knots[apart > _NARROWEST_SHARE * (edges[-1] - edges[0])]]))
-    return np.asarray(both[np.append(True, both[1:] > both[:-1])])
 
 
 def _sampled(
@@ -211,10 +170,10 @@ def _sampled(
     return values.reshape(*x.shape, *values.shape[1:])
 
 
-def _refuse_endless(spans: "_Spans", bad: BoolArray, error: FloatArray, tolerance: float) -> None:
+def _refuse_endless(spans: SplineSpans, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
     """A domain of too many spans, or of one too narrow for its length, cannot be followed."""
     length = spans.high[np.append(spans.begin[1:], 0) - 1] - spans.low[spans.begin]
-    too_narrow = bad & (spans.widths < _NARROWEST_SHARE * length[spans.owner])
+    too_narrow = bad & (spans.widths < NARROWEST_SHARE * length[spans.owner])
     too_many = np.bincount(spans.owner) + 1 + np.bincount(spans.owner[bad]) > _MOST_SPANS
     given_up = np.flatnonzero(bad & (too_narrow | too_many[spans.owner]))
     if given_up.size:
@@ -243,130 +202,7 @@ def _places(degree: int) -> tuple[FloatArray, FloatArray, FloatArray]:
     return places, basis[: sites.size], basis[sites.size :]
 
 
-@dataclass(frozen=True, eq=False)
-class _Spans:
-    """Knot spans (p,) of splines side by side: from where to where each runs, and whose it is.
-
-    `repeats` (p,) is how often the knot at its start stands there.
-    """
-
-    low: FloatArray
-    high: FloatArray
-    owner: IntArray
-    repeats: IntArray
-    degree: int
-
-    @classmethod
-    def between(
-        cls,
-        domains: Sequence[tuple[float, float]],
-        breaks: Sequence[tuple[float, int]],
-        inside: Sequence[FloatArray],
-        degree: int,
-    ) -> "_Spans":
-        """Those between breaks and further knots inside of each domain."""
-        edges, repeats = [], []
-        for (first, last), knots in zip(domains, inside, strict=True):
-            order = _break_orders(breaks, (first, last))
-            own = _with_knots(np.array([first, *sorted(order), last]), knots)
-            edges.append(own)
-            repeats.append(knot_repeats(own, order, degree)[:-1])
-        return cls(
-            np.concatenate([own[:-1] for own in edges]),
-            np.concatenate([own[1:] for own in edges]),
-            np.repeat(np.arange(len(edges)), [own.size - 1 for own in edges]),
-            np.concatenate(repeats),
-            degree,
-        )
-
-    @cached_property
-    def widths(self) -> FloatArray:
-        """Lengths (p,)."""
-        return np.asarray(self.high - self.low)
-
-    @cached_property
-    def begin(self) -> IntArray:
-        """The first span (k,) of each owner."""
-        return np.flatnonzero(np.append(True, self.owner[1:] != self.owner[:-1]))
-
-    @cached_property
-    def knots(self) -> FloatArray:
-        """Those of all owners, one behind the other."""
-        starts, ends = np.arange(self.low.size) + self.owner, np.append(self.begin[1:], self.low.size) - 1
-        edges = np.empty(self.low.size + ends.size)
-        counts = np.full(edges.size, self.degree + 1)
-        edges[starts], counts[starts] = self.low, self.repeats
-        edges[starts[ends] + 1] = self.high[ends]
-        return edges.repeat(counts)
-
-    @cached_property
-    def _last_knots(self) -> IntArray:
-        """The last knot (p,) at the start of each span."""
-        return np.cumsum(self.repeats) - 1 + self.owner * (self.degree + 1)
-
-    @cached_property
-    def first(self) -> IntArray:
-        """The first coefficient (p,) that acts on each span."""
-        return self._last_knots - self.degree - self.owner * (self.degree + 1)
-
-    @cached_property
-    def matrix(self) -> FloatArray:
-        """See `Spans.matrix`."""
-        reach = np.arange(1 - self.degree, self.degree + 1)[:, None]
-        return extraction(self.knots[self._last_knots + reach])
-
-    @property
-    def count(self) -> int:
-        """Number of coefficients of all."""
-        return int(self.first[-1]) + self.degree + 1
-
-    def of_owner(self, k: int) -> slice:
-        """The spans of one owner."""
-        return slice(self.begin[k], self.begin[k + 1] if k + 1 < len(self.begin) else None)
-
-    def own(self, k: int) -> slice:
-        """The coefficients of one owner."""
-        own = self.first[self.of_owner(k)]
-        return slice(own[0], own[-1] + self.degree + 1)
-
-    def own_knots(self, k: int) -> slice:
-        """The knots of one owner."""
-        own = self._last_knots[self.of_owner(k)]
-        return slice(own[0] - self.degree, own[-1] + self.degree + 2)
-
-    def largest(self, values: FloatArray) -> FloatArray:
-        """The largest (k,) of the values (p, ...) of each owner."""
-        return np.maximum.reduceat(values.reshape(self.low.size, -1).max(axis=1), self.begin)
-
-    def of_owners(self, chosen: BoolArray) -> "_Spans":
-        """Those of the chosen owners (k,) alone, numbered anew."""
-        kept = chosen[self.owner]
-        owner = (np.cumsum(chosen) - 1)[self.owner[kept]]
-        return _Spans(self.low[kept], self.high[kept], owner, self.repeats[kept], self.degree)
-
-    def with_wide_neighbours(self, bad: IntArray) -> IntArray:
-        """Bad spans and those beside them that are far wider: a narrow one can't mend what a wide one imposes."""
-        beside, narrow = np.concatenate([bad - 1, bad + 1]), np.tile(bad, 2)
-        inside = (beside >= 0) & (beside < self.low.size)
-        beside, narrow = beside[inside], narrow[inside]
-        wide = self.widths[beside] > _WIDER_TIMES * self.widths[narrow]
-        cut = np.zeros(self.low.size, dtype=bool)
-        cut[bad] = True
-        cut[beside[wide & (self.owner[beside] == self.owner[narrow])]] = True
-        return cut.nonzero()[0]
-
-    def cut(self, parts: IntArray) -> "_Spans":
-        """Each cut into so many equal parts."""
-        number = numbers_in_groups(parts)
-        low = number * (self.widths / parts).repeat(parts) + self.low.repeat(parts)
-        high, repeats = self.high.repeat(parts), self.repeats.repeat(parts)
-        inner = number[1:] > 0
-        high[:-1][inner] = low[1:][inner]
-        repeats[1:][inner] = 1
-        return _Spans(low, high, self.owner.repeat(parts), repeats, self.degree)
-
-
-def _fitted(spans: _Spans, samples: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _fitted(spans: SplineSpans, samples: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Coefficients (m, ...) of the splines nearest to samples (p, k, ...), and their errors (p,) at the probes."""
     degree, count = spans.degree, spans.count
     _, weight = gauss_rule(degree + 3)
@@ -375,15 +211,17 @@ def _fitted(spans: _Spans, samples: FloatArray) -> tuple[FloatArray, FloatArray]
         coefficients = _least_squares(spans, samples[:, : weight.size], inner, weight)
         return coefficients, _largest_errors(spans, coefficients, samples[:, weight.size :], probing)
     coefficients, error = np.empty((count, *samples.shape[2:])), np.empty(spans.low.size)
-    first, band = np.ascontiguousarray(spans.first, dtype=np.intp), np.empty((count, degree + 1))
-    of_spans, rule = (first, spans.widths, spans.matrix), (inner, weight, probing)
+    band = np.empty((count, degree + 1))
+    of_spans, rule = (spans.first, spans.widths, spans.matrix), (inner, weight, probing)
     values = np.ascontiguousarray(samples)
     if not kernels.fit_splines(degree, of_spans, rule, values, band, coefficients, error):
         raise _no_site()
     return coefficients, error
 
 
-def _least_squares(spans: _Spans, values: FloatArray, inner: FloatArray, weight: FloatArray) -> FloatArray:
+def _least_squares(
+    spans: SplineSpans, values: FloatArray, inner: FloatArray, weight: FloatArray
+) -> FloatArray:
     """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at the sites of spans."""
     degree, count = spans.degree, spans.count
     basis = inner @ spans.matrix
@@ -410,7 +248,7 @@ def _no_site() -> np.linalg.LinAlgError:
 
 
 def _largest_errors(
-    spans: _Spans, coefficients: FloatArray, values: FloatArray, probing: FloatArray
+    spans: SplineSpans, coefficients: FloatArray, values: FloatArray, probing: FloatArray
 ) -> FloatArray:
     pieces = bezier_pieces(coefficients, spans.first, spans.matrix)
     approximate = probing @ pieces.reshape(*pieces.shape[:2], -1)

@@ -153,6 +153,7 @@ def ask_polynomials(kernels, rng, case):
     series, x = odd(rng, case, pieces, terms, columns), odd(rng, case, places)
     kernels.legendre_sums(series, (pieces, terms), which, x, out)
     kernels.bernstein_sums(series, (pieces, terms - 1, columns, 0), which, x, out)
+    kernels.locate(odd(rng, case, pieces + 1), case % 2, -1.0, x, which.copy(), np.empty(places))
     count, found = pieces * 25, np.empty((2, pieces * 25), dtype=np.intp)
     kernels.extremes(
         odd(rng, case, pieces, 12), rng.normal(size=(25, 12)), np.linspace(-1, 1, 25),
