@@ -37,6 +37,13 @@ MM_IN_KEYS = ("law", "loads", "keep_out", "start_tab", "end_tab", "slots")
 PER_MM = ("max_curvature", "natural_curvature")
 """Options that `--units` does not reach: keys as in a design file, and curvatures."""
 
+FILES = {
+    "curve": "give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or - for standard input",
+    "design": "give a design file; `elastica new pavilion` writes one to start from",
+    "mesh": "give the file of a mesh (OBJ, STL, PLY) or of a STEP body",
+}
+"""Files that commands are given, by the name of their argument."""
+
 TOLD: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable", NOT_REALIZABLE),
     NotMetError: ("Not within these limits", NOT_REALIZABLE),
@@ -101,12 +108,21 @@ class _Sentences(click.Group):
 
     def _with_cure(self, ctx: click.Context, problem: click.UsageError) -> click.UsageError:
         said = problem.format_message()
+        if isinstance(problem, click.MissingParameter) and (asked := _what_to_give(problem.param)):
+            said = f"{said.rstrip('.')}: {asked}."
         return click.UsageError(" ".join(filter(None, (said, self._cure(ctx, said)))), problem.ctx)
 
     def _cure(self, ctx: click.Context, said: str) -> str:
         from elastica_cad.cli.cures import cure_by_trial
 
         return cure_by_trial(self, ctx.meta.get(TYPED, ()), said)
+
+
+def _what_to_give(param: click.Parameter | None) -> str:
+    """What a command misses, "" where click lists the choices itself."""
+    if isinstance(param, click.Option) and param.metavar and param.help:
+        return f"give {param.opts[0]} {param.metavar}. {param.help.rstrip('.')}"
+    return FILES.get(param.name or "", "") if isinstance(param, click.Argument) else ""
 
 
 @click.group(

@@ -589,3 +589,19 @@ def test_ends_in_inches_are_told_where_the_strip_reaches(tmp_path):
     made = typed([*shlex.split(command), "-o", "out", "--json"], tmp_path)
     assert made.returncode == 0, made.stderr
     assert json.loads(made.stdout)["shapes"][-1]["end"] == pytest.approx([228.6, 0.0])
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("check", "Missing argument 'CURVE': give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or"),
+        ("model", "Missing argument 'DESIGN': give a design file; `elastica new pavilion` writes one"),
+        ("sections", "Missing argument 'MESH': give the file of a mesh (OBJ, STL, PLY) or of a STEP body."),
+        ("strip arch.dxf", "Missing option '--sheet': give --sheet NAME|FILE. Material: a name of"),
+        ("batten --sheet pom-1", "Missing option '--length': give --length MM. Of the batten."),
+    ],
+)  # fmt: skip
+def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
+    refused = typed(words.split(), tmp_path)
+    assert refused.returncode == 2
+    assert f"Error: {told}" in refused.stderr
