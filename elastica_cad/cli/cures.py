@@ -232,9 +232,17 @@ def _nearly_named(refused: _Refused) -> Iterator[Words]:
             continue
         path = Path(value)
         lost = "." in value and not os.path.exists(path) and os.path.isdir(path.parent)
-        names = told or ([str(one) for one in path.parent.iterdir()] if lost else [])
-        for near in get_close_matches(value, names, n=2, cutoff=0.5) or names[:1]:
+        near_ones = get_close_matches(value, told, n=2, cutoff=0.5) or told[:1]
+        for near in near_ones or (_files_named_like(path) if lost else []):
             yield (*refused.words[:i], f"{head}{sign}{near}", *refused.words[i + 1 :])
+
+
+def _files_named_like(path: Path) -> list[str]:
+    """Files beside it whose names without their endings are nearly its own: another name is another curve."""
+    beside: dict[str, list[str]] = {}
+    for one in sorted(path.parent.iterdir()):
+        beside.setdefault(one.stem.lower(), []).append(str(one))
+    return [name for stem in get_close_matches(path.stem.lower(), beside, n=2) for name in beside[stem]]
 
 
 def _respelt(refused: _Refused) -> Iterator[Words]:

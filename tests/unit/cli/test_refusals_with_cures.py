@@ -605,3 +605,12 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     refused = typed(words.split(), tmp_path)
     assert refused.returncode == 2
     assert f"Error: {told}" in refused.stderr
+
+
+def test_a_file_of_quite_another_name_is_not_offered_for_a_lost_one(tmp_path):
+    """Another curve would be cut; a slip of the finger and another ending are mended."""
+    ec.write_curves([ec.PlaneCurve.spline(CURVES["tall"])], tmp_path / "arch.svg")
+    for lost, is_offered in (("pot.svg", False), ("acrh.svg", True), ("arch.dxf", True), ("ARCH.dxf", True)):
+        refused = typed(["check", lost], tmp_path)
+        assert refused.returncode == 2
+        assert ("check arch.svg" in refused.stderr) == is_offered, refused.stderr
