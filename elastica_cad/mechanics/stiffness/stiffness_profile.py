@@ -142,7 +142,8 @@ class _AlongArc:
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
         at = np.interp(stops, s, reached).tolist()
-        wanted = [np.linspace(a, b, ceil(b - a) + 1)[1:-1] for a, b in pairwise(at)]
+        parts = [ceil(b - a) for a, b in pairwise(at)]
+        wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
         return np.asarray(np.interp(np.concatenate(wanted), reached, s))
 
 
