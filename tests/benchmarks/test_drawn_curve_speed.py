@@ -58,7 +58,8 @@ def evaluated(name):
     ],
 )
 def test_drawn_curve_against_its_evaluations(benchmark, task, name, limit):
-    benchmark.pedantic(task, setup=lambda: ((next(dragged(name, 1)),), {}), rounds=5)
+    curves = dragged(name, 25)
+    benchmark.pedantic(task, setup=lambda: ((next(curves),), {}), rounds=25)
     ratio = seconds(task, dragged(name, 15)) / seconds(evaluated, [name] * 5)
     benchmark.extra_info["ratio"] = ratio
     assert ratio <= limit
