@@ -42,6 +42,12 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """That of `geometry.curves.curve_derivatives.RationalPieces`; pieces, degree, columns, the first asked."""
 
+    def curve_at(
+        self, series: FloatArray, sizes: tuple[int, int, int], edges: FloatArray, left: bool,
+        origins: FloatArray, t: FloatArray, values: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`at` of the same, of a curve without weights."""
+
     def arc_lengths_at(
         self, t: FloatArray, s: FloatArray, series: FloatArray, parameters: FloatArray, lengths: FloatArray, /
     ) -> None:

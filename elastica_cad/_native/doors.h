@@ -48,6 +48,7 @@ static inline int borrow_arc(Borrowed *arrays, PyObject **given, ArcLengths *arc
 PyObject *py_locate(PyObject *module, PyObject *arguments);
 PyObject *py_legendre_sums(PyObject *module, PyObject *arguments);
 PyObject *py_bernstein_sums(PyObject *module, PyObject *arguments);
+PyObject *py_curve_at(PyObject *module, PyObject *arguments);
 PyObject *py_arc_lengths_at(PyObject *module, PyObject *arguments);
 PyObject *py_parameters_at(PyObject *module, PyObject *arguments);
 PyObject *py_speed_panels(PyObject *module, PyObject *arguments);

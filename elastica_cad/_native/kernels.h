@@ -188,6 +188,10 @@ void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns, cons
 void bernstein_sums(Py_ssize_t places, const BernsteinPieces *pieces, const int64_t *piece, const double *u,
                     double *values);
 
+/* The same at parameters t between edges (count + 1,), from the first column on; the first two are seen from `origins`. */
+void curve_at(const BernsteinPieces *pieces, const double *edges, int to_left, const double *origins,
+              Py_ssize_t places, const double *t, double *values);
+
 void arc_lengths_at(const ArcLengths *arc, Py_ssize_t places, const double *t, double *s);
 
 void parameters_at(const ArcLengths *arc, const InverseCells *cells, Py_ssize_t places, const double *s, double *t);

@@ -321,6 +321,7 @@ static PyMethodDef functions[] = {
     {"locate", py_locate, METH_VARARGS, NULL},
     {"legendre_sums", py_legendre_sums, METH_VARARGS, NULL},
     {"bernstein_sums", py_bernstein_sums, METH_VARARGS, NULL},
+    {"curve_at", py_curve_at, METH_VARARGS, NULL},
     {"arc_lengths_at", py_arc_lengths_at, METH_VARARGS, NULL},
     {"parameters_at", py_parameters_at, METH_VARARGS, NULL},
     {"speed_panels", py_speed_panels, METH_VARARGS, NULL},

@@ -98,6 +98,37 @@ done:
     return answer;
 }
 
+PyObject *py_curve_at(PyObject *module, PyObject *arguments)
+{
+    PyObject *series, *ends, *seen_from, *at, *out, *answer = NULL;
+    BernsteinPieces pieces = {.first = 0};
+    int to_left;
+    if (!PyArg_ParseTuple(arguments, "O(nnn)OpOOO", &series, &pieces.count, &pieces.degree, &pieces.width, &ends,
+                          &to_left, &seen_from, &at, &out))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *edges, *origins, *t;
+    double *values;
+    pieces.degree -= 1; /* the series has a term more */
+    const Py_ssize_t places = array_size(at), entries = array_size(out);
+    if (places < 0 || entries < 2 * places || (places && entries % places))
+        return refused("a curve has places, and room for two numbers or more at each");
+    pieces.columns = places ? entries / places : 2;
+    if (!borrow_pieces(&arrays, series, &pieces))
+        goto done;
+    BORROW(edges, ends, pieces.count + 1, "edges");
+    BORROW(origins, seen_from, 2 * pieces.count, "origins");
+    BORROW(t, at, places, "t");
+    BORROW_OUT(values, out, places * pieces.columns, "values");
+    Py_BEGIN_ALLOW_THREADS
+    curve_at(&pieces, edges, to_left, origins, places, t, values);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
 PyObject *py_arc_lengths_at(PyObject *module, PyObject *arguments)
 {
     PyObject *of_arc[3], *at, *out, *answer = NULL;

@@ -92,6 +92,19 @@ void bernstein_sums(Py_ssize_t places, const BernsteinPieces *pieces, const int6
     }
 }
 
+void curve_at(const BernsteinPieces *pieces, const double *edges, int to_left, const double *origins,
+              Py_ssize_t places, const double *t, double *values)
+{
+    for (Py_ssize_t i = 0; i < places; i++) {
+        double u, *sum = values + i * pieces->columns;
+        int64_t piece;
+        locate(pieces->count, edges, to_left, 0.0, 1, t + i, &piece, &u);
+        bernstein_sums(1, pieces, &piece, &u, sum);
+        sum[0] += origins[2 * piece];
+        sum[1] += origins[2 * piece + 1];
+    }
+}
+
 /* The sum of a Chebyshev series and its slope by x, by Clenshaw's recurrences. */
 static double chebyshev_sum(Py_ssize_t count, const double *restrict series, double x, double *slope)
 {

@@ -7,6 +7,7 @@ import pytest
 
 from elastica_cad import _native
 from elastica_cad.geometry.curves import arc_length, curve_derivatives
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths import profile
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials import bezier_pieces, fit_function, panel_functions
@@ -103,6 +104,23 @@ def test_derivatives_piece_by_piece(both, seed, curve):
     compiled, plain = both(curve_derivatives, lambda: curve(seed)._pieces._series)
     assert compiled.shape == plain.shape
     assert distance(compiled, plain) < CLOSE
+
+
+@pytest.mark.parametrize("left", [False, True])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_derivatives_on_either_side_of_knots(both, seed, left):
+    """Of a cubic whose knots are double, so that its second derivative jumps there."""
+    points = np.cumsum(np.random.default_rng(seed).uniform(1, 9, (8, 2)), axis=0) + 1e4
+    knots = np.array([0.0, 0, 0, 0, 1, 1, 2, 2, 3, 3, 3, 3])
+
+    def asked():
+        return PlaneCurve(knots, points, 3)._pieces.at(np.linspace(0, 3, 13), 3, left=left)
+
+    compiled, plain = both(curve_derivatives, asked)
+    for one, other in zip(compiled, plain, strict=True):
+        assert distance(one, other) < CLOSE
+    _, _, beyond, _ = PlaneCurve(knots, points, 3)._pieces.at(np.array([1.0]), 3, left=not left)
+    assert np.abs(compiled[2][4] - beyond[0]).max() > 0.01
 
 
 @pytest.mark.parametrize("seed", SEEDS)

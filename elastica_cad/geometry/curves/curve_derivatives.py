@@ -84,6 +84,11 @@ class RationalPieces:
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
         """Position and derivatives d/dt up to `order`, each (n, 2)."""
+        if kernels is not None and not self.rational and self.spans.degree <= MOST_DEGREE:
+            series, t = self._series, np.ascontiguousarray(self.inside(t))
+            values = np.empty((t.size, 2 * (order + 1)))
+            kernels.curve_at(series, series.shape, self.edges, left, self._origins, t, values)
+            return [values[:, k : k + 2] for k in range(0, values.shape[1], 2)]
         return self.within(*self.spans.locate(self.inside(t), left=left), order)
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:

@@ -154,6 +154,9 @@ def ask_polynomials(kernels, rng, case):
     kernels.legendre_sums(series, (pieces, terms), which, x, out)
     kernels.bernstein_sums(series, (pieces, terms - 1, columns, 0), which, x, out)
     kernels.locate(odd(rng, case, pieces + 1), case % 2, -1.0, x, which.copy(), np.empty(places))
+    if columns > 1:
+        curve = odd(rng, case, pieces + 1), case % 2, odd(rng, case, pieces, 2)
+        kernels.curve_at(series, (pieces, terms, columns), *curve, x, np.empty((places, columns)))
     count, found = pieces * 25, np.empty((2, pieces * 25), dtype=np.intp)
     kernels.extremes(
         odd(rng, case, pieces, 12), rng.normal(size=(25, 12)), np.linspace(-1, 1, 25),
