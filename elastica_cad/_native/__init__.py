@@ -81,6 +81,12 @@ class Kernels(Protocol):
     ) -> int:  # fmt: skip
         """`found_extremes` of `geometry.polynomials.panel_functions.PanelFunction`: how many there are."""
 
+    def bernstein_roots(
+        self, coefficients: FloatArray, noise: FloatArray, settings: tuple[int, float, float, float, float, float],
+        piece: IntArray, sharp: IntArray, places: FloatArray, /,
+    ) -> int:  # fmt: skip
+        """The events of `roots` in `geometry.polynomials.bernstein`: how many, -1 where they need more room."""
+
     def vertex_exchange(
         self, rows: FloatArray, limits: FloatArray, settings: tuple[int, float, float, float],
         active: IntArray, inverse: FloatArray, vertex: FloatArray, /,

@@ -107,6 +107,16 @@ typedef struct {
     const double *control_points, *matrix, *widths, *origins;
 } CurvePieces;
 
+#define MOST_CUTS 48 /* of a polynomial, in two each time */
+#define SPLITS 3     /* places near the middle where it may be cut */
+
+/* `roots` of geometry/polynomials/bernstein.py. */
+typedef struct {
+    Py_ssize_t count, degree;
+    int most_cuts;
+    double gentle, blur, splits[SPLITS];
+} RootSearch;
+
 enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
 
 static inline double between(double low, double x, double high)
@@ -209,6 +219,10 @@ Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double
 
 /* One of the three above; `active` and `inverse` are where it begins and where it ends. */
 int vertex_exchange(const FewNumbers *program, int64_t *active, double *inverse, double *vertex);
+
+/* How many zeros there are, sharp ones and stretches (2,) that rounding fills; -1 where `room` has no place for them. */
+Py_ssize_t bernstein_roots(const RootSearch *search, const double *coefficients, const double *noise, Py_ssize_t room,
+                           int64_t *piece, int64_t *sharp, double *places);
 
 /* Place and value of the least and of the largest value of cubics (pieces, 4) between edges. */
 void cubic_extremes(Py_ssize_t pieces, const double *coefficients, const double *edges, double *found);

@@ -328,6 +328,7 @@ static PyMethodDef functions[] = {
     {"evaluate_panels", py_evaluate_panels, METH_VARARGS, NULL},
     {"extremes", py_extremes, METH_VARARGS, NULL},
     {"vertex_exchange", py_vertex_exchange, METH_VARARGS, NULL},
+    {"bernstein_roots", py_bernstein_roots, METH_VARARGS, NULL},
     {"cubic_extremes", py_cubic_extremes, METH_VARARGS, NULL},
     {"extraction", py_extraction, METH_VARARGS, NULL},
     {"fit_splines", py_fit_splines, METH_VARARGS, NULL},

@@ -295,6 +295,38 @@ done:
     return answer;
 }
 
+PyObject *py_bernstein_roots(PyObject *module, PyObject *arguments)
+{
+    PyObject *polynomials, *levels, *out[3], *answer = NULL;
+    RootSearch search;
+    if (!PyArg_ParseTuple(arguments, "OO(iddddd)OOO", &polynomials, &levels, &search.most_cuts, &search.gentle,
+                          &search.blur, &search.splits[0], &search.splits[1], &search.splits[2], &out[0], &out[1], &out[2]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *coefficients, *noise;
+    double *places;
+    int64_t *piece, *sharp;
+    const Py_ssize_t entries = array_size(polynomials), count = array_size(levels), room = array_size(out[0]);
+    if (entries < 0 || count < 1 || room < 0 || entries < count || entries / count > MOST_DEGREE + 1 ||
+        search.most_cuts < 0 || search.most_cuts > MOST_CUTS)
+        return refused("zeros are those of one polynomial or more of a degree of at most 32, cut at most 48 times");
+    search.count = count;
+    search.degree = entries / count - 1;
+    BORROW(coefficients, polynomials, count * (search.degree + 1), "coefficients");
+    BORROW(noise, levels, count, "noise");
+    BORROW_WHOLE_OUT(piece, out[0], room, "piece");
+    BORROW_WHOLE_OUT(sharp, out[1], room, "sharp");
+    BORROW_OUT(places, out[2], 2 * room, "places");
+    Py_ssize_t found;
+    Py_BEGIN_ALLOW_THREADS
+    found = bernstein_roots(&search, coefficients, noise, room, piece, sharp, places);
+    Py_END_ALLOW_THREADS
+    answer = PyLong_FromSsize_t(found);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
 PyObject *py_vertex_exchange(PyObject *module, PyObject *arguments)
 {
     PyObject *matrix, *right, *conditions, *inverted, *out, *answer = NULL;

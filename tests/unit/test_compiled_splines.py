@@ -10,7 +10,7 @@ from elastica_cad.geometry.curves import arc_length, curve_derivatives
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths import profile
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials import bezier_pieces, fit_function, panel_functions
+from elastica_cad.geometry.polynomials import bernstein, bezier_pieces, fit_function, panel_functions
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction
 from elastica_cad.geometry.polynomials.spline_spans import SplineSpans
 from tests.unit.test_compiled_polynomials import drawn, ellipses
@@ -147,6 +147,42 @@ def test_extremes_of_cubic_profiles(both, seed):
     assert (low, high) == pytest.approx(plain[:2], abs=CLOSE)
     assert there == pytest.approx([low, high], abs=CLOSE)
     assert (first, second) == pytest.approx(plain[2:4], abs=1e-6)  # flat there: only the value is sharp
+
+
+@pytest.mark.parametrize("degree", [1, 3, 8, 20])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_zeros_of_polynomials(both, seed, degree):
+    """As many, in the same places, of polynomials some of which touch zero or cross it at a triple place."""
+    rng = np.random.default_rng(seed)
+    c = rng.normal(size=(int(rng.integers(1, 9)), degree + 1))
+    if degree == 8:
+        place = rng.uniform(0.2, 0.8)
+        shifted = np.array([-place, 1 - place])
+        power = shifted
+        for _ in range(1 + seed % 2):
+            power = bernstein.product(power, shifted)
+        c[0] = bernstein.product(power, np.ones(9 - power.size + 1))
+    noise = 32 * 2.2e-16 * np.abs(c).max(axis=1)
+    found, plain = both(bernstein, lambda: bernstein.roots(c, noise))
+    assert [(r.piece, r.crossing) for r in found] == [(r.piece, r.crossing) for r in plain]
+    assert distance([r.u for r in found], [r.u for r in plain]) < 1e-10
+
+
+@pytest.mark.parametrize("share", [0.5, 0.3, 0.8123])
+def test_a_triple_zero_is_sharp(both, share):
+    """Its value is rounding over a thousandth of a percent of the interval, its second derivative is not."""
+    line = np.array([-share, 1 - share])
+    c = bernstein.product(bernstein.product(line, line), bernstein.product(line, np.array([1.0, 1.3, 2.0])))
+    for found in both(bernstein, lambda: bernstein.interior_roots(c[None])):
+        (root,) = found
+        assert root.crossing
+        assert root.u == pytest.approx(share, abs=1e-9)
+
+
+def test_polynomials_beyond_the_compiled_room(both):
+    c = np.random.default_rng(3).normal(size=(2, 40))
+    found, plain = both(bernstein, lambda: bernstein.roots(c, np.full(2, 1e-14)))
+    assert found == plain
 
 
 def test_control_points_outside_their_array_are_refused():

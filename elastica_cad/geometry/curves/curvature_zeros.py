@@ -200,17 +200,15 @@ def _evenly_weighted(
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
-    """Which homogeneous Bezier pieces are straight (p,): curvature below 1e-8 of 1 / size of the curve."""
+    """Which pieces of a curve of extent 1 are straight (p,): curvature below 1e-8."""
     points = bezier[..., :2] / bezier[..., 2:]
-    size = float(np.ptp(points, axis=(0, 1)).max())
     x, y = (points - points[:, :1]).transpose(2, 0, 1)
     along, across = x[:, -1:], y[:, -1:]
     length = np.hypot(along, across)
     safe = np.where(length > 0, length, 1.0)
     sagitta = np.abs((y * along - x * across) / safe)
-    sagitta = np.where(length > 1e-12 * size, sagitta, np.hypot(x, y)).max(axis=1)
-    magnitude = np.abs(points).max()
-    return np.asarray(8 * sagitta <= 1e-8 * length[:, 0] ** 2 / size + 32 * _EPS * magnitude)
+    sagitta = np.where(length > 1e-12, sagitta, np.hypot(x, y)).max(axis=1)
+    return np.asarray(8 * sagitta <= 1e-8 * length[:, 0] ** 2 + 16 * _EPS)
 
 
 def _extent(bezier: FloatArray) -> float:
@@ -237,20 +235,26 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
+    if np.ptp(bezier[..., 2]) == 0:  # to 1, so that the second factor of the first term alone is left
+        d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
+        first, second = product(d, e[::-1])
+        return first - second, _numerator_noise(d, e, centre)
     # seen from the middle of each piece; rows x w, y w, w
     a, d, e = (
-        (*(v[..., :2] - centre[:, None] * v[..., 2:]).transpose(2, 0, 1), v[..., 2])
+        np.stack([*(v[..., :2] - centre[:, None] * v[..., 2:]).transpose(2, 0, 1), v[..., 2]])
         for v in (bezier[:, :-2], step[:, :-1], bend)
     )
 
     def minor(i: int, j: int) -> FloatArray:
         return product(d[i], e[j]) - product(d[j], e[i])
 
-    value = product(a[2], minor(0, 1))
-    if np.ptp(bezier[..., 2]) > 0:
-        value = value + product(a[0], minor(1, 2)) + product(a[1], minor(2, 0))
-    sizes = sum(np.sqrt((v[0] ** 2 + v[1] ** 2 + v[2] ** 2).max(axis=1)) for v in (d, e))
-    return value, 8 * _EPS * sizes * (1 + np.abs(centre).max())
+    value = product(a[2], minor(0, 1)) + product(a[0], minor(1, 2)) + product(a[1], minor(2, 0))
+    return value, _numerator_noise(d, e, centre)
+
+
+def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatArray:
+    sizes = np.sqrt((d * d).sum(axis=0).max(axis=1)) + np.sqrt((e * e).sum(axis=0).max(axis=1))
+    return np.asarray(8 * _EPS * sizes * (1 + np.abs(centre).max()))
 
 
 def _same_degree(p: FloatArray, q: FloatArray) -> tuple[FloatArray, FloatArray]:

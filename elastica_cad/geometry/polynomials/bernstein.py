@@ -7,6 +7,7 @@ from math import comb
 
 import numpy as np
 
+from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 
@@ -125,6 +126,12 @@ class Root:
 _MOST_HALVINGS = 48
 """A piece halved this often is as short as rounding: what is left in it is one multiple zero."""
 
+_GENTLE, _BLUR = 10.0, 4.0
+"""A sign change is a multiple zero where the slope is what rounding makes of that of a triple one, that lies within
+these third roots of the noise: its own value does not place it, a derivative does."""
+
+_ROOM = 2  # events a coefficient, on the average, up to which the compiled search has room
+
 _EPS = float(np.finfo(float).eps)
 
 
@@ -136,6 +143,28 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     rounding cannot separate count as one: a crossing when the sign differs on its two sides, else a touch.
     The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
     """
+    events = _compiled_events(c, noise) if c.size and kernels is not None else None
+    return _classified(c, _merged(sorted(_events(c, noise) if events is None else events)))
+
+
+def _compiled_events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]] | None:
+    """Those of `_events`, None where a kernel has no room for them."""
+    assert kernels is not None
+    if c.shape[1] > MOST_DEGREE + 1:
+        return None
+    room = _ROOM * c.size
+    piece, sharp = np.empty((2, room), dtype=np.intp)
+    places = np.empty((room, 2))
+    settings = _MOST_HALVINGS, _GENTLE, _BLUR, *_SPLITS
+    found = kernels.bernstein_roots(np.ascontiguousarray(c), noise, settings, piece, sharp, places)
+    if found < 0:
+        return None
+    rows = zip(piece[:found].tolist(), places[:found].tolist(), sharp[:found].tolist(), strict=True)
+    return [(k, low, high, bool(is_sharp)) for k, (low, high), is_sharp in rows]
+
+
+def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
+    """Sign changes, and stretches on which nothing is above the noise: piece, start, end, is it a sign change?"""
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
     events: list[tuple[int, float, float, bool]] = []
@@ -149,13 +178,14 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
         none = some & (changes == 0) & ~blurred
         cluster = ~some if depth < _MOST_HALVINGS else ~(one | none)
         for i in one.nonzero()[0].tolist():
-            at = float(low[i] + width[i] * _crossing(part[i].tolist()))
-            events.append((int(piece[i]), at, at, True))
+            start, end = _enclosed(part[i].tolist(), float(noise[piece[i]]))
+            place, length = float(low[i]), float(width[i])
+            events.append((int(piece[i]), place + length * start, place + length * end, start == end))
         for i in cluster.nonzero()[0].tolist():
             events.append((int(piece[i]), float(low[i]), float(low[i] + width[i]), False))
         rest = ~(one | none | cluster)
         piece, part, low, width = _halved(piece[rest], part[rest], low[rest], width[rest])
-    return _classified(c, _merged(sorted(events)))
+    return events
 
 
 def interior_roots(c: FloatArray) -> list[Root]:
@@ -204,18 +234,26 @@ def _halved(
     )
 
 
-def _crossing(c: list[float]) -> float:
-    """The one sign change of a polynomial whose end values differ in sign, to rounding error.
+def _enclosed(c: list[float], noise: float) -> tuple[float, float]:
+    """Where the one sign change lies: at one place, or where it is a multiple zero within a stretch about it."""
+    largest = max(map(abs, c))
+    u, slope = _crossing(c, largest)
+    blur = (noise / largest) ** (1 / 3)
+    reach = _BLUR * blur if abs(slope) <= _GENTLE * blur**2 * largest else 0.0
+    return max(u - reach, 0.0), min(u + reach, 1.0)
+
+
+def _crossing(c: list[float], largest: float) -> tuple[float, float]:
+    """The one sign change of a polynomial whose end values differ in sign, to rounding error, and the slope there.
 
     In plain numbers: there are few such polynomials, and a step with arrays costs as much for one as for ten.
     """
     low, high, rising = 0.0, 1.0, c[-1] > 0
-    blurred = _EPS * max(map(abs, c))
-    u = c[0] / (c[0] - c[-1])
+    u, slope = c[0] / (c[0] - c[-1]), 0.0
     for _ in range(80):
         value, slope = _value_and_slope(c, u)
-        if abs(value) <= blurred:
-            return u
+        if abs(value) <= _EPS * largest:
+            break
         if (value > 0) == rising:
             high = u
         else:
@@ -223,10 +261,11 @@ def _crossing(c: list[float]) -> float:
         following = u - value / slope if slope else low
         if not low < following < high:
             following = (low + high) / 2
-        if abs(following - u) <= 4e-16:
-            return following
+        is_settled = abs(following - u) <= 4e-16
         u = following
-    return u
+        if is_settled:
+            break
+    return u, slope
 
 
 def _value_and_slope(c: list[float], u: float) -> tuple[float, float]:

@@ -222,6 +222,11 @@ def ask_splines(kernels, rng, case):
         np.empty(spans),
     )  # fmt: skip
     kernels.cubic_extremes(odd(rng, case, spans, 4), odd(rng, case, spans + 1))
+    found = np.empty((2, 4 * spans), dtype=np.intp)
+    kernels.bernstein_roots(
+        odd(rng, case, spans, size), np.abs(odd(rng, case, spans)) * 10 ** rng.uniform(-20, 1),
+        (48, 10.0, 4.0, 0.5, 0.4375, 0.578125), *found, np.empty((4 * spans, 2)),
+    )  # fmt: skip
     numbers = int(rng.integers(2, 4))
     series = np.empty((spans, size, 4 * numbers))
     raised = curve_derivatives._all_raised(degree)
