@@ -6,6 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
 
 @dataclass(frozen=True)
@@ -55,9 +56,7 @@ class StiffnessBasis:
 
 def spline_basis(x: FloatArray, count: int) -> FloatArray:
     """Values (n, count) of the cubic B-splines with uniform clamped knots at x (n,) in 0..1."""
-    from scipy.interpolate import BSpline
-
-    return np.asarray(BSpline.design_matrix(np.clip(x, 0, 1), StiffnessBasis(count).knots, 3).toarray())
+    return bezier_spans(StiffnessBasis(count).knots, 3).basis(np.clip(x, 0, 1))
 
 
 @lru_cache(maxsize=16)
