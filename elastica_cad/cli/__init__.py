@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
+from elastica_cad._process import RARE_COLLECTIONS
 from elastica_cad.errors import how_to_install
 
 if TYPE_CHECKING:
@@ -16,9 +17,6 @@ if TYPE_CHECKING:
     from elastica_cad.plot.page_process import PageProcess
 
 __all__ = ["main"]
-
-RARE_COLLECTIONS = (200_000, 20, 20)
-"""Thresholds of the garbage collector: a command ends before its cycles matter, a strip makes 100 000 objects."""
 
 
 def main(arguments: list[str] | None = None) -> None:

@@ -1,13 +1,11 @@
 """Damaged files on which OpenCASCADE breaks down: a copy of the program tries them first."""
 
-import faulthandler
 import os
 import signal
 import time
-import warnings
 from collections.abc import Callable
-from contextlib import suppress
 
+from elastica_cad._process import begin_copy
 from elastica_cad.errors import InputError
 
 LONGEST_S = 120.0
@@ -24,17 +22,7 @@ def try_in_a_copy(task: Callable[[], object]) -> None:
     """
     if not hasattr(os, "fork"):
         return
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # of threads: the copy runs OpenCASCADE alone
-        copy = os.fork()
-    if not copy:
-        with suppress(BaseException):
-            faulthandler.disable()
-            silence = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(silence, 1)
-            os.dup2(silence, 2)
-            task()
-        os._exit(0)
+    copy = begin_copy(task)
     end, pause = time.monotonic() + LONGEST_S, 1e-3
     try:
         while True:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from elastica_cad._counts import counted
+from elastica_cad._process import rare_collections
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
@@ -23,6 +24,7 @@ from elastica_cad.formats.file_access.file_transaction import check_folder, writ
 from elastica_cad.formats.file_access.text_files import write_json, write_text
 from elastica_cad.formats.reports.start_page import compose_start_page
 from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
+from elastica_cad.kit.painted_beside import painted_beside
 from elastica_cad.mechanics.material.sheet import Sheet
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
@@ -32,6 +34,9 @@ START_PAGE = "index.html"
 
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Kinds of files that workshops make parts of."""
+
+PAINTED = (".pdf", ".png")
+"""Kinds of files that matplotlib makes."""
 
 
 @dataclass(frozen=True)
@@ -104,10 +109,16 @@ def write_kit(
     step, pictures = step and not step_trouble(), pictures and find_spec("matplotlib") is not None
     _plan(kit, step=step, pictures=pictures, parts=parts)
     with write_together(folder, kit.files, force=force) as workshop:
-        for name, (_, write) in kit.files.items():
-            write(workshop / name)
-            if done is not None:
-                done(name, len(kit.files))
+        writers = {name: partial(write, workshop / name) for name, (_, write) in kit.files.items()}
+        painters = {name: write for name, write in writers.items() if name.endswith(PAINTED)}
+        with painted_beside(painters.values()) as are_painted:
+            for name in sorted(
+                writers, key=painters.__contains__
+            ):  # what is painted beside is waited for last
+                if name not in painters or not are_painted():
+                    writers[name]()
+                if done is not None:
+                    done(name, len(kit.files))
 
 
 def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
@@ -191,8 +202,9 @@ def save_model(
         )
     folder = require_path(folder)
     check_kit_folder(model.name, folder, force=force)
-    kit = kit_of(model, spec, effects=True)
-    write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
+    with rare_collections():
+        kit = kit_of(model, spec, effects=True)
+        write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     summary = f"{model.name}: {count_strips(model)} on {counted(len(kit.nests), 'sheet')}"
     return SavedKit(folder, tuple(kit.files), left_out(step=step, pictures=pictures), summary)
 

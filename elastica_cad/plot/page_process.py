@@ -15,6 +15,8 @@ from importlib.util import find_spec
 from threading import Thread
 from typing import TYPE_CHECKING, Any, Protocol
 
+from elastica_cad._process import usable_processors
+
 if TYPE_CHECKING:
     from elastica_cad.plot.canvas import Figure
 
@@ -98,7 +100,7 @@ def page_process() -> Iterator[PageProcess | None]:
     """The process for the time of the block; None where it would spare nothing or can't be had."""
     frozen = getattr(sys, "frozen", False) or not sys.executable  # that is no Python there
     begun = None
-    if not frozen and _processors() > 1 and find_spec("matplotlib") is not None:
+    if not frozen and usable_processors() > 1 and find_spec("matplotlib") is not None:
         with suppress(OSError):
             begun = PageProcess()
     try:
@@ -106,11 +108,6 @@ def page_process() -> Iterator[PageProcess | None]:
     finally:
         if begun is not None:
             begun.end()
-
-
-def _processors() -> int:
-    """How many this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _serve() -> None:

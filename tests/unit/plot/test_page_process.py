@@ -41,7 +41,7 @@ def kit():
 
 @pytest.fixture
 def painter(monkeypatch):
-    monkeypatch.setattr(beside, "_processors", lambda: 2)
+    monkeypatch.setattr(beside, "usable_processors", lambda: 2)
     with beside.page_process() as begun:
         yield begun
 
@@ -120,7 +120,7 @@ def test_half_a_picture_is_none(painter, kit, monkeypatch):
 
 @pytest.mark.parametrize("reason", ["one processor", "frozen", "no matplotlib", "no processes"])
 def test_there_is_none_where_it_would_spare_nothing_or_cannot_be(reason, monkeypatch):
-    monkeypatch.setattr(beside, "_processors", lambda: 1 if reason == "one processor" else 2)
+    monkeypatch.setattr(beside, "usable_processors", lambda: 1 if reason == "one processor" else 2)
     if reason == "frozen":
         monkeypatch.setattr(sys, "frozen", True, raising=False)
     if reason == "no matplotlib":
@@ -137,7 +137,7 @@ def test_it_ends_with_the_block_and_with_whoever_began_it(tmp_path):
     assert begun is None or not is_there(pid)
     code = (
         "import time\nfrom elastica_cad.plot import page_process as beside\n"
-        "beside._processors = lambda: 2\n"
+        "beside.usable_processors = lambda: 2\n"
         "with beside.page_process() as begun:\n    print(begun.pid, flush=True)\n    time.sleep(60)\n"
     )
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True) as process:
