@@ -1,14 +1,13 @@
 """The pattern of a perforated strip: diamonds between ligaments of equal width that run along the strip."""
 
-from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
@@ -138,19 +137,13 @@ class DiamondPattern:
         """Summed width (n,), mm, of sharp holes at stations `s` (n,): what a line across their loops meets."""
         order = np.argsort(s, kind="stable")
         at = s[order]
-        rows = self._rows_within(ends)
-        pieces = [one.pieces for row in rows for one in row.stretches]
-        if not pieces:
-            return np.zeros(s.size)
-        full = np.repeat(
-            [row.full for row in rows for _ in row.stretches], [len(low) for low, _, _ in pieces]
-        )
-        low, high, points = (np.concatenate(part) for part in zip(*pieces, strict=True))
+        begin, end, points, full = self._pieces
+        low, high = (np.clip(one, *self._between(ends)) for one in (begin, end))
         first = np.searchsorted(at, low)
-        count = np.searchsorted(at, high) - first
+        count = np.where(high - low > JOIN, np.searchsorted(at, high) - first, 0)
         piece = np.repeat(np.arange(low.size), count)
         station = numbers_in_groups(count) + np.repeat(first, count)
-        u = (at[station] - low[piece]) / (high - low)[piece]
+        u = (at[station] - begin[piece]) / (end - begin)[piece]
         shares = scaled_bernstein(3, u) * binomials(3)
         w, m, diamond = np.einsum("ni,nij->jn", shares, points[piece])
         diamonds = self.columns * diamond
@@ -192,9 +185,13 @@ class DiamondPattern:
 
     def _rows_within(self, ends: Ends) -> list["_Row"]:
         """What the tabs leave of the rows."""
+        within = self._between(ends)
+        return [row for whole in self._rows if (row := whole.within(*within)) is not None]
+
+    def _between(self, ends: Ends) -> tuple[float, float]:
+        """Stations, mm, between which tabs let holes be."""
         length = self.width.length
-        low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
-        return [row for whole in self._rows if (row := whole.within(low, high)) is not None]
+        return self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
 
     def _margin(self, tab: Tab, s: float) -> float:
         held = tab.width is None or tab.width >= float(self.width(s))
@@ -231,17 +228,50 @@ class DiamondPattern:
     @cached_property
     def _rows(self) -> list["_Row"]:
         """Rows of full diamonds and of the ones in the gaps between them, in turn."""
-        rows, middles = [], [one.middle for one in self._stretches]
-        for i in range(2 * self.rows + 1):
-            first, last = self.joints[max(i - 1, 0)], self.joints[min(i + 1, 2 * self.rows)]
-            first += self.bridge / 2 if i > 1 else 0.0
-            last -= self.bridge / 2 if i < 2 * self.rows - 1 else 0.0
-            stretches = self._stretches[bisect_right(middles, first) : bisect_left(middles, last)]
-            rows.append(_Row(tuple(stretches), self.columns, full=i % 2 == 1))
-        return rows
+        fit, several = self._fitted, self._fitted.several
+        knots = np.repeat(np.column_stack([fit.cuts[:-1], fit.cuts[1:]]), 4, axis=1)
+        stretches = [
+            _Stretch(*(several[i] if i in several else (knots[i], fit.single[i]))) for i in range(len(knots))
+        ]
+        return [
+            _Row(tuple(stretches[first:last]), self.columns, full=i % 2 == 1)
+            for i, (first, last) in enumerate(self._row_stretches.tolist())
+        ]
+
+    @property
+    def _row_stretches(self) -> IntArray:
+        """First stretch of each row, and the one after its last (2 rows + 1, 2)."""
+        first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
+        first[0], last[-1] = self.joints[0], self.joints[-1]
+        middles = (self._fitted.cuts[:-1] + self._fitted.cuts[1:]) / 2
+        return np.column_stack(
+            [
+                np.searchsorted(middles, np.append(first[:1], first), side="right"),
+                np.searchsorted(middles, np.append(last, last[-1:]), side="left"),
+            ]
+        )
 
     @cached_property
-    def _stretches(self) -> list["_Stretch"]:
+    def _pieces(self) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray]:
+        """From where to where (p,) polynomials run, their Bezier coefficients (p, 4, 3), whether of full diamonds.
+
+        Row by row: most stretches are in two.
+        """
+        fit = self._fitted
+        spans = {i: bezier_spans(knots, 3) for i, (knots, _) in fit.several.items()}
+        counts = np.ones(len(fit.single), dtype=np.intp)
+        counts[list(spans)] = [len(one.widths) for one in spans.values()]
+        begins = np.append(0, np.cumsum(counts))
+        low, high, points = (one.repeat(counts, axis=0) for one in (fit.cuts[:-1], fit.cuts[1:], fit.single))
+        for i, one in spans.items():
+            own = slice(begins[i], begins[i + 1])
+            low[own], high[own], points[own] = one.edges[:-1], one.edges[1:], one.bezier(fit.several[i][1])
+        first, last = begins[self._row_stretches].T
+        piece = numbers_in_groups(last - first) + np.repeat(first, last - first)
+        return low[piece], high[piece], points[piece], np.repeat(np.arange(first.size) % 2 == 1, last - first)
+
+    @cached_property
+    def _fitted(self) -> "_Fit":
         """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
@@ -254,7 +284,9 @@ class DiamondPattern:
         single, parts = fit_spans(
             self._values, low + inset, high - inset, degree=3, tolerance=FIT_MM, rounding=FIT_ROUNDING
         )
-        broken = [any(a < s < b for s, _ in rough) for a, b in pairwise(cuts.tolist())]
+        broken = np.zeros(low.size, dtype=bool)
+        for s, _ in rough:
+            broken |= (low < s) & (s < high)
         starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
         ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
         cut = np.flatnonzero((parts > 1) | broken)
@@ -266,14 +298,11 @@ class DiamondPattern:
         splines = adaptive_splines(
             self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, knots=begun, rounding=FIT_ROUNDING
         )
-        of_several = dict(zip(cut.tolist(), splines, strict=True))
-        found = []
-        for i, (a, b) in enumerate(pairwise(cuts.tolist())):
-            knots, values = of_several[i] if i in of_several else (np.repeat([a, b], 4), single[i])
-            knots[:4], knots[-4:] = a, b
+        for i, (knots, values) in zip(cut, splines, strict=True):
+            knots[:4], knots[-4:] = low[i], high[i]
             values[0], values[-1] = starts[i], ends[i]
-            found.append(_Stretch(knots, values))
-        return found
+        single[:, 0], single[:, -1] = starts, ends
+        return _Fit(cuts, single, dict(zip(cut.tolist(), splines, strict=True)))
 
     def _values(self, s: FloatArray) -> FloatArray:
         """Width, material, and the width of a full diamond (n, 3), mm."""
@@ -284,6 +313,16 @@ class DiamondPattern:
         rise = np.clip((s - k * half - before) / (half - before - after), 0.0, 1.0)
         T = np.where(k % 2 == 0, rise, 1 - rise)
         return np.column_stack([w, m, T * (w - m) / self.columns])
+
+
+class _Fit(NamedTuple):
+    """Stretches between cuts (n + 1,), mm: coefficients (n, 4, 3) of those of one polynomial; of others by number
+    their knots and coefficients.
+    """
+
+    cuts: FloatArray
+    single: FloatArray
+    several: dict[int, tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -334,18 +373,6 @@ class _Stretch:
 
     knots: FloatArray
     values: FloatArray
-
-    @property
-    def middle(self) -> float:
-        return float(self.knots[0] + self.knots[-1]) / 2
-
-    @property
-    def pieces(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """From where to where (p,) each polynomial runs, and its Bezier coefficients (p, 4, 3)."""
-        if self.knots.size == 8:  # coefficients of one span are its own
-            return self.knots[:1], self.knots[-1:], self.values[None]
-        spans = bezier_spans(self.knots, 3)
-        return spans.edges[:-1], spans.edges[1:], spans.bezier(self.values)
 
     def within(self, low: float, high: float) -> "_Stretch | None":
         """The part between two stations; None where there is none."""
