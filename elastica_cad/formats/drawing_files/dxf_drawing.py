@@ -1,9 +1,10 @@
 """Drawings as DXF files, R12 to R2018."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import lru_cache
 from itertools import count
+from math import degrees
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
 from elastica_cad.geometry.paths.trim import trim_segment
 
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
+_SPLINE_POINT = " 10\n%r\n 20\n%r\n 30\n0.0\n"
 _KEPT_KNOTS = 16384  # some 10 MB
 
 
@@ -106,8 +108,10 @@ class _Writer:
         else:
             numbers = [self.number() for _ in path.segments]
             group = "" if alone or self.old else self._group(numbers)
+            head, closed = self._head(layer, group), path.closed and alone
             for segment, number in zip(path.segments, numbers, strict=True):
-                self._segment(segment, layer, number, group, path.closed and alone)
+                kind, rest = self._segment(segment, closed=closed)
+                self.entities.append(f"  0\n{kind}\n  5\n{number}\n{head}{rest}")
 
     def number(self) -> str:
         """A new one."""
@@ -119,10 +123,14 @@ class _Writer:
         self.groups.append((number, members))
         return number
 
-    def _add(self, kind: str, layer: str, number: str, rest: str, group: str = "") -> None:
+    def _add(self, kind: str, layer: str, number: str, rest: str) -> None:
+        self.entities.append(f"  0\n{kind}\n  5\n{number}\n{self._head(layer)}{rest}")
+
+    def _head(self, layer: str, group: str = "") -> str:
+        """What all entities of a path have between their numbers and their shapes."""
         bound = f"102\n{{ACAD_REACTORS\n330\n{group}\n102\n}}\n" if group else ""
         owned = "" if self.old else f"{bound}330\n{self.frame.owner}\n100\nAcDbEntity\n"
-        self.entities.append(f"  0\n{kind}\n  5\n{number}\n{owned}  8\n{layer}\n{rest}")
+        return f"{owned}  8\n{layer}\n"
 
     def _class(self, name: str) -> str:
         return "" if self.old else f"100\nAcDb{name}\n"
@@ -142,28 +150,26 @@ class _Writer:
             self._add("LWPOLYLINE", layer, number, f"{self._class('Polyline')}{count}{places}")
             return
         last = self.number()
-        self._add("POLYLINE", layer, number, f" 66\n1\n{_place(10, (0.0, 0.0))} 70\n0\n")
+        self._add("POLYLINE", layer, number, f" 66\n1\n{_place(10, np.zeros(2))} 70\n0\n")
         for place, bulge in rows:
             self._add("VERTEX", layer, self.number(), f"{place}{bulge} 70\n0\n")
         self._add("SEQEND", layer, last, "")
 
-    def _segment(self, segment: Segment, layer: str, number: str, group: str, closed: bool) -> None:
+    def _segment(self, segment: Segment, *, closed: bool) -> tuple[str, str]:
+        """The kind of its entity, and what tells its shape."""
         if isinstance(segment, Spline):
-            self._add("SPLINE", layer, number, _spline_text(segment.curve, closed=closed), group)
-        elif isinstance(segment, Arc):
-            first, last = np.degrees(sorted([segment.start_angle, segment.end_angle])).tolist()
-            angles = f"{self._class('Arc')} 50\n{first}\n 51\n{last}\n"
-            self._add("ARC", layer, number, self._round(segment) + angles, group)
-        else:
-            ends = _place(10, segment.start) + _place(11, segment.end)
-            self._add("LINE", layer, number, self._class("Line") + ends, group)
+            return "SPLINE", _spline_text(segment.curve, closed=closed)
+        if isinstance(segment, Arc):
+            first, last = sorted((degrees(segment.start_angle), degrees(segment.end_angle)))
+            return "ARC", f"{self._round(segment)}{self._class('Arc')} 50\n{first}\n 51\n{last}\n"
+        return "LINE", f"{self._class('Line')}{_place(10, segment.start)}{_place(11, segment.end)}"
 
     def _round(self, arc: Arc) -> str:
         return f"{self._class('Circle')}{_place(10, arc.center)} 40\n{float(arc.radius)}\n"
 
 
-def _place(code: int, point: Sequence[float] | FloatArray) -> str:
-    x, y = np.asarray(point, dtype=float).tolist()
+def _place(code: int, point: FloatArray) -> str:
+    x, y = point.tolist()
     return _written(code, x, y, flat=False)
 
 
@@ -172,23 +178,22 @@ def _written(code: int, x: float, y: float, *, flat: bool) -> str:
 
 
 def _spline_text(curve: PlaneCurve, *, closed: bool) -> str:
-    weights = [] if curve.weights is None else curve.weights.tolist()
-    flags = _PLANAR | (_RATIONAL if curve.is_rational else 0) | (_CLOSED if closed else 0)
-    counts = f" 72\n{curve.knots.size}\n 73\n{len(curve.control_points)}\n 74\n0\n"
-    return "".join(
-        [
-            f"100\nAcDbSpline\n 70\n{flags}\n 71\n{curve.degree}\n{counts}",
-            _knot_lines(curve.knots.tobytes()),
-            *[f" 41\n{weight}\n" for weight in weights],
-            *[f" 10\n{x}\n 20\n{y}\n 30\n0.0\n" for x, y in curve.control_points.tolist()],
-        ]
-    )
+    weighted = curve.weights is not None
+    flags = _PLANAR | (_RATIONAL if weighted else 0) | (_CLOSED if closed else 0)
+    head = _spline_head(curve.knots.tobytes(), curve.degree, flags)
+    weights = "" if curve.weights is None else "".join([f" 41\n{w}\n" for w in curve.weights.tolist()])
+    # one template for all numbers of a curve is filled faster than one for each point
+    points = curve.control_points
+    return f"{head}{weights}{_SPLINE_POINT * len(points)}" % (*points.ravel().tolist(),)
 
 
 @lru_cache(maxsize=_KEPT_KNOTS)
-def _knot_lines(written: bytes) -> str:
+def _spline_head(knots: bytes, degree: int, flags: int) -> str:
     """Of knots as bytes: sides of holes side by side share theirs, and those of a part and of its sheet."""
-    return "".join([f" 40\n{knot}\n" for knot in np.frombuffer(written).tolist()])
+    places = np.frombuffer(knots).tolist()
+    counts = f" 72\n{len(places)}\n 73\n{len(places) - degree - 1}\n 74\n0\n"
+    lines = "".join([f" 40\n{knot}\n" for knot in places])
+    return f"100\nAcDbSpline\n 70\n{flags}\n 71\n{degree}\n{counts}{lines}"
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:
