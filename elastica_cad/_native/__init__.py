@@ -98,6 +98,12 @@ class Kernels(Protocol):
     ) -> tuple[tuple[float, float], tuple[float, float]]:
         """`_extreme_points` of a cubic `geometry.paths.profile.Profile`."""
 
+    def spline_motion(
+        self, degree: int, splines: tuple[FloatArray, FloatArray, FloatArray], which: IntArray, u: FloatArray,
+        position: FloatArray, velocity: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`motion` of `geometry.paths.spline_table.SplineTable`, of its knots, points and domain."""
+
     def extraction(self, degree: int, near: FloatArray, matrix: FloatArray, /) -> None:
         """That of `geometry.polynomials.bezier_pieces`."""
 

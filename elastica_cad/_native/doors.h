@@ -57,6 +57,7 @@ PyObject *py_extremes(PyObject *module, PyObject *arguments);
 PyObject *py_vertex_exchange(PyObject *module, PyObject *arguments);
 PyObject *py_bernstein_roots(PyObject *module, PyObject *arguments);
 PyObject *py_cubic_extremes(PyObject *module, PyObject *arguments);
+PyObject *py_spline_motion(PyObject *module, PyObject *arguments);
 PyObject *py_extraction(PyObject *module, PyObject *arguments);
 PyObject *py_fit_splines(PyObject *module, PyObject *arguments);
 PyObject *py_derivative_series(PyObject *module, PyObject *arguments);

@@ -227,6 +227,16 @@ Py_ssize_t bernstein_roots(const RootSearch *search, const double *coefficients,
 /* Place and value of the least and of the largest value of cubics (pieces, 4) between edges. */
 void cubic_extremes(Py_ssize_t pieces, const double *coefficients, const double *edges, double *found);
 
+/* B-splines of one degree: knots (count, knot_count), points x w, y w, w, first and last parameter (count, 2). */
+typedef struct {
+    Py_ssize_t count, degree, knot_count;
+    const double *knots, *points, *domain;
+} SplineRows;
+
+/* Points (places, 2) at u in [0, 1] of splines which (places,), and their derivatives by u. */
+void spline_motion(const SplineRows *rows, Py_ssize_t places, const int64_t *which, const double *u, double *position,
+                   double *velocity);
+
 /* Of knots (2 degree, spans) about each span, rows (degree + 1, degree + 1) of its Bezier points. */
 void extraction(Py_ssize_t spans, Py_ssize_t degree, const double *near, double *matrix);
 

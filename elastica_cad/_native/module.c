@@ -330,6 +330,7 @@ static PyMethodDef functions[] = {
     {"vertex_exchange", py_vertex_exchange, METH_VARARGS, NULL},
     {"bernstein_roots", py_bernstein_roots, METH_VARARGS, NULL},
     {"cubic_extremes", py_cubic_extremes, METH_VARARGS, NULL},
+    {"spline_motion", py_spline_motion, METH_VARARGS, NULL},
     {"extraction", py_extraction, METH_VARARGS, NULL},
     {"fit_splines", py_fit_splines, METH_VARARGS, NULL},
     {"derivative_series", py_derivative_series, METH_VARARGS, NULL},

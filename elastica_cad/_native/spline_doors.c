@@ -1,4 +1,4 @@
-/* What Python sees of splines: of spline_fits.c, curve_tables.c, and cubics of polynomials.c. */
+/* What Python sees of splines: of spline_points.c, spline_fits.c, curve_tables.c, and cubics of polynomials.c. */
 #include "doors.h"
 
 PyObject *py_cubic_extremes(PyObject *module, PyObject *arguments)
@@ -18,6 +18,41 @@ PyObject *py_cubic_extremes(PyObject *module, PyObject *arguments)
     cubic_extremes(pieces, coefficients, edges, found);
     Py_END_ALLOW_THREADS
     answer = Py_BuildValue("(dd)(dd)", found[0], found[1], found[2], found[3]);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_spline_motion(PyObject *module, PyObject *arguments)
+{
+    PyObject *of_splines[3], *numbers, *at, *out[2], *answer = NULL;
+    SplineRows rows;
+    if (!PyArg_ParseTuple(arguments, "n(OOO)OOOO", &rows.degree, &of_splines[0], &of_splines[1], &of_splines[2],
+                          &numbers, &at, &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const Py_ssize_t knots = array_size(of_splines[0]), ends = array_size(of_splines[2]), places = array_size(at);
+    rows.count = ends / 2;
+    if (knots < 0 || places < 0 || rows.count < 1 || knots % rows.count || rows.degree < 1 ||
+        rows.degree > MOST_DEGREE || knots / rows.count < 2 * rows.degree + 2)
+        return refused("splines side by side have a degree of 1 to 32, and knots for one span or more");
+    rows.knot_count = knots / rows.count;
+    const int64_t *which;
+    const double *u;
+    double *position, *velocity;
+    BORROW(rows.knots, of_splines[0], knots, "knots");
+    BORROW(rows.points, of_splines[1], 3 * rows.count * (rows.knot_count - rows.degree - 1), "points");
+    BORROW(rows.domain, of_splines[2], 2 * rows.count, "domain");
+    BORROW_WHOLE(which, numbers, places, "which");
+    BORROW(u, at, places, "u");
+    BORROW_OUT(position, out[0], 2 * places, "position");
+    BORROW_OUT(velocity, out[1], 2 * places, "velocity");
+    if (!within(rows.count, places, which, "which"))
+        goto done;
+    Py_BEGIN_ALLOW_THREADS
+    spline_motion(&rows, places, which, u, position, velocity);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
 done:
     give_back(&arrays);
     return answer;

@@ -8,8 +8,9 @@ import pytest
 from elastica_cad import _native
 from elastica_cad.geometry.curves import arc_length, curve_derivatives
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths import profile
+from elastica_cad.geometry.paths import profile, spline_table
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.polynomials import bernstein, bezier_pieces, fit_function, panel_functions
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction
 from elastica_cad.geometry.polynomials.spline_spans import SplineSpans
@@ -32,6 +33,31 @@ def test_bezier_points_of_spans(both, seed, degree):
     compiled, plain = both(bezier_pieces, lambda: bezier_pieces.extraction(near))
     np.testing.assert_array_equal(compiled, plain)
     assert np.abs(compiled.sum(axis=2) - 1).max() < CLOSE
+
+
+@pytest.mark.parametrize("degree", [2, 3, 5, 12, 32])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_points_of_splines_side_by_side(both, seed, degree):
+    """The same digits, at knots and ends too, with weights and without, and however places are stored."""
+    rng = np.random.default_rng(seed)
+    sizes = rng.integers(degree + 1, degree + 12, 9)
+    curves = [PlaneCurve.spline(np.cumsum(rng.uniform(1, 2, (size, 2)), axis=0), degree) for size in sizes]
+    turned = np.cumsum(rng.uniform(1, 2, (degree + 1, 2)), axis=0)
+    knots = np.repeat([0.0, 1.0], degree + 1)
+    curves.append(PlaneCurve(knots, turned, degree, weights=rng.uniform(1, 2, degree + 1)))
+    which = rng.integers(0, len(curves), 90)
+    u = np.concatenate([rng.uniform(size=60), rng.integers(0, degree + 2, 30) / (degree + 1)])
+    compiled, plain = both(spline_table, lambda: SplineTable(curves).motion(which[::-1], u[::-1]))
+    np.testing.assert_array_equal(compiled, plain)
+    t = [np.dot(curves[k].domain, (1 - v, v)) for k, v in zip(which, u, strict=True)]
+    own = [curves[k].evaluate(np.array([place]))[0] for k, place in zip(which, t, strict=True)]
+    assert distance(compiled[0][::-1], own) < CLOSE
+
+
+def test_points_of_a_spline_that_is_not_there(both):
+    table = SplineTable([PlaneCurve.line((0, 0), (1, 2))])
+    with pytest.raises(IndexError):
+        both(spline_table, lambda: table.motion(np.array([1]), np.array([0.5])))
 
 
 def test_bezier_points_beyond_the_compiled_room(both):

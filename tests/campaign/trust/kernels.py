@@ -153,6 +153,9 @@ def ask_polynomials(kernels, rng, case):
     series, x = odd(rng, case, pieces, terms, columns), odd(rng, case, places)
     kernels.legendre_sums(series, (pieces, terms), which, x, out)
     kernels.bernstein_sums(series, (pieces, terms - 1, columns, 0), which, x, out)
+    knots, points = np.sort(odd(rng, case, pieces, 2 * columns + 1 + terms), axis=1), np.empty((places, 2))
+    rows = knots, odd(rng, case, pieces, columns + terms, 3), odd(rng, case, pieces, 2)
+    kernels.spline_motion(columns, rows, which, x, points, points.copy())
     kernels.locate(odd(rng, case, pieces + 1), case % 2, -1.0, x, which.copy(), np.empty(places))
     if columns > 1:
         curve = odd(rng, case, pieces + 1), case % 2, odd(rng, case, pieces, 2)
