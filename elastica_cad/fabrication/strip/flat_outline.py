@@ -80,13 +80,13 @@ def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: b
 
 
 def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> list[Spline]:
-    """The spline functions with these rows (n, m) of coefficients, each as `graph`."""
+    """The spline functions with these rows (n, m) of coefficients over clamped knots, each as `graph`."""
     points = np.empty((*values.shape, 2))
     points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     # x rises with the parameter, so the curves stand still nowhere and need no check
-    return [Spline(PlaneCurve.of_sound(knots, row, degree, None)) for row in points]
+    return [Spline.of_clamped(PlaneCurve.of_sound(knots, row, degree, None)) for row in points]
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:

@@ -82,12 +82,13 @@ class NurbsCurve:
     ) -> Self:
         """The curve of numbers that need no check, being those of a part or a moved copy of a curve."""
         made = object.__new__(cls)
-        for name, value in (("knots", knots), ("control_points", control_points), ("weights", weights)):
-            if value is not None:
-                value.setflags(write=False)
-            object.__setattr__(made, name, value)
-        object.__setattr__(made, "degree", degree)
-        object.__setattr__(made, "provenance", provenance)
+        knots.setflags(write=False)
+        control_points.setflags(write=False)
+        if weights is not None:
+            weights.setflags(write=False)
+        vars(made).update(
+            knots=knots, control_points=control_points, degree=degree, weights=weights, provenance=provenance
+        )
         return made
 
     @classmethod

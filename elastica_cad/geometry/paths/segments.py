@@ -269,6 +269,13 @@ class Spline:
 
     curve: PlaneCurve
 
+    @classmethod
+    def of_clamped(cls, curve: PlaneCurve) -> "Spline":
+        """Along a curve that is known to begin and end at control points."""
+        made, points = object.__new__(cls), curve.control_points
+        vars(made).update(curve=curve, start=points[0], end=points[-1])
+        return made
+
     @cached_property
     def start(self) -> FloatArray:
         """First point (2,), mm."""
