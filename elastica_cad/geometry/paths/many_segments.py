@@ -67,7 +67,7 @@ class ManySegments:
                 low, high = table.domain[rows].T
                 ends = (low * (1 - u) + high * u for u in (first[mine], last[mine]))
                 for i, curve in zip(mine.tolist(), table.chosen(rows).trimmed(*ends), strict=True):
-                    parts[i] = Spline(curve)
+                    parts[i] = Spline.of_clamped(curve)
         return parts
 
 

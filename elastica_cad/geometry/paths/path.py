@@ -334,8 +334,10 @@ def _move_splines(
     low, high = np.minimum.reduceat(points, begins), np.maximum.reduceat(points, begins)
     # what lies much farther away than it is large loses digits, and is checked again
     sound = np.maximum(-low, high).max(axis=1) < FAR_SIZES * (high - low).max(axis=1)
-    for (i, curve), own, is_sound in zip(curves, np.split(points, begins[1:]), sound.tolist(), strict=True):
+    ends = [*begins[1:].tolist(), len(points)]
+    for (i, curve), begin, end, is_sound in zip(curves, begins.tolist(), ends, sound.tolist(), strict=True):
         if is_sound and curve.provenance is None:
+            own = points[begin:end]
             moved[i] = Spline(PlaneCurve.of_sound(curve.knots, own, curve.degree, curve.weights))
         else:
             linear[:2, 2] = shifts[i]
