@@ -74,10 +74,10 @@ class SplineFunction:
 
 
 def spline_through(x: FloatArray, values: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
-    """Knots and coefficients (n, ...) of the spline of degree 1 or 3 through values (n, ...) at increasing x (n,).
+    """Knots and coefficients (n, ...) of the spline of odd degree through values (n, ...) at increasing x (n,).
 
-    A cubic one has no knots at the places next to its ends, so that it is one polynomial there. Of three places
-    it is the parabola, when degree 2 is asked for.
+    A cubic one has no knots at the places next to its ends, so that it is one polynomial there, a quintic one none
+    at the two next to them. Of even degree it is the one polynomial through degree + 1 places.
 
     Examples
     --------

@@ -8,7 +8,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 from elastica_cad.mechanics.rod.discrete_rod import tangents
 
 Angle: TypeAlias = Callable[[FloatArray], FloatArray]
@@ -63,10 +65,9 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     >>> round(curve.length, 7), bool(off < 3 * 0.5**2 / 10 / 24)
     (30.0, True)
     """
-    from scipy.interpolate import BSpline, make_interp_spline
-
     edge = edge_angles(position, angle)
-    through = make_interp_spline((s[:-1] + s[1:]) / 2, edge, k=min(5, edge.size - 1))
+    degree = min(DEGREE, edge.size - 1)
+    through = SplineFunction.of(*spline_through((s[:-1] + s[1:]) / 2, edge, degree), degree)
     turn = _least_turn(s, position, angle[[0, -1]], through)
     length = float(s[-1])
 
@@ -74,14 +75,13 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
         return tangents(through(at) + turn(at))
 
     knots, rows = adaptive_spline(tangent, (0.0, length), degree=DEGREE - 1, tolerance=TANGENT_RAD)
-    curve = BSpline(knots, rows, DEGREE - 1).antiderivative()
-    return PlaneCurve(curve.t, position[0] + curve.c[: len(curve.t) - DEGREE - 1], DEGREE)
+    reach = (knots[DEGREE:] - knots[:-DEGREE]) / DEGREE  # of a basis function's integral
+    points = position[0] + np.pad(np.cumsum(reach[:, None] * rows, axis=0), ((1, 0), (0, 0)))
+    return PlaneCurve(np.pad(knots, 1, mode="edge"), points, DEGREE)
 
 
 def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: Angle) -> Angle:
     """The spline to be added to `angle` (rad over arc length) for the ends to be met, moving the nodes least."""
-    from scipy.interpolate import BSpline
-
     length, h = float(s[-1]), np.diff(s)[:, None]
     weight = h * GAUSS_WEIGHTS / 2
     knots, places, basis, at_ends, bend = _turn_basis(length, h.size)
@@ -106,26 +106,21 @@ def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: An
         system = np.block([[square, held_rows.T], [held_rows, corner]])
         right = np.concatenate([pull, held_by])
         c = c + np.linalg.lstsq(system, right, rcond=1e-13)[0][: c.size]
-    correction: Angle = BSpline(knots, c, DEGREE)
-    return correction
+    return SplineFunction.of(knots, c, DEGREE)
 
 
 @lru_cache(maxsize=4)
 def _turn_basis(length: float, edges: int) -> tuple[FloatArray, ...]:
     """Knots, Gauss points, and the turn's splines there, at the ends, and their differences between nodes."""
-    from scipy.interpolate import BSpline
-
     s = np.linspace(0.0, length, edges + 1)
     h = length / edges
     spans = max(1, min(MOST_SPANS, edges // NODES_PER_SPAN))
     knots = np.pad(np.linspace(0.0, length, spans + 1), DEGREE, mode="edge")
     places = s[:-1, None] + h * (1 + GAUSS_POINTS) / 2
-
-    def splines(at: FloatArray) -> FloatArray:
-        return np.asarray(BSpline.design_matrix(at, knots, DEGREE).toarray())
-
-    between = np.diff(splines(s), axis=0) / h * (REACH_LENGTHS * length) ** 2
-    return knots, places, splines(places.ravel()).reshape(*places.shape, -1), splines(s[[0, -1]]), between
+    turns = bezier_spans(knots, DEGREE)
+    between = np.diff(turns.basis(s), axis=0) / h * (REACH_LENGTHS * length) ** 2
+    at_places = turns.basis(places.ravel()).reshape(*places.shape, -1)
+    return knots, places, at_places, turns.basis(s[[0, -1]]), between
 
 
 def edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:

@@ -39,14 +39,15 @@ def test_one_place_is_a_number():
     assert float(taper.scaled(2.0)(np.array(50.0))) == 3.0
 
 
-@pytest.mark.parametrize("count", [2, 3, 4, 5, 8, 60, 400])
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 6, 7, 8, 60, 400])
 @pytest.mark.parametrize("columns", [(), (4,)])
-def test_splines_through_values_are_those_of_scipy(count, columns):
+@pytest.mark.parametrize("highest", [3, 5])
+def test_splines_through_values_are_those_of_scipy(count, columns, highest):
     from scipy.interpolate import make_interp_spline
 
     random = np.random.default_rng(count)
     x, values = np.cumsum(random.uniform(0.2, 2, count)), random.normal(size=(count, *columns))
-    degree = min(3, count - 1)
+    degree = min(highest, count - 1)
     knots, coefficients = spline_through(x, values, degree)
     theirs = make_interp_spline(x, values, k=degree)
     assert np.array_equal(knots, theirs.t)
