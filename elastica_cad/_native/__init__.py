@@ -127,6 +127,18 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """`_inverse` of `geometry.curves.arc_length.ArcLength`."""
 
+    def quintics_at(
+        self, nodes: FloatArray, rows: FloatArray, s: FloatArray, points: FloatArray, slopes: FloatArray, /
+    ) -> None:
+        """`in_plane` of `fabrication.interlocking.ruled_strip.RuledStrip`."""
+
+    def nearest_on_quintics(
+        self, nodes: FloatArray, rows: FloatArray, stations: tuple[FloatArray, FloatArray],
+        settings: tuple[float, int], points: FloatArray, s: FloatArray, places: FloatArray,
+        tangents: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`nearest_places` of `fabrication.interlocking.flush_strips`; length, steps."""
+
     def shoot(
         self, bend: FloatArray, rest: FloatArray, pull_x: FloatArray, pull_y: FloatArray, moment: float,
         angle: float, wound_up: float, angles: FloatArray, moments: FloatArray, /,

@@ -62,5 +62,7 @@ PyObject *py_extraction(PyObject *module, PyObject *arguments);
 PyObject *py_fit_splines(PyObject *module, PyObject *arguments);
 PyObject *py_derivative_series(PyObject *module, PyObject *arguments);
 PyObject *py_inverse_cells(PyObject *module, PyObject *arguments);
+PyObject *py_quintics_at(PyObject *module, PyObject *arguments);
+PyObject *py_nearest_on_quintics(PyObject *module, PyObject *arguments);
 
 #endif

@@ -117,6 +117,12 @@ typedef struct {
     double gentle, blur, splits[SPLITS];
 } RootSearch;
 
+/* A curve over arc length: quintics (6, pieces, 2), the constant terms first, between nodes (pieces + 1,). */
+typedef struct {
+    Py_ssize_t pieces;
+    const double *nodes, *rows;
+} Quintics;
+
 enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
 
 static inline double between(double low, double x, double high)
@@ -250,5 +256,14 @@ void derivative_series(const CurvePieces *pieces, const double *raised, double *
 /* `ArcLength._inverse`, by the terms (cells + 1, terms) of its series and of their slopes where cells meet. */
 void inverse_cells(const ArcLengths *arc, Py_ssize_t cells, const double *at_steps, const double *paces,
                    double *meets, double *cubics);
+
+/* Points and slopes (count, 2) at arc lengths s (count,). */
+void quintics_at(const Quintics *curve, Py_ssize_t count, const double *s, double *points, double *slopes);
+
+/* Of points (count, 2) the nearest places of the curve, with its tangents there: Newton's steps from the nearest of the
+   stations, whose places are the chain (stations, 2). */
+void nearest_on_quintics(const Quintics *curve, Py_ssize_t stations, const double *station, const double *chain,
+                         double length, int steps, Py_ssize_t count, const double *points, double *s, double *places,
+                         double *tangents);
 
 #endif

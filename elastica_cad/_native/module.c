@@ -335,6 +335,8 @@ static PyMethodDef functions[] = {
     {"fit_splines", py_fit_splines, METH_VARARGS, NULL},
     {"derivative_series", py_derivative_series, METH_VARARGS, NULL},
     {"inverse_cells", py_inverse_cells, METH_VARARGS, NULL},
+    {"quintics_at", py_quintics_at, METH_VARARGS, NULL},
+    {"nearest_on_quintics", py_nearest_on_quintics, METH_VARARGS, NULL},
     {"shoot", py_shoot, METH_VARARGS, NULL},
     {"shape", py_shape, METH_VARARGS, NULL},
     {"second_variation", py_second_variation, METH_VARARGS, NULL},

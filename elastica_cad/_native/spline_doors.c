@@ -1,4 +1,5 @@
 /* What Python sees of splines: of spline_points.c, spline_fits.c, curve_tables.c, and cubics of polynomials.c. */
+/* What Python sees of splines: of spline_fits.c, curve_tables.c, curve_places.c, and cubics of polynomials.c. */
 #include "doors.h"
 
 PyObject *py_cubic_extremes(PyObject *module, PyObject *arguments)
@@ -182,6 +183,72 @@ PyObject *py_inverse_cells(PyObject *module, PyObject *arguments)
     BORROW_OUT(cubics, out[1], 6 * arc.panels * cells, "cubics");
     Py_BEGIN_ALLOW_THREADS
     inverse_cells(&arc, cells, at_steps, paces, meets, cubics);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+/* The two arrays of a curve over arc length; 0 with a Python error where one does not fit. */
+static int borrow_quintics(Borrowed *arrays, PyObject **given, Quintics *curve)
+{
+    curve->pieces = array_size(given[0]) - 1;
+    if (curve->pieces < 1)
+        return refused("a curve has one piece or more") != NULL;
+    return (curve->nodes = borrow(arrays, given[0], curve->pieces + 1, 0, "nodes")) &&
+           (curve->rows = borrow(arrays, given[1], 12 * curve->pieces, 0, "rows"));
+}
+
+PyObject *py_quintics_at(PyObject *module, PyObject *arguments)
+{
+    PyObject *of_curve[2], *lengths, *out[2], *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOOOO", &of_curve[0], &of_curve[1], &lengths, &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    Quintics curve;
+    const double *s;
+    double *points, *slopes;
+    const Py_ssize_t count = array_size(lengths);
+    if (count < 0 || !borrow_quintics(&arrays, of_curve, &curve))
+        goto done;
+    BORROW(s, lengths, count, "s");
+    BORROW_OUT(points, out[0], 2 * count, "points");
+    BORROW_OUT(slopes, out[1], 2 * count, "slopes");
+    Py_BEGIN_ALLOW_THREADS
+    quintics_at(&curve, count, s, points, slopes);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_nearest_on_quintics(PyObject *module, PyObject *arguments)
+{
+    PyObject *of_curve[2], *of_stations[2], *asked, *out[3], *answer = NULL;
+    double length;
+    int steps;
+    if (!PyArg_ParseTuple(arguments, "OO(OO)(di)OOOO", &of_curve[0], &of_curve[1], &of_stations[0], &of_stations[1],
+                          &length, &steps, &asked, &out[0], &out[1], &out[2]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    Quintics curve;
+    const double *station, *chain, *points;
+    double *s, *places, *tangents;
+    const Py_ssize_t stations = array_size(of_stations[0]), count = array_size(asked) / 2;
+    if (stations < 1)
+        return refused("a curve is sought from one station or more");
+    if (!borrow_quintics(&arrays, of_curve, &curve))
+        goto done;
+    BORROW(station, of_stations[0], stations, "stations");
+    BORROW(chain, of_stations[1], 2 * stations, "chain");
+    BORROW(points, asked, 2 * count, "points");
+    BORROW_OUT(s, out[0], count, "s");
+    BORROW_OUT(places, out[1], 2 * count, "places");
+    BORROW_OUT(tangents, out[2], 2 * count, "tangents");
+    Py_BEGIN_ALLOW_THREADS
+    nearest_on_quintics(&curve, stations, station, chain, length, steps, count, points, s, places, tangents);
     Py_END_ALLOW_THREADS
     answer = Py_NewRef(Py_None);
 done:

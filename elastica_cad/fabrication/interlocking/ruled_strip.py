@@ -6,6 +6,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -54,7 +55,7 @@ class RuledStrip:
     @property
     def stations(self) -> FloatArray:
         """Arc lengths (n,) dense enough to find crossings from."""
-        return self._table[0]
+        return self.quintics[0]
 
     def half_width(self, s: FloatArray) -> FloatArray:
         """Half the width (n,) at arc lengths (n,), mm."""
@@ -78,7 +79,11 @@ class RuledStrip:
 
     def in_plane(self, s: FloatArray) -> InPlane:
         """Points and tangents at arc lengths (n,)."""
-        nodes, c = self._table
+        nodes, c = self.quintics
+        if kernels is not None:
+            point, slope = np.empty((2, s.size, 2))
+            kernels.quintics_at(nodes, c, np.ascontiguousarray(s, dtype=float), point, slope)
+            return point, slope
         k = nodes[1:-1].searchsorted(s, side="right")
         # as wide as the rows: twice as fast as to stretch it
         u = np.repeat(s - nodes.take(k), 2).reshape(-1, 2)
@@ -92,7 +97,8 @@ class RuledStrip:
         return point, slope
 
     @cached_property
-    def _table(self) -> tuple[FloatArray, FloatArray]:
+    def quintics(self) -> tuple[FloatArray, FloatArray]:
+        """The curve over arc length: nodes (n + 1,) and quintic pieces (6, n, 2) in s - node."""
         return _over_arc_length(self.curve, self.length)
 
 

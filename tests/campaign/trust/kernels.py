@@ -74,6 +74,7 @@ def ask_here(cases, seed):
         ask_arc_lengths(kernels, rng, case)
         ask_vertices(kernels, rng, case)
         ask_splines(kernels, rng, case)
+        ask_places(kernels, rng, case)
     return refused_arrays(kernels)
 
 
@@ -241,6 +242,17 @@ def ask_splines(kernels, rng, case):
     with suppress(IndexError):
         kernels.derivative_series((degree, numbers), (first, *pieces), raised, series)
         raise AssertionError("a control point outside its array was taken")
+
+
+def ask_places(kernels, rng, case):
+    """Arc lengths in no order, places that are none, one station."""
+    pieces, count, stations = (int(n) for n in rng.integers(1, 13, 3))
+    quintics = odd(rng, case, pieces + 1), odd(rng, case, 6, pieces, 2)
+    kernels.quintics_at(*quintics, odd(rng, case, count), *np.empty((2, count, 2)))
+    kernels.nearest_on_quintics(
+        *quintics, (odd(rng, case, stations), odd(rng, case, stations, 2)), (1.0, 3), odd(rng, case, count, 2),
+        np.empty(count), *np.empty((2, count, 2)),
+    )  # fmt: skip
 
 
 def ask_vertices(kernels, rng, case):
