@@ -1,8 +1,7 @@
-/* Places on curves of which many are asked a few at a time: quintics over arc length, and tables of splines. */
+/* Places on a curve over arc length, that is asked a few at a time and thousands of times. */
 #include "kernels.h"
 
 #include <math.h>
-#include <string.h>
 
 #define BLOCK 8
 
