@@ -139,6 +139,17 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """`nearest_places` of `fabrication.interlocking.flush_strips`; length, steps."""
 
+    def near_pairs(
+        self, places: tuple[FloatArray, FloatArray, IntArray], ranges: tuple[IntArray, IntArray],
+        reach: float, lower: IntArray, higher: IntArray, /,
+    ) -> int:  # fmt: skip
+        """That of `fabrication.makeability.near_pairs`: how many pairs there are, also beyond the room for them."""
+
+    def away_from_rims(
+        self, sides: tuple[FloatArray, FloatArray], s: FloatArray, across: FloatArray, away: FloatArray, /
+    ) -> None:
+        """`uncut` of `fabrication.interlocking.slotted_collisions.SlotRims`."""
+
     def shoot(
         self, bend: FloatArray, rest: FloatArray, pull_x: FloatArray, pull_y: FloatArray, moment: float,
         angle: float, wound_up: float, angles: FloatArray, moments: FloatArray, /,

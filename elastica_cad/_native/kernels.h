@@ -123,6 +123,14 @@ typedef struct {
     const double *nodes, *rows;
 } Quintics;
 
+/* Places x, y (count,) in the order of cells, their numbers, and from where to where in that order each looks. */
+typedef struct {
+    Py_ssize_t count;
+    const double *x, *y;
+    const int64_t *number, *first, *end;
+    double reach;
+} NearSearch;
+
 enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
 
 static inline double between(double low, double x, double high)
@@ -265,5 +273,12 @@ void quintics_at(const Quintics *curve, Py_ssize_t count, const double *s, doubl
 void nearest_on_quintics(const Quintics *curve, Py_ssize_t stations, const double *station, const double *chain,
                          double length, int steps, Py_ssize_t count, const double *points, double *s, double *places,
                          double *tangents);
+
+/* How many pairs are no farther apart than the reach; those that there is room for are filled in. */
+Py_ssize_t near_pairs(const NearSearch *search, Py_ssize_t room, int64_t *lower, int64_t *higher);
+
+/* How far places (count,) are from the sides (sides, 2) of closed polygons, negative within. */
+void away_from_rims(Py_ssize_t sides, const double *start, const double *end, Py_ssize_t count, const double *along,
+                    const double *across, double *away);
 
 #endif

@@ -337,6 +337,8 @@ static PyMethodDef functions[] = {
     {"inverse_cells", py_inverse_cells, METH_VARARGS, NULL},
     {"quintics_at", py_quintics_at, METH_VARARGS, NULL},
     {"nearest_on_quintics", py_nearest_on_quintics, METH_VARARGS, NULL},
+    {"near_pairs", py_near_pairs, METH_VARARGS, NULL},
+    {"away_from_rims", py_away_from_rims, METH_VARARGS, NULL},
     {"shoot", py_shoot, METH_VARARGS, NULL},
     {"shape", py_shape, METH_VARARGS, NULL},
     {"second_variation", py_second_variation, METH_VARARGS, NULL},

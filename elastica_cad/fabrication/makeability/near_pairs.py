@@ -2,8 +2,12 @@
 
 import numpy as np
 
+from elastica_cad._native import Kernels, kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.running_sums import numbers_in_groups
+
+ROOM = 8
+"""Pairs for each point that there is room for at first."""
 
 
 def near_pairs(points: FloatArray, reach: float) -> IntArray:
@@ -25,10 +29,30 @@ def near_pairs(points: FloatArray, reach: float) -> IntArray:
     x, y = points[order].T.copy()
     found = []
     for first, last in ((each + 1, cell + 1), (cell.searchsorted(cell + tall - 1), cell + tall + 1)):
-        count = cell.searchsorted(last, side="right") - first
+        end = cell.searchsorted(last, side="right")
+        if kernels is not None:
+            found.append(_within(kernels, (x, y, order), (first, end), reach))
+            continue
+        count = end - first
         i = np.repeat(each, count)
         j = numbers_in_groups(count) + np.repeat(first, count)
         near = np.hypot(x.take(i) - x.take(j), y.take(i) - y.take(j)) <= reach
         i, j = order.take(i[near]), order.take(j[near])
         found.append(np.stack([np.minimum(i, j), np.maximum(i, j)]))
     return np.concatenate(found, axis=1)
+
+
+def _within(
+    compiled: Kernels,
+    places: tuple[FloatArray, FloatArray, IntArray],
+    ranges: tuple[IntArray, IntArray],
+    reach: float,
+) -> IntArray:
+    """The pairs (2, k) of places in the order of cells with those in the ranges of each."""
+    room = ROOM * places[0].size
+    while True:
+        pairs = np.empty((2, room), dtype=np.intp)
+        count = compiled.near_pairs(places, ranges, reach, *pairs)
+        if count <= room:
+            return pairs[:, :count]
+        room = count

@@ -253,6 +253,15 @@ def ask_places(kernels, rng, case):
         *quintics, (odd(rng, case, stations), odd(rng, case, stations, 2)), (1.0, 3), odd(rng, case, count, 2),
         np.empty(count), *np.empty((2, count, 2)),
     )  # fmt: skip
+    away = np.empty(count)
+    kernels.away_from_rims(tuple(odd(rng, case, 2, stations, 2)), *odd(rng, case, 2, count), away)
+    places = *odd(rng, case, 2, count), rng.integers(-5, 5, count)
+    ranges = rng.integers(0, count + 1, (2, count))
+    kernels.near_pairs(places, tuple(ranges), 1.0, *np.empty((2, int(rng.integers(0, 9))), dtype=np.int64))
+    ranges[int(rng.integers(0, 2)), 0] = rng.choice([-1, count + 1, 2**62])
+    with suppress(IndexError):
+        kernels.near_pairs(places, tuple(ranges), 1.0, *np.empty((2, 9), dtype=np.int64))
+        raise AssertionError("places beyond the last were taken")
 
 
 def ask_vertices(kernels, rng, case):
