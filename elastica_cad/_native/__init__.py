@@ -145,6 +145,9 @@ class Kernels(Protocol):
     ) -> int:  # fmt: skip
         """That of `fabrication.makeability.near_pairs`: how many pairs there are, also beyond the room for them."""
 
+    def chord_pairs(self, p: FloatArray, q: FloatArray, of_p: IntArray, of_q: IntArray, /) -> int:
+        """`_candidate_pairs` of `geometry.paths.path_intersections`: how many, also beyond the room for them."""
+
     def away_from_rims(
         self, sides: tuple[FloatArray, FloatArray], s: FloatArray, across: FloatArray, away: FloatArray, /
     ) -> None:

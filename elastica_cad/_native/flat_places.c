@@ -25,6 +25,52 @@ Py_ssize_t near_pairs(const NearSearch *search, Py_ssize_t room, int64_t *lower,
     return found;
 }
 
+/* Low and high corners (4,) of the box around `count` points. */
+static void box_of(Py_ssize_t count, const double *points, double *box)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        box[axis] = box[2 + axis] = points[axis];
+        for (Py_ssize_t i = 1; i < count; i++) {
+            const double x = points[2 * i + axis];
+            box[axis] = x < box[axis] ? x : box[axis];
+            box[2 + axis] = x > box[2 + axis] ? x : box[2 + axis];
+        }
+    }
+}
+
+static inline int chord_meets(const double *chord, const double *box)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        const double a = chord[axis], b = chord[2 + axis];
+        if (!((a < b ? a : b) <= box[2 + axis] && (a < b ? b : a) >= box[axis]))
+            return 0;
+    }
+    return 1;
+}
+
+Py_ssize_t chord_pairs(Py_ssize_t p_points, const double *p, Py_ssize_t q_points, const double *q, Py_ssize_t room,
+                       int64_t *of_p, int64_t *of_q)
+{
+    double around[4], own[4];
+    Py_ssize_t found = 0;
+    box_of(q_points, q, around);
+    for (Py_ssize_t i = 0; i + 1 < p_points; i++) {
+        if (!chord_meets(p + 2 * i, around))
+            continue;
+        box_of(2, p + 2 * i, own);
+        for (Py_ssize_t j = 0; j + 1 < q_points; j++) {
+            if (!chord_meets(q + 2 * j, own))
+                continue;
+            if (found < room) {
+                of_p[found] = i;
+                of_q[found] = j;
+            }
+            found++;
+        }
+    }
+    return found;
+}
+
 void away_from_rims(Py_ssize_t sides, const double *start, const double *end, Py_ssize_t count, const double *along,
                     const double *across, double *away)
 {

@@ -277,6 +277,10 @@ void nearest_on_quintics(const Quintics *curve, Py_ssize_t stations, const doubl
 /* How many pairs are no farther apart than the reach; those that there is room for are filled in. */
 Py_ssize_t near_pairs(const NearSearch *search, Py_ssize_t room, int64_t *lower, int64_t *higher);
 
+/* How many pairs of chords of two polylines have boxes that meet; those that there is room for are filled in. */
+Py_ssize_t chord_pairs(Py_ssize_t p_points, const double *p, Py_ssize_t q_points, const double *q, Py_ssize_t room,
+                       int64_t *of_p, int64_t *of_q);
+
 /* How far places (count,) are from the sides (sides, 2) of closed polygons, negative within. */
 void away_from_rims(Py_ssize_t sides, const double *start, const double *end, Py_ssize_t count, const double *along,
                     const double *across, double *away);

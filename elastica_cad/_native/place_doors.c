@@ -35,6 +35,31 @@ done:
     return answer;
 }
 
+PyObject *py_chord_pairs(PyObject *module, PyObject *arguments)
+{
+    PyObject *lines[2], *out[2], *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOOO", &lines[0], &lines[1], &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    const double *p, *q;
+    int64_t *of_p, *of_q;
+    Py_ssize_t found;
+    const Py_ssize_t p_numbers = array_size(lines[0]), q_numbers = array_size(lines[1]), room = array_size(out[0]);
+    if (p_numbers < 2 || q_numbers < 2 || room < 0)
+        return refused("a polyline has one point or more");
+    BORROW(p, lines[0], p_numbers / 2 * 2, "p");
+    BORROW(q, lines[1], q_numbers / 2 * 2, "q");
+    BORROW_WHOLE_OUT(of_p, out[0], room, "of_p");
+    BORROW_WHOLE_OUT(of_q, out[1], room, "of_q");
+    Py_BEGIN_ALLOW_THREADS
+    found = chord_pairs(p_numbers / 2, p, q_numbers / 2, q, room, of_p, of_q);
+    Py_END_ALLOW_THREADS
+    answer = PyLong_FromSsize_t(found);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
 PyObject *py_away_from_rims(PyObject *module, PyObject *arguments)
 {
     PyObject *of_sides[2], *of_places[2], *out, *answer = NULL;

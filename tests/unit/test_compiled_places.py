@@ -9,6 +9,7 @@ from elastica_cad.fabrication.interlocking.slotted_collisions import SlotRims
 from elastica_cad.fabrication.makeability import near_pairs
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths import path_intersections
 from elastica_cad.geometry.paths.profile import Profile
 from tests.unit.test_compiled_polynomials import drawn, ellipses
 from tests.unit.test_compiled_twins import CLOSE, SEEDS, both, distance
@@ -80,3 +81,14 @@ def test_places_beside_slots(both, seed, relief):
     compiled, plain = both(slotted_collisions, lambda: rims.uncut(s, across))
     np.testing.assert_array_equal(compiled, plain)
     assert compiled.min() < -0.5 < 5 < compiled.max()
+
+
+@pytest.mark.parametrize("size", [1.0, 30.0])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_chords_that_may_cross(both, seed, size):
+    """Boxes that touch are pairs too; more pairs than there is room for at first, and none."""
+    rng = np.random.default_rng(seed)
+    p, q = (rng.integers(0, 20, (count, 2)) * size / 7 for count in (40, 1 + 10 * seed))
+    for a, b in ((p, q), (p, p), (p, q + 1e3), (p[:, ::-1], q)):
+        compiled, plain = both(path_intersections, lambda: path_intersections._candidate_pairs(a, b))  # noqa: B023
+        np.testing.assert_array_equal(compiled, plain)

@@ -7,6 +7,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.paths.chords import chords
@@ -97,6 +98,14 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
     """Index pairs (i, j) of chords of p and q whose bounding boxes overlap."""
+    if kernels is not None:
+        p, q = np.ascontiguousarray(p), np.ascontiguousarray(q)
+        pairs = np.empty((2, len(p) + len(q)), dtype=np.intp)
+        count = kernels.chord_pairs(p, q, *pairs)
+        if count > pairs.shape[1]:
+            pairs = np.empty((2, count), dtype=np.intp)
+            kernels.chord_pairs(p, q, *pairs)
+        return pairs[0, :count], pairs[1, :count]
     plow, phigh = np.minimum(p[:-1], p[1:]), np.maximum(p[:-1], p[1:])
     qlow, qhigh = np.minimum(q[:-1], q[1:]), np.maximum(q[:-1], q[1:])
     (near_p,) = ((plow <= q.max(axis=0)) & (phigh >= q.min(axis=0))).all(axis=1).nonzero()

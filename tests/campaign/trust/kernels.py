@@ -255,6 +255,8 @@ def ask_places(kernels, rng, case):
     )  # fmt: skip
     away = np.empty(count)
     kernels.away_from_rims(tuple(odd(rng, case, 2, stations, 2)), *odd(rng, case, 2, count), away)
+    lines = odd(rng, case, count, 2), odd(rng, case, stations, 2)
+    kernels.chord_pairs(*lines, *np.empty((2, int(rng.integers(0, 99))), dtype=np.int64))
     places = *odd(rng, case, 2, count), rng.integers(-5, 5, count)
     ranges = rng.integers(0, count + 1, (2, count))
     kernels.near_pairs(places, tuple(ranges), 1.0, *np.empty((2, int(rng.integers(0, 9))), dtype=np.int64))
