@@ -21,6 +21,8 @@ def is_number(value: object) -> TypeGuard[float]:
     >>> is_number(3), is_number(np.float64(0.5)), is_number("3"), is_number(float("nan")), is_number(True)
     (True, True, False, False, False)
     """
+    if type(value) is float:  # nearly all are
+        return isfinite(value)
     if isinstance(value, bool | np.bool_) or not isinstance(value, float | int | np.integer | np.floating):
         return False
     try:

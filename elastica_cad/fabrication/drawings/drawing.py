@@ -12,6 +12,7 @@ from elastica_cad._values import numbers, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import Text, strokes_of, text_strokes
 from elastica_cad.geometry.boxes import box_around
+from elastica_cad.geometry.paths.many_segments import bounds_of
 from elastica_cad.geometry.paths.path import Path, move_paths
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import is_similarity, similarity_of, transform_points
@@ -156,7 +157,7 @@ def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
     if not items:
         return ()
-    boxes = np.array([item.path.bounds for item in items])
+    boxes = bounds_of([item.path for item in items])
     left = boxes[:, 0, 0]
     order = np.argsort(left, kind="stable")
     first = np.searchsorted(left[order], left - SAME_MM)
