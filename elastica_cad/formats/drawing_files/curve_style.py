@@ -1,8 +1,11 @@
 """How curves are written: as splines, arcs or polylines."""
 
+from collections.abc import Iterable
+
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
+from elastica_cad.geometry.paths.chords import require_tolerance_mm
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_cubics import as_cubics
 
@@ -25,19 +28,21 @@ def check_curve_style(curves: str) -> str:
     return curves
 
 
-def shape_path(path: Path, curves: str, tolerance: float, *, rational: bool = True) -> Path:
-    """The path as a file holds it: splines of degree 3 at most (`rational` where allowed), arcs, or lines.
+def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rational: bool = True) -> list[Path]:
+    """The paths as a file holds them: splines of degree 3 at most (`rational` where allowed), arcs, or lines.
 
     With `EXACT` splines of any degree stay, where the file knows weights.
     """
     if not is_number(tolerance):
         raise InputError(f"the tolerance is {tolerance!r}: give a number of mm, such as 0.02")
-    if curves == EXACT:
-        return path if rational else as_cubics(path, _SPLINE_TOLERANCE_MM, rational=False)
-    if 0 < tolerance < FINEST_MM and curves != "spline":
+    if curves == EXACT and rational:
+        return list(paths)
+    if 0 < tolerance < FINEST_MM and curves not in ("spline", EXACT):
         raise InputError(
             f"the tolerance is {tolerance:g} mm: no machine cuts so finely, give {FINEST_MM:g} or more"
         )
-    if curves == "spline":
-        return as_cubics(path, min(tolerance, _SPLINE_TOLERANCE_MM), rational=rational)
-    return (as_arcs if curves == "arc" else as_polyline)(path, tolerance)
+    if curves in ("spline", EXACT):
+        finest = _SPLINE_TOLERANCE_MM if curves == EXACT else min(tolerance, _SPLINE_TOLERANCE_MM)
+        require_tolerance_mm(finest)
+        return [as_cubics(path, finest, rational=rational) if path.has_splines else path for path in paths]
+    return [(as_arcs if curves == "arc" else as_polyline)(path, tolerance) for path in paths]

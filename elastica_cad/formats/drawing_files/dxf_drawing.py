@@ -12,7 +12,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_path
+from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_paths
 from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS, DxfFrame, dxf_frame
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -94,11 +94,11 @@ class _Writer:
         self.groups: list[tuple[str, list[str]]] = []
 
     def draw(self, drawing: Drawing, styles: Mapping[str, LayerStyle]) -> None:
-        for item in drawing.strokes:
-            self.path(item.path, styles[item.layer].name)
+        shaped = shape_paths([item.path for item in drawing.strokes], self.curves, self.tolerance)
+        for item, path in zip(drawing.strokes, shaped, strict=True):
+            self.path(path, styles[item.layer].name)
 
     def path(self, path: Path, layer: str) -> None:
-        path = shape_path(path, self.curves, self.tolerance)
         first = path.segments[0]
         alone = len(path.segments) == 1
         if alone and isinstance(first, Arc) and first.is_circle:
@@ -141,7 +141,7 @@ class _Writer:
         bulges = [segment.bulge if isinstance(segment, Arc) else 0.0 for segment in segments] + [0.0]
         rows = [
             (_written(10, x, y, flat=not self.old), f" 42\n{bulge}\n" if bulge else "")
-            for (x, y), bulge in zip(np.array(ends).tolist(), map(float, bulges), strict=False)
+            for (x, y), bulge in zip([end.tolist() for end in ends], map(float, bulges), strict=False)
         ]
         number = self.number()
         if not self.old:

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
-from elastica_cad.formats.drawing_files.curve_style import check_curve_style, shape_path
+from elastica_cad.formats.drawing_files.curve_style import check_curve_style, shape_paths
 from elastica_cad.formats.drawing_files.layers import LayerChoice, style_layers
 from elastica_cad.formats.drawing_files.svg_paths import format_length, path_data
 
@@ -59,7 +59,7 @@ def encode_svg(
     styles = style_layers(layers)
     (left, low), (right, high) = drawing.bounds
     width, height = format_length(right - left + 2 * _MARGIN_MM), format_length(high - low + 2 * _MARGIN_MM)
-    shaped = [shape_path(item.path, curves, tolerance, rational=False) for item in drawing.strokes]
+    shaped = shape_paths([item.path for item in drawing.strokes], curves, tolerance, rational=False)
     drawn = path_data(shaped, np.array([left - _MARGIN_MM, high + _MARGIN_MM]))
     rows = [
         '<?xml version="1.0" encoding="UTF-8"?>',

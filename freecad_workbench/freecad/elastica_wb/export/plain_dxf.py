@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
-from elastica_cad.formats.drawing_files.curve_style import shape_path
+from elastica_cad.formats.drawing_files.curve_style import shape_paths
 from elastica_cad.formats.drawing_files.layers import LayerStyle, style_layers
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.atomic_write import write_atomically
@@ -84,8 +84,9 @@ def _layers(styles: Mapping[str, LayerStyle], layers: Sequence[str]) -> Iterator
 def _entities(
     drawing: Drawing, styles: Mapping[str, LayerStyle], curves: str, tolerance: float
 ) -> Iterator[Group]:
-    for stroke in drawing.strokes:
-        yield from _entity(shape_path(stroke.path, curves, tolerance), styles[stroke.layer].name)
+    shaped = shape_paths([stroke.path for stroke in drawing.strokes], curves, tolerance)
+    for stroke, path in zip(drawing.strokes, shaped, strict=True):
+        yield from _entity(path, styles[stroke.layer].name)
 
 
 def _entity(path: Path, layer: str) -> Iterator[Group]:
