@@ -26,7 +26,7 @@ from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.prisms import convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
-from elastica_cad.geometry.boxes import box_about, boxes_meet
+from elastica_cad.geometry.boxes import boxes_meet
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
@@ -354,20 +354,20 @@ def tab_slot(
 
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
-    boxes = np.array([box_about(s.corners) for s in slots])
-    corners = np.array([slot.corners for slot in slots])
-    for i, a in enumerate(slots):
-        near = np.flatnonzero(boxes_meet(boxes[:i], boxes[i]))
-        for j in near[_gaps(a.corners, corners[near]) <= 0].tolist():
-            x, y = (a.corners.mean(axis=0) + slots[j].corners.mean(axis=0)) / 2
-            raise InputError(
-                f"{name}: the slots of {slots[j].name} and {a.name} run into each other near "
-                f"({x:.1f}, {y:.1f}): give the strips narrower tabs or move them apart"
-            )
+    corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
+    boxes = np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
+    near = np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1))
+    met = near[_gaps(*corners[near.T]) <= 0]
+    for i, j in met[:1].tolist():
+        x, y = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
+        raise InputError(
+            f"{name}: the slots of {slots[j].name} and {slots[i].name} run into each other near "
+            f"({x:.1f}, {y:.1f}): give the strips narrower tabs or move them apart"
+        )
 
 
 def _gaps(one: FloatArray, others: FloatArray) -> FloatArray:
-    """Lower bounds (..., n) of the distance, mm, of rectangles (4, 2) or (..., 1, 4, 2) from others (n, 4, 2).
+    """Lower bounds (...,) of the distance, mm, of rectangles (..., 4, 2) from others (..., 4, 2).
 
     Exact where a side faces the other.
     """

@@ -8,7 +8,6 @@ from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.tab_seats import tab_key
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.tabs import ENDS
@@ -62,10 +61,8 @@ def _crossed(
     """The blocks that a strip runs through, but for those that hold it."""
     low, high = _rulings(placed)
     near = np.flatnonzero(boxes_meet(box_about(np.concatenate([low, high])), bounds)).tolist()
-    own = {tab_key(PlacedTab.of(placed.strip, end, placed.frame)) for end in ENDS} if near else set()
-    return [
-        k for k in near if tab_key(blocks[k].tab) not in own and any(one.cuts(low, high) for one in prisms[k])
-    ]
+    own = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS} if near else set()
+    return [k for k in near if blocks[k].tab.key not in own and any(one.cuts(low, high) for one in prisms[k])]
 
 
 def _rulings(placed: Placed) -> tuple[FloatArray, FloatArray]:

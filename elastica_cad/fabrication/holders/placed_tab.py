@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 
@@ -12,6 +14,8 @@ from elastica_cad.fabrication.placed_strip import Placed, require_placed, strip_
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS, Hole, StripEnd, TSlot
 from elastica_cad.geometry.frame import Frame, frame_or_plain
+
+Key: TypeAlias = tuple[float, ...]
 
 
 def tab_name(strip: str, end: StripEnd) -> str:
@@ -69,6 +73,11 @@ class PlacedTab:
             tab_name(called, end),
             tab.t_slot,
         )
+
+    @cached_property
+    def key(self) -> Key:
+        """Where it is, rounded: how holders and strips are matched."""
+        return tuple(np.round([*self.frame.origin, *self.frame.x_axis], 6).tolist())
 
     @property
     def tip(self) -> FloatArray:

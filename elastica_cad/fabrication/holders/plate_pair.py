@@ -10,9 +10,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, refuse_options_unlike
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base_plate, plate_with, tab_slot
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.holders.placed_tab import Key, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
-from elastica_cad.fabrication.holders.tab_seats import Key, slot_walls, tab_key, tab_seats
+from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_seats
 from elastica_cad.fabrication.holding.lean import Lean, lean_against, what_leans
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
@@ -193,13 +193,10 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     for _ in range(LEAN_ROUNDS):
         leans = _leans(ends, tab_seats(plates), leans)
         first, second = (replace(plate, slots=_moved(plate, leans)) for plate in plates)
-        moved = [
-            np.abs(new.corners - old.corners).max(initial=0.0)
-            for plate, leaned in zip(plates, (first, second), strict=True)
-            for old, new in zip(plate.slots, leaned.slots, strict=True)
-        ]
+        old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
+                    for pair in (plates, (first, second)))  # fmt: skip
         plates = first, second
-        if max(moved) <= LEANED_MM:
+        if np.abs(new - old).max(initial=0.0) <= LEANED_MM:
             break
     return plates
 
@@ -209,7 +206,7 @@ def _held_ends(placed: Sequence[Placed]) -> list[tuple[Key, Strip, int]]:
     first = dict[int, Strip]()
     return [
         # strips that are cut alike share their layers
-        (tab_key(tab), first.setdefault(id(one.strip.layers), one.strip), index)
+        (tab.key, first.setdefault(id(one.strip.layers), one.strip), index)
         for one in placed
         for index, tab in enumerate(PlacedTab.of(one.strip, end, one.frame) for end in ENDS)
     ]
@@ -235,17 +232,17 @@ def _leans(
 
 def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
     """The slots of a plate, each moved within it by what its tab's holder is to be shifted and turned."""
-    slots = list(plate.slots)
-    for k, tab, walls in slot_walls(plate):
-        if (lean := leans.get(tab_key(tab))) is not None:
-            slots[k] = _moved_slot(slots[k], tab, walls, plate, lean)
+    slots, walls = list(plate.slots), slot_walls(plate)
+    # left of the curve is -z of the tab; its projection is the way within the plate
+    ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
+    for (k, tab, own), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
+        if (lean := leans.get(tab.key)) is not None:
+            slots[k] = _moved_slot(slots[k], own, into, left, lean)
     return tuple(slots)
 
 
-def _moved_slot(slot: TabSlot, tab: PlacedTab, walls: FloatArray, plate: Plate, lean: Lean) -> TabSlot:
-    """A slot whose walls (2, n, 2) are moved."""
-    # left of the curve is -z of the tab; its projection is the way within the plate
-    into, left = (plate.frame.axes @ np.column_stack([tab.frame.x_axis, -tab.frame.z_axis]))[:2].T
+def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatArray, lean: Lean) -> TabSlot:
+    """A slot whose walls (2, n, 2) are moved; into the tab and to its left are ways (2,) within the plate."""
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)

@@ -12,7 +12,7 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.plate_pair import Plate, add_second, needed_length
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.holders.tab_seats import plates_of, require_holders, seat_of, tab_key, tab_seats
+from elastica_cad.fabrication.holders.tab_seats import plates_of, require_holders, seat_of, tab_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
@@ -111,9 +111,9 @@ def _with_pair(
     one: Placed, end: StripEnd, holders: Sequence[object], gap: float
 ) -> tuple[float, float] | None:
     """Length of the tabs and how far the strip strays, mm, with a second plate behind its own; None: no cure."""
-    keys = {tab_key(PlacedTab.of(one.strip, which, one.frame)): which for which in ENDS}
-    mine = [(plate, slot, keys[tab_key(slot.tab)]) for plate in plates_of(holders) for slot in plate.slots
-            if slot.tab is not None and tab_key(slot.tab) in keys]  # fmt: skip
+    keys = {PlacedTab.of(one.strip, which, one.frame).key: which for which in ENDS}
+    mine = [(plate, slot, keys[slot.tab.key]) for plate in plates_of(holders) for slot in plate.slots
+            if slot.tab is not None and slot.tab.key in keys]  # fmt: skip
     if not any(which == end for _, _, which in mine) or len({which for _, _, which in mine}) < len(mine):
         return None
     lengths = [needed_length(slot.tab, plate, gap) for plate, slot, _ in mine if slot.tab is not None]

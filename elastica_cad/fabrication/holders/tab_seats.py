@@ -9,7 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.holders.placed_tab import Key, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
@@ -17,7 +17,6 @@ from elastica_cad.fabrication.placed_strip import Placed, require_placed
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 
 Slotted: TypeAlias = BasePlate | Ring
-Key: TypeAlias = tuple[float, ...]
 
 
 def _seat_between(walls: FloatArray, tab: PlacedTab, plate: Slotted) -> TabSeat:
@@ -56,12 +55,14 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
     """The seats of all tabs that holders hold with play, by where the tab is; two plates make one seat."""
     found: dict[Key, TabSeat] = {}
     for tab, seat in _seated(holders):
-        key, before = tab_key(tab), found.get(tab_key(tab))
+        before = found.get(tab.key)
         if before is not None:
             left, right = np.concatenate([before.left, seat.left]), np.concatenate([before.right, seat.right])
-            found[key] = TabSeat(left, right, seat.thickness, f"{before.name} and {seat.name.split()[-1]}")
+            found[tab.key] = TabSeat(
+                left, right, seat.thickness, f"{before.name} and {seat.name.split()[-1]}"
+            )
         else:
-            found[key] = seat
+            found[tab.key] = seat
     return found
 
 
@@ -127,11 +128,6 @@ def hold_each(
         yield known[alike]
 
 
-def tab_key(tab: PlacedTab) -> Key:
-    """Where a tab is, rounded: how holders and strips are matched."""
-    return tuple(np.round([*tab.frame.origin, *tab.frame.x_axis], 6).tolist())
-
-
 def seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
     """What holds an end of a placed strip."""
-    return seats.get(tab_key(PlacedTab.of(one.strip, end, one.frame)))
+    return seats.get(PlacedTab.of(one.strip, end, one.frame).key)

@@ -251,7 +251,7 @@ class Strip:
             return ""
         return tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), self._begins_at)
 
-    @property
+    @cached_property
     def end_widths(self) -> tuple[float, float]:
         """Width of the free part at its start and end, mm."""
         return float(self.width(0.0)), float(self.width(self.rod.length))

@@ -18,7 +18,7 @@ from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
-from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_key, tab_seats
+from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_seats
 from elastica_cad.fabrication.holding import lean as leaning
 from elastica_cad.fabrication.holding.lean import lean_against, what_leans
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
@@ -282,7 +282,7 @@ def test_tabs_bend_between_two_plates_where_straight_ones_would_run_into_them(ax
 
 
 def _key_of_end(one):
-    return tab_key(PlacedTab.of(one.strip, "end", one.frame))
+    return PlacedTab.of(one.strip, "end", one.frame).key
 
 
 def test_feet_stand_on_the_plate_and_lie_along_the_tab():
