@@ -24,7 +24,6 @@ from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, Cur
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections
 from elastica_cad.geometry.curves.tangent_angle import TangentAngle, tabulate_tangent_angle
-from elastica_cad.geometry.running_sums import lengths_along
 
 SURVEY_POINTS = 601  # at which all who look along the whole curve find it evaluated
 
@@ -240,8 +239,9 @@ class PlaneCurve(NurbsCurve):
         """Do the ends meet (within 1e-9 of the length)?"""
         (x0, y0, w0), (x1, y1, w1) = self._pieces.ends
         gap = hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0)
-        # no curve is longer than its control polygon, which is quickly measured
-        return gap <= 1e-9 * float(lengths_along(self.control_points)[-1]) and gap <= 1e-9 * self.length
+        # no curve is longer than its control polygon by x and by y, which is quickly measured
+        step = self.control_points[1:] - self.control_points[:-1]
+        return gap <= 1e-9 * float(np.abs(step).sum()) and gap <= 1e-9 * self.length
 
     def self_intersections(self) -> FloatArray:
         """Pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""

@@ -72,7 +72,7 @@ class TangentCones:
 
 def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
-    first, last = _unit(cones.hodographs[:, 0]), _unit(cones.hodographs[:, -1])
+    first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
     # the velocity runs between its coefficients
     off_axis = turn_between(axis[:, None], cones.hodographs)
@@ -103,7 +103,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
     for _ in range(_MOST_HALVINGS):
         if not low.size:
             break
-        axis = _unit(part[:, 0]) + _unit(part[:, -1])
+        axis = _unit(part[:, [0, -1]]).sum(axis=1)
         along = (part @ axis[:, :, None])[:, :, 0]
         decided = (along > 1e-9 * size).all(axis=1) & (size[:, [0, -1]].min(axis=1) > slowest)
         if not starts and decided.all():

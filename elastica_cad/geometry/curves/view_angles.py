@@ -50,8 +50,9 @@ def find_view_angles(curve: PlaneCurve, t: float) -> ViewAngles | None:
     cones = cut_into_tangent_cones(views, edges)
     if cones.standstill is not None:
         return None
-    step = views[:, 1:] - views[:, :-1]
-    turn = product(views[..., 0], step[..., 1]) - product(views[..., 1], step[..., 0])
+    across = views.transpose(2, 0, 1)
+    first, second = product(across, (across[..., 1:] - across[..., :-1])[::-1])
+    turn = first - second
     roots = interior_roots(turn)
     piece = np.array([*range(len(views)), len(views) - 1, *(root.piece for root in roots)])
     u = np.array([0.0] * len(views) + [1.0] + [root.u for root in roots])
