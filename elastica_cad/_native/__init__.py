@@ -66,13 +66,14 @@ class Kernels(Protocol):
     ) -> int:  # fmt: skip
         """The panels of `geometry.curves.arc_length.arc_length_table`: how many, -1 where they need more room."""
 
-    def evaluate_panels(
+    def resolve_panels(
         self, series: FloatArray, sizes: tuple[int, int, int, int], edges: FloatArray,
         rule: tuple[FloatArray, FloatArray, FloatArray, FloatArray],
         cut: tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray], rest: float,
-        t: FloatArray, velocity: FloatArray, stretch: FloatArray, curvature: FloatArray, tails: FloatArray, /,
-    ) -> None:  # fmt: skip
-        """Those of `mechanics.stiffness.quadrature_panels`."""
+        limits: tuple[float, float, float],
+        nodes: tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray], /,
+    ) -> int:  # fmt: skip
+        """Those of `mechanics.stiffness.quadrature_panels`: how many, -1 where they need more room."""
 
     def extremes(
         self, coefficients: FloatArray, basis: FloatArray, places: FloatArray, slopes: FloatArray,

@@ -132,7 +132,8 @@ static double unresolved(const PanelRule *rule, const double *values)
     return last / largest;
 }
 
-void evaluate_panels(const PanelRule *rule, const BernsteinPieces *pieces, const double *edges, const CutPanels *cut,
+/* A cut's panels at their nodes, and how much of each is unresolved. */
+static void evaluate_panels(const PanelRule *rule, const BernsteinPieces *pieces, const double *edges, const CutPanels *cut,
                      double *t, double *velocity, double *stretch, double *kappa, double *tails)
 {
     const int order = rule->order;
@@ -165,4 +166,58 @@ void evaluate_panels(const PanelRule *rule, const BernsteinPieces *pieces, const
         }
         tails[i] = worse(unresolved(rule, quotients), unresolved(rule, S));
     }
+}
+
+#define MOST_OPEN 256 /* panels that wait while those to their left are cut */
+
+typedef struct {
+    double left, right, zero_left, zero_right, tail;
+} OpenPanel;
+
+/* Into how many parts a panel is cut: halving divides the last coefficient by 2^order or so. */
+static int parts_of(double tail, double resolved, int order)
+{
+    const double halvings = ceil(log2((isfinite(tail) ? tail : 1.0) / resolved) / order);
+    return 1 << (int)between(1.0, halvings, 3.0);
+}
+
+Py_ssize_t resolve_panels(const PanelRule *rule, const BernsteinPieces *pieces, const double *edges, const CutPanels *cut,
+                          const PanelLimits *limits, Py_ssize_t room, const PanelNodes *out)
+{
+    const int order = rule->order;
+    Py_ssize_t found = 0;
+    for (Py_ssize_t i = 0; i < cut->count; i++) {
+        OpenPanel open[MOST_OPEN] = {
+            {cut->left[i], cut->right[i], cut->zero_left[i], cut->zero_right[i], INFINITY},
+        };
+        for (int waiting = 1; waiting > 0;) {
+            const OpenPanel p = open[--waiting];
+            const double width = p.right - p.left;
+            double tail;
+            if (found == room)
+                return -1;
+            const CutPanels alone = {1, cut->zeros_count, cut->rest, &p.left, &p.right, &p.zero_left,
+                                     &p.zero_right, cut->zeros};
+            evaluate_panels(rule, pieces, edges, &alone, out->t + found * order, out->velocity + 2 * found * order,
+                            out->stretch + found * order, out->kappa + found * order, &tail);
+            if (tail <= limits->resolved || (tail < limits->noise && tail > 0.3 * p.tail) || width < limits->narrow) {
+                out->left[found] = p.left;
+                out->zero_left[found] = p.zero_left;
+                out->zero_right[found++] = p.zero_right;
+                continue;
+            }
+            const int parts = parts_of(tail, limits->resolved, order);
+            if (waiting + parts > MOST_OPEN)
+                return -1;
+            for (int k = parts - 1; k >= 0; k--) /* the left one is looked at first */
+                open[waiting++] = (OpenPanel){
+                    .left = p.left + width * ((double)k / parts),
+                    .right = k + 1 == parts ? p.right : p.left + width * ((k + 1.0) / parts),
+                    .zero_left = k == 0 ? p.zero_left : 0.0,
+                    .zero_right = k + 1 == parts ? p.zero_right : 0.0,
+                    .tail = tail,
+                };
+        }
+    }
+    return found;
 }

@@ -52,7 +52,7 @@ PyObject *py_curve_at(PyObject *module, PyObject *arguments);
 PyObject *py_arc_lengths_at(PyObject *module, PyObject *arguments);
 PyObject *py_parameters_at(PyObject *module, PyObject *arguments);
 PyObject *py_speed_panels(PyObject *module, PyObject *arguments);
-PyObject *py_evaluate_panels(PyObject *module, PyObject *arguments);
+PyObject *py_resolve_panels(PyObject *module, PyObject *arguments);
 PyObject *py_extremes(PyObject *module, PyObject *arguments);
 PyObject *py_vertex_exchange(PyObject *module, PyObject *arguments);
 PyObject *py_bernstein_roots(PyObject *module, PyObject *arguments);

@@ -75,6 +75,15 @@ typedef struct {
     const double *left, *right, *zero_left, *zero_right, *zeros;
 } CutPanels;
 
+/* When one is fine enough, and its numbers at its nodes. */
+typedef struct {
+    double resolved, noise, narrow;
+} PanelLimits;
+
+typedef struct {
+    double *left, *zero_left, *zero_right, *t, *velocity, *stretch, *kappa;
+} PanelNodes;
+
 /* The constants of `PanelFunction.found_extremes` in geometry/polynomials/panel_functions.py. */
 typedef struct {
     Py_ssize_t order, samples;
@@ -224,8 +233,9 @@ void parameters_at(const ArcLengths *arc, const InverseCells *cells, Py_ssize_t 
 Py_ssize_t speed_panels(const SpeedPanels *how, const BernsteinPieces *pieces, const double *edges, Py_ssize_t room,
                         double *starts, double *series);
 
-void evaluate_panels(const PanelRule *rule, const BernsteinPieces *pieces, const double *edges, const CutPanels *cut,
-                     double *t, double *velocity, double *stretch, double *kappa, double *tails);
+/* The panels that those cut become, from left to right: how many, -1 where `room` has no place for them. */
+Py_ssize_t resolve_panels(const PanelRule *rule, const BernsteinPieces *pieces, const double *edges, const CutPanels *cut,
+                          const PanelLimits *limits, Py_ssize_t room, const PanelNodes *out);
 
 /* How many extremes there are: `panel`, `sample` and `x` have room for all samples, and `table` for their values. */
 Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double *coefficients, double *table,

@@ -325,7 +325,7 @@ static PyMethodDef functions[] = {
     {"arc_lengths_at", py_arc_lengths_at, METH_VARARGS, NULL},
     {"parameters_at", py_parameters_at, METH_VARARGS, NULL},
     {"speed_panels", py_speed_panels, METH_VARARGS, NULL},
-    {"evaluate_panels", py_evaluate_panels, METH_VARARGS, NULL},
+    {"resolve_panels", py_resolve_panels, METH_VARARGS, NULL},
     {"extremes", py_extremes, METH_VARARGS, NULL},
     {"vertex_exchange", py_vertex_exchange, METH_VARARGS, NULL},
     {"bernstein_roots", py_bernstein_roots, METH_VARARGS, NULL},

@@ -214,24 +214,27 @@ done:
     return answer;
 }
 
-PyObject *py_evaluate_panels(PyObject *module, PyObject *arguments)
+PyObject *py_resolve_panels(PyObject *module, PyObject *arguments)
 {
-    PyObject *series, *ends, *of_rule[4], *of_cut[5], *out[5], *answer = NULL;
+    PyObject *series, *ends, *of_rule[4], *of_cut[5], *of_nodes[7], *answer = NULL;
     PanelRule rule;
     CutPanels cut;
+    PanelLimits limits;
+    PanelNodes out;
     BernsteinPieces pieces = {.columns = 6};
-    if (!PyArg_ParseTuple(arguments, "O(nnnn)O(OOOO)(OOOOO)dOOOOO", &series, &pieces.count, &pieces.degree,
+    if (!PyArg_ParseTuple(arguments, "O(nnnn)O(OOOO)(OOOOO)d(ddd)(OOOOOOO)", &series, &pieces.count, &pieces.degree,
                           &pieces.width, &pieces.first, &ends, &of_rule[0], &of_rule[1], &of_rule[2], &of_rule[3],
-                          &of_cut[0], &of_cut[1], &of_cut[2], &of_cut[3], &of_cut[4], &cut.rest, &out[0], &out[1],
-                          &out[2], &out[3], &out[4]))
+                          &of_cut[0], &of_cut[1], &of_cut[2], &of_cut[3], &of_cut[4], &cut.rest, &limits.resolved,
+                          &limits.noise, &limits.narrow, &of_nodes[0], &of_nodes[1], &of_nodes[2], &of_nodes[3],
+                          &of_nodes[4], &of_nodes[5], &of_nodes[6]))
         return NULL;
     Borrowed arrays = {.count = 0};
     const double *edges;
-    double *t, *velocity, *stretch, *kappa, *tails;
     const Py_ssize_t order = array_size(of_rule[0]), count = array_size(of_cut[0]);
+    const Py_ssize_t room = array_size(of_nodes[0]);
     cut.count = count;
     cut.zeros_count = array_size(of_cut[4]);
-    if (order < 2 || order > MOST_ORDER || count < 0 || cut.zeros_count < 0)
+    if (order < 2 || order > MOST_ORDER || count < 0 || cut.zeros_count < 0 || room < 0)
         return refused("a rule has 2 to 32 nodes");
     rule.order = (int)order;
     if (!borrow_pieces(&arrays, series, &pieces))
@@ -246,15 +249,18 @@ PyObject *py_evaluate_panels(PyObject *module, PyObject *arguments)
     BORROW(cut.zero_left, of_cut[2], count, "zero_left");
     BORROW(cut.zero_right, of_cut[3], count, "zero_right");
     BORROW(cut.zeros, of_cut[4], cut.zeros_count, "zeros");
-    BORROW_OUT(t, out[0], count * order, "t");
-    BORROW_OUT(velocity, out[1], 2 * count * order, "velocity");
-    BORROW_OUT(stretch, out[2], count * order, "stretch");
-    BORROW_OUT(kappa, out[3], count * order, "curvature");
-    BORROW_OUT(tails, out[4], count, "tails");
+    BORROW_OUT(out.left, of_nodes[0], room, "left");
+    BORROW_OUT(out.zero_left, of_nodes[1], room, "zero_left");
+    BORROW_OUT(out.zero_right, of_nodes[2], room, "zero_right");
+    BORROW_OUT(out.t, of_nodes[3], room * order, "t");
+    BORROW_OUT(out.velocity, of_nodes[4], 2 * room * order, "velocity");
+    BORROW_OUT(out.stretch, of_nodes[5], room * order, "stretch");
+    BORROW_OUT(out.kappa, of_nodes[6], room * order, "curvature");
+    Py_ssize_t found;
     Py_BEGIN_ALLOW_THREADS
-    evaluate_panels(&rule, &pieces, edges, &cut, t, velocity, stretch, kappa, tails);
+    found = resolve_panels(&rule, &pieces, edges, &cut, &limits, room, &out);
     Py_END_ALLOW_THREADS
-    answer = Py_NewRef(Py_None);
+    answer = PyLong_FromSsize_t(found);
 done:
     give_back(&arrays);
     return answer;

@@ -9,7 +9,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials import panel_functions
 from elastica_cad.geometry.polynomials.panel_functions import ORDER, PanelFunction, legendre_basis
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
-from elastica_cad.mechanics.stiffness import vertex_exchange
+from elastica_cad.mechanics.stiffness import quadrature_panels, vertex_exchange
 from elastica_cad.mechanics.stiffness.quadrature_panels import cut_into_panels
 from elastica_cad.mechanics.stiffness.vertex_exchange import VertexExchange
 from tests.unit.test_compiled_twins import CLOSE, SEEDS, both, distance
@@ -140,6 +140,17 @@ def test_panels_of_a_curve(both, seed, rest):
     assert compiled.count == plain.count
     for name, value in vars(plain).items():
         assert distance(1.0 * getattr(compiled, name), 1.0 * value) < CLOSE, name
+
+
+def test_panels_beyond_the_compiled_room(monkeypatch):
+    """Where panels are more than a kernel was given room for they are cut in Python."""
+    curve = drawn(3)
+    zeros = [one.t for one in ExcessCurvature(curve, 0.0).zeros]
+    compiled = cut_into_panels(curve, zeros)
+    monkeypatch.setattr(quadrature_panels, "_ROOM", 2)
+    plain = cut_into_panels(curve, zeros)
+    assert compiled.count == plain.count
+    assert distance(compiled.s, plain.s) < CLOSE
 
 
 @pytest.mark.parametrize("seed", range(60))

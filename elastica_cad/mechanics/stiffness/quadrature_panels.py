@@ -41,6 +41,8 @@ NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 ROUGH_AT_ZERO = 2
 """Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
 
+_ROOM = 256  # panels up to which the kernel has room; more are many enough for numpy
+
 FROM_LEFT = 1 + NODES
 _LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
 
@@ -141,6 +143,11 @@ def cut_into_panels(
     both = cut.zero_left & cut.zero_right
     if both.any():
         cut = cut.into(np.where(both, 2, 1))
+    series = curve.compiled_series
+    if series is not None and law is None and not isinstance(natural_curvature, RestCurvature):
+        resolved = _resolved(series, natural_curvature, cut, np.array(vanishing), narrow)
+        if resolved is not None:
+            return _panels(curve, [resolved])
     done: list[_Nodes] = []
     count = 0
     while True:
@@ -267,9 +274,6 @@ def _evaluated(
     excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
     """The panels at their nodes, and how much of each is unresolved; `zeros` are the parameters of all."""
-    series = excess.curve.compiled_series
-    if series is not None and law is None and not isinstance(excess.rest, RestCurvature):
-        return _compiled(series, excess.rest, cut, zeros)
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT
     t = cut.left[:, None] + from_left
@@ -300,20 +304,28 @@ def _evaluated(
     return nodes, np.asarray(tails.max(axis=0))
 
 
-def _compiled(
-    series: BernsteinSeries, rest: float, cut: _Cut, zeros: FloatArray
-) -> tuple[_Nodes, FloatArray]:
-    """The same by a kernel, which knows curves without weights and one rest curvature."""
+def _resolved(
+    series: BernsteinSeries, rest: float, cut: _Cut, zeros: FloatArray, narrow: float
+) -> _Nodes | None:
+    """The panels that those cut become, by a kernel, which knows curves without weights and one rest curvature.
+
+    None where they are more than it has room for.
+    """
     assert kernels is not None
-    count = cut.left.size
-    t, stretch, kappa = np.empty((3, count, ORDER))
-    velocity, tails = np.empty((count, ORDER, 2)), np.empty(count)
+    left, zero_left, zero_right = np.empty((3, _ROOM))
+    t, stretch, kappa = np.empty((3, _ROOM, ORDER))
+    velocity = np.empty((_ROOM, ORDER, 2))
     flags = cut.zero_left.astype(float), cut.zero_right.astype(float)
-    kernels.evaluate_panels(
-        *series.from_derivative(1), (NODES, LEFT, RIGHT, _LAST), (cut.left, cut.right, *flags, zeros),
-        float(rest), t, velocity, stretch, kappa, tails,
+    count = kernels.resolve_panels(
+        *series.from_derivative(1), (NODES, LEFT, RIGHT, _LAST), (cut.left, cut.right, *flags, zeros), float(rest),
+        (RESOLVED, NOISE, narrow), (left, zero_left, zero_right, t, velocity, stretch, kappa),
     )  # fmt: skip
-    return _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa), tails
+    if count < 0:
+        return None
+    t, velocity, stretch, kappa = (one[:count].copy() for one in (t, velocity, stretch, kappa))
+    return _Nodes(
+        left[:count].copy(), zero_left[:count] > 0, zero_right[:count] > 0, t, velocity, stretch, kappa
+    )
 
 
 def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:

@@ -199,10 +199,9 @@ def ask_arc_lengths(kernels, rng, case):
     cut = odd(rng, case, count), odd(rng, case, count), *flags, odd(rng, case, int(rng.integers(0, 4)))
     rule = panels.NODES, panels.LEFT, panels.RIGHT, panels._LAST
     grid = (count, panels.ORDER)
-    kernels.evaluate_panels(
-        *curve, rule, cut, rng.normal(), np.empty(grid), np.empty((*grid, 2)), np.empty(grid), np.empty(grid),
-        np.empty(count),
-    )  # fmt: skip
+    ends = tuple(np.empty((3, count)))
+    nodes = np.empty(grid), np.empty((*grid, 2)), np.empty(grid), np.empty(grid)
+    kernels.resolve_panels(*curve, rule, cut, rng.normal(), (1e-11, 1e-6, abs(rng.normal())), (*ends, *nodes))
 
 
 def ask_splines(kernels, rng, case):
