@@ -66,6 +66,12 @@ class Text:
                 "use A-Z, a-z, 0-9 and common punctuation"
             )
 
+    @property
+    def length(self) -> float:
+        """Along the base line, mm."""
+        widths = [_glyphs()[c][0] for c in self.text]
+        return (sum(widths) + _GAP * max(0, len(widths) - 1)) * self.height / CAP_HEIGHT
+
 
 def engravable(text: str) -> str:
     """The text in letters that can be engraved: accents are left out, unknown letters become underscores.
@@ -87,8 +93,7 @@ def text_width(text: str, height: float) -> float:
     >>> text_width("H", 6.0)
     4.0
     """
-    widths = [_glyphs()[c][0] for c in Text((0.0, 0.0), text, height).text]
-    return (sum(widths) + _GAP * max(0, len(widths) - 1)) * height / CAP_HEIGHT
+    return Text((0.0, 0.0), text, height).length
 
 
 def text_span(text: str, height: float) -> tuple[float, float]:

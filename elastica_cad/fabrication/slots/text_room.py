@@ -6,7 +6,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.drawings.lettering import Text, text_span, text_width
+from elastica_cad.fabrication.drawings.lettering import Text, text_span
 from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
@@ -26,7 +26,7 @@ _POLYLINES = (
 
 def text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
     """Corners (4, 2) of all strokes of a text with a clearance about them, anticlockwise."""
-    long = text_width(text.text, text.height)
+    long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])
     flat = flat + clearance * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
