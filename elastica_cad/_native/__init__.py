@@ -140,6 +140,11 @@ class Kernels(Protocol):
     ) -> None:  # fmt: skip
         """`nearest_places` of `fabrication.interlocking.flush_strips`; length, steps."""
 
+    def spline_values(
+        self, edges: FloatArray, pieces: FloatArray, x: FloatArray, values: FloatArray, /
+    ) -> None:
+        """`__call__` of `geometry.polynomials.spline_function.SplineFunction`."""
+
     def near_pairs(
         self, places: tuple[FloatArray, FloatArray, IntArray], ranges: tuple[IntArray, IntArray],
         reach: float, lower: IntArray, higher: IntArray, /,

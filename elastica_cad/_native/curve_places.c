@@ -1,7 +1,8 @@
-/* Places on a curve over arc length, that is asked a few at a time and thousands of times. */
+/* Places on curves over arc length and values of splines, that are asked a few at a time and thousands of times. */
 #include "kernels.h"
 
 #include <math.h>
+#include <string.h>
 
 #define BLOCK 8
 
@@ -79,5 +80,21 @@ void nearest_on_quintics(const Quintics *curve, Py_ssize_t stations, const doubl
             piece = quintic_at(curve, piece, at, place, tangent);
         }
         s[i] = at;
+    }
+}
+
+void spline_values(const SplinePieces *spline, Py_ssize_t count, const double *x, double *values)
+{
+    const Py_ssize_t order = spline->degree + 1;
+    const double *edges = spline->edges;
+    double row[MOST_DEGREE + 1];
+    for (Py_ssize_t i = 0; i < count; i++) {
+        const Py_ssize_t piece = passed(spline->pieces - 1, edges + 1, x[i]);
+        const double u = (x[i] - edges[piece]) / (edges[piece + 1] - edges[piece]);
+        memcpy(row, spline->coefficients + order * piece, order * sizeof(double));
+        for (Py_ssize_t left = order - 1; left; left--) /* de Casteljau's triangle */
+            for (Py_ssize_t k = 0; k < left; k++)
+                row[k] += (row[k + 1] - row[k]) * u;
+        values[i] = row[0];
     }
 }

@@ -64,6 +64,7 @@ PyObject *py_derivative_series(PyObject *module, PyObject *arguments);
 PyObject *py_inverse_cells(PyObject *module, PyObject *arguments);
 PyObject *py_quintics_at(PyObject *module, PyObject *arguments);
 PyObject *py_nearest_on_quintics(PyObject *module, PyObject *arguments);
+PyObject *py_spline_values(PyObject *module, PyObject *arguments);
 PyObject *py_near_pairs(PyObject *module, PyObject *arguments);
 PyObject *py_chord_pairs(PyObject *module, PyObject *arguments);
 PyObject *py_away_from_rims(PyObject *module, PyObject *arguments);

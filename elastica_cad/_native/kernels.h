@@ -140,6 +140,12 @@ typedef struct {
     double reach;
 } NearSearch;
 
+/* A function in Bezier coefficients (pieces, degree + 1) between edges (pieces + 1,). */
+typedef struct {
+    Py_ssize_t degree, pieces;
+    const double *edges, *coefficients;
+} SplinePieces;
+
 enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
 
 static inline double between(double low, double x, double high)
@@ -283,6 +289,9 @@ void quintics_at(const Quintics *curve, Py_ssize_t count, const double *s, doubl
 void nearest_on_quintics(const Quintics *curve, Py_ssize_t stations, const double *station, const double *chain,
                          double length, int steps, Py_ssize_t count, const double *points, double *s, double *places,
                          double *tangents);
+
+/* Values (count,) at places x (count,); beyond the edges the outermost pieces go on. */
+void spline_values(const SplinePieces *spline, Py_ssize_t count, const double *x, double *values);
 
 /* How many pairs are no farther apart than the reach; those that there is room for are filled in. */
 Py_ssize_t near_pairs(const NearSearch *search, Py_ssize_t room, int64_t *lower, int64_t *higher);

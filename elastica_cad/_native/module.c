@@ -337,6 +337,7 @@ static PyMethodDef functions[] = {
     {"inverse_cells", py_inverse_cells, METH_VARARGS, NULL},
     {"quintics_at", py_quintics_at, METH_VARARGS, NULL},
     {"nearest_on_quintics", py_nearest_on_quintics, METH_VARARGS, NULL},
+    {"spline_values", py_spline_values, METH_VARARGS, NULL},
     {"near_pairs", py_near_pairs, METH_VARARGS, NULL},
     {"chord_pairs", py_chord_pairs, METH_VARARGS, NULL},
     {"away_from_rims", py_away_from_rims, METH_VARARGS, NULL},

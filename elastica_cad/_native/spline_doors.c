@@ -255,3 +255,31 @@ done:
     give_back(&arrays);
     return answer;
 }
+
+PyObject *py_spline_values(PyObject *module, PyObject *arguments)
+{
+    PyObject *breaks, *coefficients, *places, *out, *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOOO", &breaks, &coefficients, &places, &out))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    SplinePieces spline = {.pieces = array_size(breaks) - 1};
+    const double *x;
+    double *values;
+    const Py_ssize_t entries = array_size(coefficients), count = array_size(places);
+    if (spline.pieces < 1 || entries < 0 || count < 0)
+        return refused("a spline has one piece or more");
+    spline.degree = entries / spline.pieces - 1;
+    if (spline.degree < 0 || spline.degree > MOST_DEGREE)
+        return refused("the pieces of a spline have the degree 0 to 32");
+    BORROW(spline.edges, breaks, spline.pieces + 1, "edges");
+    BORROW(spline.coefficients, coefficients, spline.pieces * (spline.degree + 1), "coefficients");
+    BORROW(x, places, count, "x");
+    BORROW_OUT(values, out, count, "values");
+    Py_BEGIN_ALLOW_THREADS
+    spline_values(&spline, count, x, values);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}

@@ -252,6 +252,8 @@ def ask_places(kernels, rng, case):
         *quintics, (odd(rng, case, stations), odd(rng, case, stations, 2)), (1.0, 3), odd(rng, case, count, 2),
         np.empty(count), *np.empty((2, count, 2)),
     )  # fmt: skip
+    row = odd(rng, case, pieces, int(rng.integers(1, 33)))
+    kernels.spline_values(odd(rng, case, pieces + 1), row, odd(rng, case, count), np.empty(count))
     away = np.empty(count)
     kernels.away_from_rims(tuple(odd(rng, case, 2, stations, 2)), *odd(rng, case, 2, count), away)
     lines = odd(rng, case, count, 2), odd(rng, case, stations, 2)
