@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NoReturn
 
 import numpy as np
@@ -77,7 +78,7 @@ class ConditionedRows:
     rows: MomentRows
     nodes: FloatArray | None
 
-    @property
+    @cached_property
     def conditions(self) -> FloatArray:
         """Rows (k, m) @ state = 0: no moment where no curvature, no force that no support gives."""
         at = [int(np.abs(self.panels.edges - z.t).argmin()) for z in self.check.zeros]
@@ -88,7 +89,7 @@ class ConditionedRows:
             found += [] if end.y else [force[0:1]]
         return np.concatenate(found)
 
-    @property
+    @cached_property
     def scale(self) -> FloatArray:
         """Sizes (m,) of the state's numbers."""
         size = np.full(self.rows.edge_moment.shape[1], 1 / self.check.length)
@@ -100,9 +101,8 @@ class ConditionedRows:
     def homogeneous(self, count: int) -> StateFamily:
         """All stiffnesses of the first `count` numbers of the state (3: without dead weight)."""
         basis = np.zeros((self.scale.size, count))
-        basis[:count] = np.diag(self.scale[:count])
-        free, _ = _solutions(self.conditions @ basis, np.zeros(len(self.conditions)))
-        basis = basis @ free
+        np.fill_diagonal(basis, self.scale[:count])
+        basis = basis @ _null_space(self.conditions @ basis)
         side = basis[3:4] if count == 4 and self.scale.size == 4 else None
         return StateFamily(
             StiffnessFamily(self.panels, PanelFunction.through(self.rows.stiffness @ basis), side_rows=side),
@@ -116,7 +116,7 @@ class ConditionedRows:
         if size.size == 3:
             return self.homogeneous(3)
         basis, fixed = np.zeros((4, 3)), np.array([0.0, 0.0, 0.0, tau])
-        basis[:3] = np.diag(size[:3])
+        np.fill_diagonal(basis, size[:3])
         free, particular = _solutions(self.conditions @ basis, -self.conditions @ fixed)
         if particular is None:
             self.refuse(None)
@@ -206,6 +206,20 @@ class ConditionedRows:
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))
 
 
+def _null_space(matrix: FloatArray) -> FloatArray:
+    """Null space (m, d) of matrix (k, m)."""
+    if not len(matrix):
+        return np.eye(matrix.shape[1])
+    size = np.abs(matrix).max(axis=1)
+    _, sigma, vt = np.linalg.svd(matrix / np.where(size > 0, size, 1.0)[:, None])
+    return np.asarray(vt[_rank(sigma) :].T)
+
+
+def _rank(sigma: FloatArray) -> int:
+    """How many singular values (falling) belong to conditions that do not depend on others."""
+    return int(np.count_nonzero(sigma > RANK_SHARE * max(1.0, sigma[0])))
+
+
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
     """Null space (m, d) of matrix (k, m), and a solution of matrix @ x = right where there is one."""
     count = matrix.shape[1]
@@ -214,7 +228,7 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
     u, sigma, vt = (
         np.linalg.svd(matrix / size[:, None]) if len(matrix) else (np.eye(0), np.zeros(0), np.eye(count))
     )
-    rank = int((sigma > RANK_SHARE * max(1.0, sigma.max(initial=0.0))).sum())
+    rank = _rank(sigma) if len(matrix) else 0
     inner = (u.T @ (right / size))[:rank] / sigma[:rank]
     x = vt[:rank].T @ inner
     residual = np.abs(matrix @ x - right) / size

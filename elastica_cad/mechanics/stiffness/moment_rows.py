@@ -84,18 +84,20 @@ def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
 def _weightless(panels: Panels) -> MomentRows:
     count, order = panels.t.shape
     reach = panels.edge_position - panels.edge_position[-1]
-    edge_moment = np.concatenate([np.ones((count + 1, 1)), reach], axis=1)
+    edge_moment = np.ones((count + 1, 3))
+    edge_moment[:, 1:] = reach
     # M at a node = M at the panel's near end + <b, step>; at a zero the first term vanishes
     from_left = panels.zero_left
     vanishing = _vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
     step = np.where(from_left[:, None, None], panels.from_left, panels.from_right)
-    moment = np.repeat(base[:, None, :], order, axis=1)
-    moment[..., 1:] += step
-    constant = np.zeros((2, 3))
-    constant[:, 1:] = np.eye(2)
+    rows = np.empty((count, order, 3))
+    rows[..., 0] = base[:, :1]
+    np.add(base[:, None, 1:], step, out=rows[..., 1:])
+    rows /= panels.curvature[..., None]
+    constant = np.eye(2, 3, 1)
     return MomentRows(
-        stiffness=moment / panels.curvature[..., None],
+        stiffness=rows,
         force=np.broadcast_to(constant, (count, order, 2, 3)),
         edge_moment=edge_moment, start_force=constant, end_force=constant,
     )  # fmt: skip

@@ -44,6 +44,7 @@ ROUGH_AT_ZERO = 2
 _ROOM = 256  # panels up to which the kernel has room; more are many enough for numpy
 
 FROM_LEFT = 1 + NODES
+_FROM_ENDS = np.concatenate([LEFT, -RIGHT])
 _LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
 
 
@@ -331,11 +332,13 @@ def _resolved(
 def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
     """One chain of panels from loose ones."""
     nodes = _Nodes.joined(parts)
-    edges = np.append(nodes.left, curve.domain[1])
-    edge_s = np.append(0.0, np.cumsum(nodes.stretch @ WEIGHTS))
+    edges = np.concatenate([nodes.left, curve.domain[1:]])
+    edge_s = np.zeros(edges.size)
+    (nodes.stretch @ WEIGHTS).cumsum(out=edge_s[1:])
+    from_ends = in_panels(_FROM_ENDS, nodes.velocity)
     return Panels(
         edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
         zero_left=nodes.zero_left, zero_right=nodes.zero_right, t=nodes.t,
         s=edge_s[:-1, None] + nodes.stretch @ LEFT.T, curvature=nodes.curvature, stretch=nodes.stretch,
-        from_left=in_panels(LEFT, nodes.velocity), from_right=-in_panels(RIGHT, nodes.velocity),
+        from_left=from_ends[:, :ORDER], from_right=from_ends[:, ORDER:],
     )  # fmt: skip

@@ -119,17 +119,16 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
     rows, offset = family.dense
     program = MinimaxProgram(rows, side_rows=family.side_rows, side_offset=family.side_offset)
     tolerance = _SETTLED
-    low = high = np.ones(len(rows), dtype=bool)
+    program.demand(rows, offset, rows, offset)
     before = np.full(family.freedom, np.nan)
     for _ in range(MAX_ROUNDS):
-        program.demand(rows[low], offset[low], rows[high], offset[high])
         answer = program.solve()
         if answer is None:
             return None
         y, ratio = answer
         rows, offset = family.extremes(y)
         values = rows @ y + offset
-        rounded = np.zeros(len(values))
+        rounded: FloatArray | float = 0.0
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
             # what is beyond its bounds still is so by the solver's own tolerance
             tolerance = BOUNDED
@@ -140,6 +139,7 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
             if values.min() <= 0:  # all that would be positive drowns in rounding
                 return None
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
+        program.demand(rows[low], offset[low], rows[high], offset[high])
     raise unsettled(ratio)
 
 

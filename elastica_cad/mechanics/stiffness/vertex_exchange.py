@@ -47,10 +47,13 @@ class VertexExchange:
 
     def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
         """Demand rows @ x + offset >= 0 of the first `low` rows and rows @ x + offset <= R of the others."""
-        demands = np.zeros((len(rows), self.rows.shape[1]))
-        demands[:low, :-1], demands[low:, :-1], demands[low:, -1] = rows[:low], -rows[low:], 1.0
-        self.rows = np.concatenate([self.rows, demands])
-        self.limits = np.concatenate([self.limits, -offset[:low], offset[low:]])
+        count = len(self.rows)
+        middle = count + low
+        demands = np.empty((count + len(rows), self.rows.shape[1]))
+        demands[:count], demands[count:middle, :-1] = self.rows, rows[:low]
+        np.negative(rows[low:], out=demands[middle:, :-1])
+        demands[count:middle, -1], demands[middle:, -1] = 0.0, 1.0
+        self.rows, self.limits = demands, np.concatenate([self.limits, -offset[:low], offset[low:]])
 
     def solve(self) -> FloatArray | None:
         """(x, R), or None where this method comes to no vertex of all conditions: an unbounded program, none at all
