@@ -81,8 +81,8 @@ class ConditionedRows:
     @cached_property
     def conditions(self) -> FloatArray:
         """Rows (k, m) @ state = 0: no moment where no curvature, no force that no support gives."""
-        at = [int(np.abs(self.panels.edges - z.t).argmin()) for z in self.check.zeros]
-        found = [self.rows.edge_moment[at]]
+        t = np.array([z.t for z in self.check.zeros])
+        found = [self.rows.edge_moment[np.abs(self.panels.edges - t[:, None]).argmin(axis=1)]]
         for end, force in zip(self.supports.ends, (self.rows.start_force, self.rows.end_force), strict=True):
             # lambda = R b: the force along x is -b_y, that along y is b_x
             found += [] if end.x else [force[1:2]]

@@ -108,11 +108,16 @@ def _vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
 
     Taken off linearly between the zeros of kappa - kappa_0: next to a zero the trace would be large beside M.
     """
-    zeros = np.flatnonzero(np.append(panels.zero_left, False) | np.append(False, panels.zero_right))
+    vanishes = np.zeros(panels.count + 1, dtype=bool)
+    vanishes[:-1] = panels.zero_left
+    vanishes[1:] |= panels.zero_right
+    zeros = vanishes.nonzero()[0]
     if not zeros.size:
         return edge_moment
-    traces = [np.interp(panels.edge_s, panels.edge_s[zeros], column) for column in edge_moment[zeros].T]
-    return np.asarray(edge_moment - np.column_stack(traces))
+    traces, at = np.empty_like(edge_moment), panels.edge_s[zeros]
+    for number, column in enumerate(edge_moment[zeros].T):
+        traces[:, number] = np.interp(panels.edge_s, at, column)
+    return np.asarray(edge_moment - traces)
 
 
 def _weighted(panels: Panels, load: LineLoad) -> MomentRows:

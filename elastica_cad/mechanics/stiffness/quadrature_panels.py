@@ -190,9 +190,10 @@ def _graded(edges: list[float], zeros: list[float], close: float) -> FloatArray:
     more: list[float] = []
     for a, b in pairwise(edges if zeros else []):
         before, after = bisect_left(zeros, a - close), bisect_right(zeros, b + close)
-        if before:
+        short = (b - a) / (1 + GRADED)
+        if before and a - zeros[before - 1] < short:
             more += [a + step for step in _steps_away(a - zeros[before - 1], b - a)]
-        if after < len(zeros):
+        if after < len(zeros) and zeros[after] - b < short:
             more += [b - step for step in _steps_away(zeros[after] - b, b - a)]
     return np.array(sorted({*edges, *more}) if more else edges)
 

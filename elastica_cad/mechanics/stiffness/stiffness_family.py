@@ -81,8 +81,10 @@ class StiffnessFamily:
         panel, sample, x = self.stiffness(y).found_extremes
         rows, offset = self.dense
         beside = panel * (DENSE_PARTS + 1) + sample
-        near, near_offset = self.at(panel, x)
-        return np.concatenate([rows[beside], near]), np.concatenate([offset[beside], near_offset])
+        rows = np.concatenate([rows[beside], self.rows.at(panel, x)])
+        if self.offset is None:
+            return rows, np.zeros(len(rows))
+        return rows, np.concatenate([offset[beside], self.offset.at(panel, x)])
 
     def stiffness(self, y: FloatArray) -> PanelFunction:
         """K of the numbers y."""
@@ -134,8 +136,9 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
             tolerance = BOUNDED
             rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # or because large terms cancel
         before = y
-        low, high = values < 1 - tolerance - rounded, values > ratio * (1 + tolerance) + rounded
-        if not (low.any() or high.any()):
+        low = (values < 1 - tolerance - rounded).nonzero()[0]
+        high = (values > ratio * (1 + tolerance) + rounded).nonzero()[0]
+        if not (low.size or high.size):
             if values.min() <= 0:  # all that would be positive drowns in rounding
                 return None
             return y, float(max(values.max() / min(1.0, values.min()), ratio))

@@ -1,5 +1,7 @@
 """Linear programs in a few numbers: from vertex to vertex, one condition exchanged at a time."""
 
+from math import isfinite
+
 import numpy as np
 
 from elastica_cad._native import kernels
@@ -67,8 +69,8 @@ class VertexExchange:
                 self.inverse = _inverse(self.rows[self.active])
             except np.linalg.LinAlgError:
                 return None
-        boxed = self.active[self.active < 2 * unknowns + 1] != unknowns
-        return vertex if ended == _FOUND and np.isfinite(vertex).all() and not boxed.any() else None
+        boxed = any(row < 2 * unknowns + 1 and row != unknowns for row in self.active.tolist())
+        return vertex if ended == _FOUND and not boxed and all(map(isfinite, vertex.tolist())) else None
 
     def _exchanged(self) -> tuple[int, FloatArray]:
         """How the exchanges end from where they stand, and the vertex where they do."""
