@@ -96,12 +96,15 @@ def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArra
 
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
     """Polynomials (..., n+1) divided by 1 - u (or by u), at the same degree: same signs inside (0, 1)."""
-    n = c.shape[-1] - 1
-    if n == 0:
-        return c
+    return c @ _division(c.shape[-1] - 1, at_end) if c.shape[-1] > 1 else c
+
+
+@lru_cache(maxsize=64)
+def _division(n: int, at_end: bool) -> FloatArray:
+    """What coefficients (n+1,) are multiplied by, (n+1, n+1), to divide by 1 - u (or by u) at the same degree."""
     index = np.arange(n)
-    quotient = c[..., :-1] * n / (n - index) if at_end else c[..., 1:] * n / (index + 1)
-    return raise_degree(quotient)
+    unit = np.eye(n + 1)
+    return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))
 
 
 @dataclass(frozen=True)
