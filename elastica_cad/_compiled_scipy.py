@@ -12,6 +12,10 @@ from importlib.util import find_spec, module_from_spec
 from pathlib import Path
 from typing import Any
 
+from numpy.linalg import LinAlgError
+
+from elastica_cad._types import FloatArray
+
 _ROUNDS = 100  # of Brent's method, which takes a dozen
 
 
@@ -19,6 +23,21 @@ _ROUNDS = 100  # of Brent's method, which takes a dozen
 def lapack() -> Any:
     """The functions of `scipy.linalg.lapack` that end in d..: dgtsv, dpbsv and so on."""
     return _alone("linalg", "_flapack", "dgtsv") or import_module("scipy.linalg.lapack")
+
+
+def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """What `numpy.linalg.svd` gives, which takes three times as long over a matrix of a few rows.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> svd(np.diag([2.0, 3.0]))[1].tolist()
+    [3.0, 2.0]
+    """
+    u, sigma, vt, info = lapack().dgesdd(matrix, full_matrices=full_matrices)
+    if info != 0:
+        raise LinAlgError("the singular values of a matrix do not converge")
+    return u, sigma, vt
 
 
 @cache

@@ -74,12 +74,11 @@ def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
     if u in _SPLITS:
         left, right = _split_matrices(c.shape[-1] - 1, u)
         return c @ left.T, c @ right.T
-    rows = [c]
-    while rows[-1].shape[-1] > 1:  # de Casteljau
-        rows.append(rows[-1][..., :-1] * (1 - u) + rows[-1][..., 1:] * u)
-    return np.stack([row[..., 0] for row in rows], axis=-1), np.stack(
-        [row[..., -1] for row in rows[::-1]], axis=-1
-    )
+    left, right = np.empty(c.shape), np.empty(c.shape)
+    for k in range(c.shape[-1]):  # de Casteljau
+        left[..., k], right[..., -1 - k] = c[..., 0], c[..., -1]
+        c = c[..., :-1] * (1 - u) + c[..., 1:] * u
+    return left, right
 
 
 def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:

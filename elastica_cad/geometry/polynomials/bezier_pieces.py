@@ -105,7 +105,7 @@ def _spans(written: bytes, degree: int) -> Spans:
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     first, matrix = span - degree, extraction(near)
-    edges = np.append(near[degree - 1], near[degree, -1])
+    edges = np.concatenate([near[degree - 1], near[degree, -1:]])
     for shared in (edges, first, matrix):
         shared.setflags(write=False)
     return Spans(knots.size - degree - 1, edges, first, matrix)

@@ -44,7 +44,7 @@ def knot_repeats(edges: FloatArray, continuity: Mapping[float, int], degree: int
     """
     counts = np.ones(edges.size, dtype=int)
     repeats = [min(max(degree - order, 1), degree + 1) for order in continuity.values()]
-    counts[np.searchsorted(edges, list(continuity))] = repeats
+    counts[edges.searchsorted(list(continuity))] = repeats
     counts[[0, -1]] = degree + 1
     return counts
 

@@ -65,6 +65,8 @@ class SplineSpans:
     @cached_property
     def begin(self) -> IntArray:
         """The first span (k,) of each owner."""
+        if self.owner[-1] == 0:  # the only one
+            return np.zeros(1, dtype=np.intp)
         return np.flatnonzero(np.append(True, self.owner[1:] != self.owner[:-1]))
 
     @cached_property
@@ -173,4 +175,6 @@ def _with_knots(edges: FloatArray, knots: FloatArray) -> FloatArray:
     after = np.searchsorted(edges, knots)
     apart = np.minimum(edges[after] - knots, knots - edges[after - 1])
     both = np.sort(np.concatenate([edges, knots[apart > NARROWEST_SHARE * (edges[-1] - edges[0])]]))
-    return np.asarray(both[np.append(True, both[1:] > both[:-1])])
+    kept = np.ones(both.size, dtype=bool)
+    np.greater(both[1:], both[:-1], out=kept[1:])
+    return np.asarray(both[kept])

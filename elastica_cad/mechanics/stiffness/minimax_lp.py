@@ -6,6 +6,7 @@ from typing import Any, Literal, Protocol, TypeAlias
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.mechanics.stiffness.vertex_exchange import VertexExchange
@@ -182,7 +183,7 @@ def _single(row: FloatArray) -> MinimaxSolution | None:
 def _conditioned(rows: FloatArray) -> FloatArray:
     """Columns (m, k) that span the unknowns such that stiffness is of order 1 for coefficients of order 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
-    _, size, vt = np.linalg.svd(thinned, full_matrices=False)
+    _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
     return np.asarray(vt[keep].T * (np.sqrt(len(thinned)) / np.where(size[keep] > 0, size[keep], 1.0)))
 

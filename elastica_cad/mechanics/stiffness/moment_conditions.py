@@ -8,6 +8,7 @@ from typing import NoReturn
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
@@ -211,7 +212,7 @@ def _null_space(matrix: FloatArray) -> FloatArray:
     if not len(matrix):
         return np.eye(matrix.shape[1])
     size = np.abs(matrix).max(axis=1)
-    _, sigma, vt = np.linalg.svd(matrix / np.where(size > 0, size, 1.0)[:, None])
+    _, sigma, vt = svd(matrix / np.where(size > 0, size, 1.0)[:, None])
     return np.asarray(vt[_rank(sigma) :].T)
 
 

@@ -41,7 +41,7 @@ NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 ROUGH_AT_ZERO = 2
 """Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
 
-_ROOM = 256  # panels up to which the kernel has room; more are many enough for numpy
+_ROOM = 96  # panels up to which the kernel has room; more are many enough for numpy
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])

@@ -104,7 +104,8 @@ class _AlongArc:
     @classmethod
     def of(cls, curve: PlaneCurve, balance: BalancedStiffness, scale: float) -> "_AlongArc":
         panels = balance.panels
-        s = panels.edge_s[:-1, None] + np.diff(panels.edge_s)[:, None] * (1 + NODES) / 2
+        width = panels.edge_s[1:] - panels.edge_s[:-1]
+        s = panels.edge_s[:-1, None] + width[:, None] * (1 + NODES) / 2
         t = curve.parameter(s)
         values = balance.stiffness.at(*panels.locate(t.ravel())) * scale
         return cls(panels.edge_s, PanelFunction.through(values.reshape(t.shape)))

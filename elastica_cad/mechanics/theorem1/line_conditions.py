@@ -248,14 +248,14 @@ def _widest_place(
     clear = (np.abs(nodes.s - s_zero[:, None]) > _AT_ZERO_SHARE * curve.length).all(axis=0)
     clear &= kappa != 0
     tangent, slope = _at_zeros(excess, t_zero)
-    s = np.concatenate([nodes.s[clear], s_zero])
-    arm = np.concatenate(
-        [(nodes.position[clear] - np.asarray(line.point)) / kappa[clear, None], tangent / slope[:, None]]
-    )
-    along, across = np.asarray(line.direction), line.b
-    K = np.abs(arm @ across)
-    if K.max() <= _WIDEST_RATIO * K.min():
+    point, across = np.asarray(line.point), line.b
+    bent = np.abs(((nodes.position - point) @ across)[clear] / kappa[clear])
+    unbent = np.abs(tangent @ across / slope)
+    if max(bent.max(), unbent.max()) <= _WIDEST_RATIO * min(bent.min(), unbent.min()):
         return None
+    s = np.concatenate([nodes.s[clear], s_zero])
+    arm = np.concatenate([(nodes.position[clear] - point) / kappa[clear, None], tangent / slope[:, None]])
+    along = np.asarray(line.direction)
     turns = np.linspace(-spare, spare, _TURNS)[1:-1] if spare > 0 else np.zeros(1)
     normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
     K = np.abs(arm @ normals.T)
