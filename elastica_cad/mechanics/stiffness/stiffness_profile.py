@@ -143,7 +143,7 @@ class _AlongArc:
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
         at = np.interp(stops, s, reached).tolist()
-        parts = [ceil(b - a) for a, b in pairwise(at)]
+        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]  # even stiffness asks for none
         wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
         return np.asarray(np.interp(np.concatenate(wanted), reached, s))
 
