@@ -28,6 +28,27 @@ def model():
     return ec.Model([ec.Placed(strip)], name="arch")
 
 
+@pytest.fixture
+def copies(monkeypatch):
+    """Numbers of the copies that are begun; other tests of the same process may have children of their own."""
+    begun, begin = [], beside.begin_copy
+
+    def begin_copy(task):
+        begun.append(begin(task))
+        return begun[-1]
+
+    monkeypatch.setattr(beside, "begin_copy", begin_copy)
+    return begun
+
+
+def is_gone(number):
+    try:
+        os.waitpid(number, os.WNOHANG)
+    except ChildProcessError:
+        return True
+    return False
+
+
 def contents(folder):
     return {file.relative_to(folder): file.read_bytes() for file in folder.rglob("*.*")}
 
@@ -72,34 +93,27 @@ def test_what_fails_beside_is_left_to_be_painted_here(paint):
         assert not are_painted()
 
 
-def test_a_copy_that_hangs_is_ended(monkeypatch):
+def test_a_copy_that_hangs_is_ended(monkeypatch, copies):
     monkeypatch.setattr(beside, "LONGEST_S", 0.1)
     with beside.painted_beside([lambda: time.sleep(60)]) as are_painted:
         assert not are_painted()
-    assert gone()
+    (copy,) = copies
+    assert is_gone(copy)
 
 
-def test_a_copy_ends_with_the_block(tmp_path):
+def test_a_copy_ends_with_the_block(copies):
     with pytest.raises(RuntimeError), beside.painted_beside([lambda: time.sleep(60)]):
         raise RuntimeError
-    assert gone()
-
-
-def gone():
-    """Is no child left?"""
-    try:
-        os.waitpid(-1, os.WNOHANG)
-    except ChildProcessError:
-        return True
-    return False
+    (copy,) = copies
+    assert is_gone(copy)
 
 
 @pytest.mark.parametrize("reason", ["one processor", "other threads", "nothing to paint"])
-def test_there_is_no_copy_where_it_would_spare_nothing_or_is_not_safe(monkeypatch, reason):
+def test_there_is_no_copy_where_it_would_spare_nothing_or_is_not_safe(monkeypatch, copies, reason):
     if reason == "one processor":
         monkeypatch.setattr(beside, "usable_processors", lambda: 1)
     if reason == "other threads":
         monkeypatch.setattr("threading.active_count", lambda: 2)
     with beside.painted_beside([] if reason == "nothing to paint" else [lambda: None]) as are_painted:
-        assert gone()
+        assert copies == []
         assert not are_painted()
