@@ -3,6 +3,8 @@
 import faulthandler
 import gc
 import os
+import signal
+import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -50,3 +52,36 @@ def begin_copy(task: Callable[[], object]) -> int:
         task()
         failed = 0
     os._exit(failed)
+
+
+def await_copy(copy: int, longest_s: float) -> int | None:
+    """The status that a copy ends with; None where it took longer, and was ended.
+
+    Raises
+    ------
+    ChildProcessError
+        Somebody else has waited for it, so that nobody knows how it ended.
+    """
+    end, pause = time.monotonic() + longest_s, 1e-3
+    try:
+        while time.monotonic() < end:
+            ended, status = os.waitpid(copy, os.WNOHANG)
+            if ended:
+                copy = 0
+                return status
+            time.sleep(pause)
+            pause = min(2 * pause, 0.02)
+        return None
+    except ChildProcessError:
+        copy = 0
+        raise
+    finally:
+        if copy:
+            end_copy(copy)
+
+
+def end_copy(copy: int) -> None:
+    """End a copy, whatever it does."""
+    with suppress(ProcessLookupError, ChildProcessError):
+        os.kill(copy, signal.SIGKILL)
+        os.waitpid(copy, 0)

@@ -5,8 +5,11 @@ functions in Python stay what is meant: tests compare each kernel with its twin 
 """
 
 import os
+from collections.abc import Callable
 from importlib import import_module
 from typing import Protocol, cast
+
+import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 
@@ -223,6 +226,16 @@ class Kernels(Protocol):
         mode: FloatArray, multipliers: FloatArray, /,
     ) -> float | None:  # fmt: skip
         """The margin of `mechanics.rod.discrete_rod.DiscreteRod` with its mode, where that is smooth."""
+
+
+def pairs_of(ask: Callable[[IntArray, IntArray], int], room: int) -> IntArray:
+    """Pairs (2, k) that a kernel fills in and counts, also beyond the room for them: then it is asked again."""
+    while True:
+        pairs = np.empty((2, room), dtype=np.intp)
+        count = ask(*pairs)
+        if count <= room:
+            return pairs[:, :count]
+        room = count
 
 
 def _found() -> Kernels | None:

@@ -28,9 +28,7 @@ static double value_and_slope(Py_ssize_t degree, const double *c, double u, doub
 {
     double row[MOST_DEGREE + 1];
     memcpy(row, c, (degree + 1) * sizeof(double));
-    for (Py_ssize_t k = degree; k > 1; k--)
-        for (Py_ssize_t i = 0; i < k; i++)
-            row[i] += (row[i + 1] - row[i]) * u;
+    collapse(degree + 1, 2, u, row);
     *slope = degree * (row[1] - row[0]);
     return row[0] + (row[1] - row[0]) * u;
 }

@@ -92,9 +92,7 @@ void spline_values(const SplinePieces *spline, Py_ssize_t count, const double *x
         const Py_ssize_t piece = passed(spline->pieces - 1, edges + 1, x[i]);
         const double u = (x[i] - edges[piece]) / (edges[piece + 1] - edges[piece]);
         memcpy(row, spline->coefficients + order * piece, order * sizeof(double));
-        for (Py_ssize_t left = order - 1; left; left--) /* de Casteljau's triangle */
-            for (Py_ssize_t k = 0; k < left; k++)
-                row[k] += (row[k + 1] - row[k]) * u;
+        collapse(order, 1, u, row);
         values[i] = row[0];
     }
 }

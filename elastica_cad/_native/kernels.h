@@ -167,6 +167,15 @@ static inline Py_ssize_t passed(Py_ssize_t count, const double *rising, double s
     return low;
 }
 
+/* Coefficients of a polynomial brought down to `left` of them at u, by de Casteljau: one is its value, the step between
+   two its slope over the degree. */
+static inline void collapse(Py_ssize_t count, Py_ssize_t left, double u, double *row)
+{
+    for (; count > left; count--)
+        for (Py_ssize_t i = 0; i < count - 1; i++)
+            row[i] += (row[i + 1] - row[i]) * u;
+}
+
 /* Four sums at a time, which a processor adds beside each other. */
 static inline double dot(Py_ssize_t n, const double *restrict a, const double *restrict b)
 {

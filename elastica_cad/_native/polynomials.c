@@ -226,14 +226,6 @@ Py_ssize_t extremes(const ExtremeSearch *search, Py_ssize_t panels, const double
     return found;
 }
 
-/* A value of a cubic in Bernstein form, by de Casteljau. */
-static double cubic_at(const double *c, double u)
-{
-    const double a = c[0] + (c[1] - c[0]) * u, b = c[1] + (c[2] - c[1]) * u, d = c[2] + (c[3] - c[2]) * u;
-    const double left = a + (b - a) * u, right = b + (d - b) * u;
-    return left + (right - left) * u;
-}
-
 /* The least and the largest so far, each as a place and a value. */
 static void take(double value, double place, double *found)
 {
@@ -264,7 +256,10 @@ void cubic_extremes(Py_ssize_t pieces, const double *coefficients, const double 
         const double a = c[1] - c[0], b = c[2] - c[1], d = c[3] - c[2], q = b - a, square = a - 2 * b + d;
         const double r = -(q + copysign(sqrt(q * q - a * square), q)), roots[2] = {r / square, a / r};
         for (int k = 0; k < 2; k++)
-            if (roots[k] > 0 && roots[k] < 1)
-                take(cubic_at(c, roots[k]), edges[i] + roots[k] * (edges[i + 1] - edges[i]), found);
+            if (roots[k] > 0 && roots[k] < 1) {
+                double row[4] = {c[0], c[1], c[2], c[3]};
+                collapse(4, 1, roots[k], row);
+                take(row[0], edges[i] + roots[k] * (edges[i + 1] - edges[i]), found);
+            }
     }
 }

@@ -1,5 +1,4 @@
-/* What Python sees of splines: of spline_points.c, spline_fits.c, curve_tables.c, and cubics of polynomials.c. */
-/* What Python sees of splines: of spline_fits.c, curve_tables.c, curve_places.c, and cubics of polynomials.c. */
+/* What Python sees of splines: of spline_fits.c, spline_points.c, curve_tables.c, curve_places.c, and of cubics. */
 #include "doors.h"
 
 PyObject *py_cubic_extremes(PyObject *module, PyObject *arguments)

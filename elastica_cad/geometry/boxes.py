@@ -16,6 +16,17 @@ def box_about(points: FloatArray) -> FloatArray:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
+def boxes_about(points: FloatArray) -> FloatArray:
+    """Those (k, 2, d) of many sets of points (k, n, d).
+
+    Examples
+    --------
+    >>> boxes_about(np.array([[[0, 5], [2, 1]], [[1, 1], [0, 0]]])).tolist()
+    [[[0, 1], [2, 5]], [[0, 0], [1, 1]]]
+    """
+    return np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
+
+
 def box_around(boxes: FloatArray) -> FloatArray:
     """The box (2, d) about boxes (n, 2, d).
 

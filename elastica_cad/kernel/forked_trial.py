@@ -1,11 +1,9 @@
 """Damaged files on which OpenCASCADE breaks down: a copy of the program tries them first."""
 
 import os
-import signal
-import time
 from collections.abc import Callable
 
-from elastica_cad._process import begin_copy
+from elastica_cad._process import await_copy, begin_copy
 from elastica_cad.errors import InputError
 
 LONGEST_S = 120.0
@@ -22,23 +20,10 @@ def try_in_a_copy(task: Callable[[], object]) -> None:
     """
     if not hasattr(os, "fork"):
         return
-    copy = begin_copy(task)
-    end, pause = time.monotonic() + LONGEST_S, 1e-3
-    try:
-        while True:
-            ended, status = os.waitpid(copy, os.WNOHANG)
-            if ended:
-                copy = 0
-                break
-            if time.monotonic() > end:
-                raise InputError(
-                    f"OpenCASCADE has not read this file within {LONGEST_S:g} s: export its curves alone"
-                )
-            time.sleep(pause)
-            pause = min(2 * pause, 0.05)
-    finally:
-        if copy:
-            os.kill(copy, signal.SIGKILL)
-            os.waitpid(copy, 0)
+    status = await_copy(begin_copy(task), LONGEST_S)
+    if status is None:
+        raise InputError(
+            f"OpenCASCADE has not read this file within {LONGEST_S:g} s: export its curves alone"
+        )
     if os.WIFSIGNALED(status):
         raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")

@@ -111,10 +111,9 @@ def write_kit(
     with write_together(folder, kit.files, force=force) as workshop:
         writers = {name: partial(write, workshop / name) for name, (_, write) in kit.files.items()}
         painters = {name: write for name, write in writers.items() if name.endswith(PAINTED)}
+        pictures_last = sorted(writers, key=painters.__contains__)  # a copy that paints them is waited for
         with painted_beside(painters.values()) as are_painted:
-            for name in sorted(
-                writers, key=painters.__contains__
-            ):  # what is painted beside is waited for last
+            for name in pictures_last:
                 if name not in painters or not are_painted():
                     writers[name]()
                 if done is not None:

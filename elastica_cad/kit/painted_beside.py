@@ -1,15 +1,12 @@
 """Pictures painted by a copy of this process, while it writes everything else."""
 
-import os
-import signal
 import sys
 import threading
-import time
 import warnings
 from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager, suppress
 
-from elastica_cad._process import begin_copy, usable_processors
+from elastica_cad._process import await_copy, begin_copy, end_copy, usable_processors
 
 LONGEST_S = 120.0
 """How long a copy is waited for: one that hangs is ended, and its pictures are painted here."""
@@ -22,45 +19,21 @@ def painted_beside(painters: Collection[Callable[[], object]]) -> Iterator[Calla
     False where there is no copy, as on one processor, and where it failed: then one paints for oneself, and is told
     what is wrong.
     """
-    copy = _Copy(begin_copy(lambda: _paint(painters)) if painters and _may_copy() else 0)
+    waiting = [begin_copy(lambda: _paint(painters))] if painters and _may_copy() else []
+    has_painted = False
+
+    def are_painted() -> bool:
+        nonlocal has_painted
+        if waiting:
+            with suppress(ChildProcessError):
+                has_painted = await_copy(waiting.pop(), LONGEST_S) == 0
+        return has_painted
+
     try:
-        yield copy.has_painted
+        yield are_painted
     finally:
-        copy.end()
-
-
-class _Copy:
-    """Waits for the process of a number, 0 for none."""
-
-    def __init__(self, number: int) -> None:
-        self._number = number
-        self._painted = False
-
-    def has_painted(self) -> bool:
-        """Has it done its work? Waits until it has ended."""
-        end, pause = time.monotonic() + LONGEST_S, 1e-3
-        while self._number and time.monotonic() < end:
-            if not self._ended(os.WNOHANG):
-                time.sleep(pause)
-                pause = min(2 * pause, 0.02)
-        self.end()
-        return self._painted
-
-    def end(self) -> None:
-        """End it, whatever it does."""
-        if self._number:
-            with suppress(OSError):
-                os.kill(self._number, signal.SIGKILL)
-            self._ended(0)
-
-    def _ended(self, how: int) -> bool:
-        try:
-            ended, status = os.waitpid(self._number, how)
-        except ChildProcessError:  # somebody else has waited for it: nobody knows how it ended
-            ended, status = self._number, 1
-        if ended:
-            self._number, self._painted = 0, status == 0
-        return bool(ended)
+        for copy in waiting:
+            end_copy(copy)
 
 
 def _may_copy() -> bool:

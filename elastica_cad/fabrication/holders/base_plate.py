@@ -26,7 +26,7 @@ from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.prisms import convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
-from elastica_cad.geometry.boxes import boxes_meet
+from elastica_cad.geometry.boxes import boxes_about, boxes_meet
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
@@ -355,7 +355,7 @@ def tab_slot(
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
-    boxes = np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
+    boxes = boxes_about(corners)
     near = np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1))
     met = near[_gaps(*corners[near.T]) <= 0]
     for i, j in met[:1].tolist():

@@ -1,8 +1,10 @@
 """Pairs of points that lie near each other."""
 
+from functools import partial
+
 import numpy as np
 
-from elastica_cad._native import Kernels, kernels
+from elastica_cad._native import kernels, pairs_of
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
@@ -31,7 +33,8 @@ def near_pairs(points: FloatArray, reach: float) -> IntArray:
     for first, last in ((each + 1, cell + 1), (cell.searchsorted(cell + tall - 1), cell + tall + 1)):
         end = cell.searchsorted(last, side="right")
         if kernels is not None:
-            found.append(_within(kernels, (x, y, order), (first, end), reach))
+            ask = partial(kernels.near_pairs, (x, y, order), (first, end), reach)
+            found.append(pairs_of(ask, ROOM * each.size))
             continue
         count = end - first
         i = np.repeat(each, count)
@@ -40,19 +43,3 @@ def near_pairs(points: FloatArray, reach: float) -> IntArray:
         i, j = order.take(i[near]), order.take(j[near])
         found.append(np.stack([np.minimum(i, j), np.maximum(i, j)]))
     return np.concatenate(found, axis=1)
-
-
-def _within(
-    compiled: Kernels,
-    places: tuple[FloatArray, FloatArray, IntArray],
-    ranges: tuple[IntArray, IntArray],
-    reach: float,
-) -> IntArray:
-    """The pairs (2, k) of places in the order of cells with those in the ranges of each."""
-    room = ROOM * places[0].size
-    while True:
-        pairs = np.empty((2, room), dtype=np.intp)
-        count = compiled.near_pairs(places, ranges, reach, *pairs)
-        if count <= room:
-            return pairs[:, :count]
-        room = count

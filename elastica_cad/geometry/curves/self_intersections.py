@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.geometry.boxes import boxes_about
 from elastica_cad.geometry.curves.tangent_angle import hodograph
 from elastica_cad.geometry.polynomials.bernstein import subdivide
 
@@ -53,8 +54,7 @@ def find_self_intersections(
 
 
 def _boxes(part: FloatArray) -> FloatArray:
-    points = part[..., :2] / part[..., 2:]
-    return np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
+    return boxes_about(part[..., :2] / part[..., 2:])
 
 
 def _sizes(box: FloatArray) -> FloatArray:

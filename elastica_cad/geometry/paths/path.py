@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, several
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.boxes import box_around
+from elastica_cad.geometry.boxes import box_around, boxes_about
 from elastica_cad.geometry.curves.nurbs_curve import FAR_SIZES
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.chords import chord_points
@@ -261,8 +261,7 @@ def move_paths(
     keeps_boxes = not (matrix[[0, 1], [1, 0]].any() and matrix[[0, 1], [0, 1]].any())
     if keeps_boxes and (known := [k for k, path in enumerate(paths) if "bounds" in vars(path)]):
         corners = _placed(np.array([paths[k].bounds for k in known]), matrix, shifts[known])
-        boxes = np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
-        for k, box in zip(known, boxes, strict=True):
+        for k, box in zip(known, boxes_about(corners), strict=True):
             vars(found[k])["bounds"] = box
     return tuple(found)
 

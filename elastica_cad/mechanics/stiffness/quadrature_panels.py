@@ -144,15 +144,15 @@ def cut_into_panels(
     both = cut.zero_left & cut.zero_right
     if both.any():
         cut = cut.into(np.where(both, 2, 1))
-    series = curve.compiled_series
+    poles, series = np.array(vanishing), curve.compiled_series
     if series is not None and law is None and not isinstance(natural_curvature, RestCurvature):
-        resolved = _resolved(series, natural_curvature, cut, np.array(vanishing), narrow)
+        resolved = _resolved(series, natural_curvature, cut, poles, narrow)
         if resolved is not None:
             return _panels(curve, [resolved])
     done: list[_Nodes] = []
     count = 0
     while True:
-        found, tail = _evaluated(excess, cut, np.array(vanishing), law)
+        found, tail = _evaluated(excess, cut, poles, law)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
