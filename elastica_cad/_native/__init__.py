@@ -148,6 +148,18 @@ class Kernels(Protocol):
     ) -> None:
         """`__call__` of `geometry.polynomials.spline_function.SplineFunction`."""
 
+    def are_cones(self, hodographs: FloatArray, parts: int, limits: tuple[float, float, float], /) -> bool:
+        """Is no part cut by `cut_into_tangent_cones` of `geometry.curves.tangent_angle`, and none a standstill?"""
+
+    def tangent_angles(self, hodographs: FloatArray, axis: FloatArray, angle: FloatArray, /) -> float:
+        """`tabulate_tangent_angle` of the same: the spread."""
+
+    def angles_at(
+        self, tabulated: tuple[FloatArray, FloatArray, FloatArray], to_left: bool, t: FloatArray,
+        velocity: FloatArray, angles: FloatArray, /,
+    ) -> None:  # fmt: skip
+        """`TangentAngle.at` of the same."""
+
     def near_pairs(
         self, places: tuple[FloatArray, FloatArray, IntArray], ranges: tuple[IntArray, IntArray],
         reach: float, lower: IntArray, higher: IntArray, /,

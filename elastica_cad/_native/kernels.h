@@ -35,6 +35,7 @@ typedef struct {
 
 #define MOST_DEGREE 32  /* of curves that are evaluated here */
 #define MOST_ORDER 32   /* of panels */
+#define NEAR 4          /* steps in which a place is looked for before all are halved */
 #define MOST_NUMBERS 16 /* of a linear program, R among them */
 
 /* `RationalPieces` of geometry/curves/curve_derivatives.py: columns from `first` of series (degree + 1, width) each. */
@@ -146,6 +147,23 @@ typedef struct {
     const double *edges, *coefficients;
 } SplinePieces;
 
+/* Parts of a curve by the Bernstein coefficients (count, order, 2) along their velocities, */
+typedef struct {
+    Py_ssize_t count, order;
+    const double *velocities;
+} Hodographs;
+
+/* when they are `TangentCones` of geometry/curves/tangent_angle.py, by shares of a speed, */
+typedef struct {
+    double still, slow, along;
+} ConeLimits;
+
+/* and `TangentAngle` there. */
+typedef struct {
+    Py_ssize_t count;
+    const double *edges, *axis, *angle;
+} TangentAngles;
+
 enum { NO_VERTEX, AT_VERTEX, INVERSE_WORN };
 
 static inline double between(double low, double x, double high)
@@ -165,6 +183,26 @@ static inline Py_ssize_t passed(Py_ssize_t count, const double *rising, double s
             count = middle;
     }
     return low;
+}
+
+/* The same of numbers asked one after the other, which mostly rise: first looked for near where the last was. */
+static inline Py_ssize_t passed_near(Py_ssize_t count, const double *rising, double sought, Py_ssize_t last)
+{
+    if (last > 0 && !(rising[last - 1] <= sought))
+        return passed(last - 1, rising, sought);
+    for (const Py_ssize_t far = last + NEAR; last < count && rising[last] <= sought; last++)
+        if (last == far)
+            return last + passed(count - last, rising + last, sought);
+    return last;
+}
+
+/* In which of the pieces between edges (pieces + 1,) a place lies, at an edge the right or the left one. */
+static inline Py_ssize_t piece_of(Py_ssize_t pieces, const double *edges, int to_left, double place, Py_ssize_t last)
+{
+    Py_ssize_t piece = passed_near(pieces - 1, edges + 1, place, last);
+    while (to_left && piece > 0 && edges[piece] == place)
+        piece--;
+    return piece;
 }
 
 /* Coefficients of a polynomial brought down to `left` of them at u, by de Casteljau: one is its value, the step between
@@ -298,6 +336,16 @@ void quintics_at(const Quintics *curve, Py_ssize_t count, const double *s, doubl
 void nearest_on_quintics(const Quintics *curve, Py_ssize_t stations, const double *station, const double *chain,
                          double length, int steps, Py_ssize_t count, const double *points, double *s, double *places,
                          double *tangents);
+
+/* Does the velocity of each part keep within an open half plane, nowhere near a standstill? */
+int are_cones(const Hodographs *parts, const ConeLimits *limits);
+
+/* The spread of the angle over parts that do, with the axis (count, 2) of each and the angle of that. */
+double tangent_angles(const Hodographs *parts, double *axis, double *angle);
+
+/* Angles (places,) of velocities (places, 2) at parameters t (places,). */
+void angles_at(const TangentAngles *tabulated, int to_left, Py_ssize_t places, const double *t, const double *velocity,
+               double *angles);
 
 /* Values (count,) at places x (count,); beyond the edges the outermost pieces go on. */
 void spline_values(const SplinePieces *spline, Py_ssize_t count, const double *x, double *values);

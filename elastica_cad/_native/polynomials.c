@@ -56,16 +56,20 @@ WIDE void legendre_sums(Py_ssize_t places, Py_ssize_t order, Py_ssize_t columns,
     }
 }
 
+/* Where a place lies between two edges, from low to 1. */
+static inline double share_of(const double *edges, double low, double place)
+{
+    const double share = (place - edges[0]) / (edges[1] - edges[0]);
+    return between(low, low + (1.0 - low) * share, 1.0);
+}
+
 void locate(Py_ssize_t pieces, const double *edges, int to_left, double low, Py_ssize_t count, const double *places,
             int64_t *piece, double *x)
 {
-    for (Py_ssize_t i = 0; i < count; i++) {
-        Py_ssize_t p = passed(pieces - 1, edges + 1, places[i]);
-        while (to_left && p > 0 && edges[p] == places[i])
-            p--;
-        const double share = (places[i] - edges[p]) / (edges[p + 1] - edges[p]);
+    for (Py_ssize_t i = 0, p = 0; i < count; i++) {
+        p = piece_of(pieces, edges, to_left, places[i], p);
         piece[i] = p;
-        x[i] = between(low, low + (1.0 - low) * share, 1.0);
+        x[i] = share_of(edges + p, low, places[i]);
     }
 }
 
@@ -95,10 +99,11 @@ void bernstein_sums(Py_ssize_t places, const BernsteinPieces *pieces, const int6
 void curve_at(const BernsteinPieces *pieces, const double *edges, int to_left, const double *origins,
               Py_ssize_t places, const double *t, double *values)
 {
+    int64_t piece = 0;
     for (Py_ssize_t i = 0; i < places; i++) {
-        double u, *sum = values + i * pieces->columns;
-        int64_t piece;
-        locate(pieces->count, edges, to_left, 0.0, 1, t + i, &piece, &u);
+        double *sum = values + i * pieces->columns;
+        piece = piece_of(pieces->count, edges, to_left, t[i], piece);
+        const double u = share_of(edges + piece, 0.0, t[i]);
         bernstein_sums(1, pieces, &piece, &u, sum);
         sum[0] += origins[2 * piece];
         sum[1] += origins[2 * piece + 1];
@@ -123,8 +128,8 @@ static double chebyshev_sum(Py_ssize_t count, const double *restrict series, dou
 void arc_lengths_at(const ArcLengths *arc, Py_ssize_t places, const double *t, double *s)
 {
     double slope;
-    for (Py_ssize_t i = 0; i < places; i++) {
-        const Py_ssize_t p = passed(arc->panels - 1, arc->t + 1, t[i]);
+    for (Py_ssize_t i = 0, p = 0; i < places; i++) {
+        p = passed_near(arc->panels - 1, arc->t + 1, t[i], p);
         const double width = arc->t[p + 1] - arc->t[p];
         const double x = between(-1.0, 2 * (t[i] - arc->t[p]) / width - 1, 1.0);
         if (x <= -1 || x >= 1)
@@ -137,8 +142,9 @@ void arc_lengths_at(const ArcLengths *arc, Py_ssize_t places, const double *t, d
 void parameters_at(const ArcLengths *arc, const InverseCells *cells, Py_ssize_t places, const double *s, double *t)
 {
     const Py_ssize_t count = arc->panels * cells->of_each;
-    for (Py_ssize_t i = 0; i < places; i++) {
-        const Py_ssize_t cell = passed(count - 1, cells->meets, s[i]), p = cell / cells->of_each;
+    for (Py_ssize_t i = 0, cell = 0; i < places; i++) {
+        cell = passed_near(count - 1, cells->meets, s[i], cell);
+        const Py_ssize_t p = cell / cells->of_each;
         const double *cubic = cells->cubics + 6 * cell, *series = arc->series + p * arc->terms;
         const double target = s[i] - arc->s[p], whole = arc->s[p + 1] - arc->s[p];
         double x, slope;

@@ -1,4 +1,5 @@
-/* What Python sees of splines: of spline_fits.c, spline_points.c, curve_tables.c, curve_places.c, and of cubics. */
+/* What Python sees of splines: of spline_fits.c, spline_points.c, curve_tables.c, curve_places.c,
+   tangent_cones.c, and of cubics. */
 #include "doors.h"
 
 PyObject *py_cubic_extremes(PyObject *module, PyObject *arguments)
@@ -276,6 +277,88 @@ PyObject *py_spline_values(PyObject *module, PyObject *arguments)
     BORROW_OUT(values, out, count, "values");
     Py_BEGIN_ALLOW_THREADS
     spline_values(&spline, count, x, values);
+    Py_END_ALLOW_THREADS
+    answer = Py_NewRef(Py_None);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+/* The velocities of parts; 0 with a Python error where there are none. */
+static int borrow_hodographs(Borrowed *arrays, PyObject *given, Py_ssize_t parts, Hodographs *into)
+{
+    const Py_ssize_t numbers = array_size(given);
+    if (parts < 1 || numbers < 2 * parts)
+        return refused("a curve has one part or more, each with a velocity") != NULL;
+    into->count = parts;
+    into->order = numbers / (2 * parts);
+    return (into->velocities = borrow(arrays, given, 2 * parts * into->order, 0, "hodographs")) != NULL;
+}
+
+PyObject *py_are_cones(PyObject *module, PyObject *arguments)
+{
+    PyObject *velocities, *answer = NULL;
+    Py_ssize_t parts;
+    ConeLimits limits;
+    if (!PyArg_ParseTuple(arguments, "On(ddd)", &velocities, &parts, &limits.still, &limits.slow, &limits.along))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    Hodographs curve;
+    int are;
+    if (!borrow_hodographs(&arrays, velocities, parts, &curve))
+        goto done;
+    Py_BEGIN_ALLOW_THREADS
+    are = are_cones(&curve, &limits);
+    Py_END_ALLOW_THREADS
+    answer = PyBool_FromLong(are);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_tangent_angles(PyObject *module, PyObject *arguments)
+{
+    PyObject *velocities, *out[2], *answer = NULL;
+    if (!PyArg_ParseTuple(arguments, "OOO", &velocities, &out[0], &out[1]))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    Hodographs curve;
+    double *axis, *angle, spread;
+    const Py_ssize_t parts = array_size(out[1]);
+    if (!borrow_hodographs(&arrays, velocities, parts, &curve))
+        goto done;
+    BORROW_OUT(axis, out[0], 2 * parts, "axis");
+    BORROW_OUT(angle, out[1], parts, "angle");
+    Py_BEGIN_ALLOW_THREADS
+    spread = tangent_angles(&curve, axis, angle);
+    Py_END_ALLOW_THREADS
+    answer = PyFloat_FromDouble(spread);
+done:
+    give_back(&arrays);
+    return answer;
+}
+
+PyObject *py_angles_at(PyObject *module, PyObject *arguments)
+{
+    PyObject *given[3], *at, *velocities, *out, *answer = NULL;
+    int to_left;
+    if (!PyArg_ParseTuple(arguments, "(OOO)pOOO", &given[0], &given[1], &given[2], &to_left, &at, &velocities, &out))
+        return NULL;
+    Borrowed arrays = {.count = 0};
+    TangentAngles tabulated = {.count = array_size(given[2])};
+    const double *t, *velocity;
+    double *angles;
+    const Py_ssize_t places = array_size(at);
+    if (tabulated.count < 1 || places < 0)
+        return refused("a curve has one part or more");
+    BORROW(tabulated.edges, given[0], tabulated.count + 1, "edges");
+    BORROW(tabulated.axis, given[1], 2 * tabulated.count, "axis");
+    BORROW(tabulated.angle, given[2], tabulated.count, "angle");
+    BORROW(t, at, places, "t");
+    BORROW(velocity, velocities, 2 * places, "velocity");
+    BORROW_OUT(angles, out, places, "angles");
+    Py_BEGIN_ALLOW_THREADS
+    angles_at(&tabulated, to_left, places, t, velocity, angles);
     Py_END_ALLOW_THREADS
     answer = Py_NewRef(Py_None);
 done:

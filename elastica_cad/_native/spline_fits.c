@@ -48,7 +48,7 @@ void extraction(Py_ssize_t spans, Py_ssize_t degree, const double *near, double 
 }
 
 /* Values of a span's B-splines where its Bernstein polynomials are those of `row`. */
-static void basis_values(Py_ssize_t size, const double *row, const double *matrix, double *basis)
+static inline void basis_values(Py_ssize_t size, const double *row, const double *matrix, double *basis)
 {
     for (Py_ssize_t i = 0; i < size; i++)
         basis[i] = 0.0;
@@ -58,9 +58,8 @@ static void basis_values(Py_ssize_t size, const double *row, const double *matri
 }
 
 /* The normal equations: rows of the upper band of their matrix, and their right sides. */
-static void add_sites(const SplineFit *f, double *band, double *right)
+static inline void add_sites(const SplineFit *f, const Py_ssize_t size, double *band, double *right)
 {
-    const Py_ssize_t size = f->degree + 1;
     double basis[MOST_DEGREE + 1];
     memset(band, 0, f->count * size * sizeof(double));
     memset(right, 0, f->count * f->columns * sizeof(double));
@@ -81,7 +80,7 @@ static void add_sites(const SplineFit *f, double *band, double *right)
 }
 
 /* Cholesky's factor U of the band A = U' U, in its place; 0 where A is not positive. */
-static int factorised(Py_ssize_t count, Py_ssize_t size, double *band)
+static inline int factorised(Py_ssize_t count, const Py_ssize_t size, double *band)
 {
     for (Py_ssize_t j = 0; j < count; j++) {
         const Py_ssize_t top = j < size ? 0 : j - size + 1;
@@ -100,7 +99,7 @@ static int factorised(Py_ssize_t count, Py_ssize_t size, double *band)
     return 1;
 }
 
-static void solve_in_place(Py_ssize_t count, Py_ssize_t size, Py_ssize_t columns, const double *band, double *x)
+static inline void solve_in_place(Py_ssize_t count, const Py_ssize_t size, Py_ssize_t columns, const double *band, double *x)
 {
     for (Py_ssize_t i = 0; i < count; i++)
         for (Py_ssize_t c = 0; c < columns; c++) {
@@ -119,9 +118,8 @@ static void solve_in_place(Py_ssize_t count, Py_ssize_t size, Py_ssize_t columns
 }
 
 /* The largest error of a span at its probes, NaN where one is. */
-static double largest_error(const SplineFit *f, Py_ssize_t p, const double *coefficients)
+static inline double largest_error(const SplineFit *f, const Py_ssize_t size, Py_ssize_t p, const double *coefficients)
 {
-    const Py_ssize_t size = f->degree + 1;
     const double *acting = coefficients + f->first[p] * f->columns;
     double basis[MOST_DEGREE + 1], largest = 0.0;
     for (Py_ssize_t probe = 0; probe < f->probes; probe++) {
@@ -139,13 +137,20 @@ static double largest_error(const SplineFit *f, Py_ssize_t p, const double *coef
     return largest;
 }
 
+static inline int fitted(const SplineFit *f, const Py_ssize_t size, double *band, double *coefficients, double *errors)
+{
+    add_sites(f, size, band, coefficients);
+    if (!factorised(f->count, size, band))
+        return 0;
+    solve_in_place(f->count, size, f->columns, band, coefficients);
+    for (Py_ssize_t p = 0; p < f->spans; p++)
+        errors[p] = largest_error(f, size, p, coefficients);
+    return 1;
+}
+
 int fit_splines(const SplineFit *f, double *band, double *coefficients, double *errors)
 {
-    add_sites(f, band, coefficients);
-    if (!factorised(f->count, f->degree + 1, band))
-        return 0;
-    solve_in_place(f->count, f->degree + 1, f->columns, band, coefficients);
-    for (Py_ssize_t p = 0; p < f->spans; p++)
-        errors[p] = largest_error(f, p, coefficients);
-    return 1;
+    /* stiffness is a cubic: of a size that is known beforehand a compiler makes no loops */
+    return f->degree == 3 ? fitted(f, 4, band, coefficients, errors)
+                          : fitted(f, f->degree + 1, band, coefficients, errors);
 }

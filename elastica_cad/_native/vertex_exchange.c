@@ -27,9 +27,8 @@ static int corrected_vertex(const FewNumbers *p, const int64_t *active, const do
 }
 
 /* The condition that the vertex violates most, -1 where it violates none; -2 where it is no number. */
-static Py_ssize_t most_violated(const FewNumbers *p, const double *vertex)
+static inline Py_ssize_t most_violated(const FewNumbers *p, const Py_ssize_t n, const double *vertex)
 {
-    const Py_ssize_t n = p->numbers;
     const double beyond = fmax(vertex[n - 1] - 1.0, 0.0);
     double least = -p->feasible;
     Py_ssize_t worst = -1;
@@ -55,7 +54,8 @@ int vertex_exchange(const FewNumbers *p, int64_t *active, double *inverse, doubl
     double parts[MOST_NUMBERS], column[MOST_NUMBERS];
     for (int exchange = 0; exchange < p->most_exchanges; exchange++) {
         const int worn = corrected_vertex(p, active, inverse, vertex);
-        const Py_ssize_t worst = most_violated(p, vertex);
+        /* a curve without weight has three numbers and R: known beforehand they are summed without a loop */
+        const Py_ssize_t worst = n == 4 ? most_violated(p, 4, vertex) : most_violated(p, n, vertex);
         if (worst == -2)
             return NO_VERTEX;
         if (worst == -1)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from elastica_cad import _native
-from elastica_cad.geometry.curves import arc_length, curve_derivatives
+from elastica_cad.geometry.curves import arc_length, curve_derivatives, tangent_angle
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.polynomials import panel_functions
+from elastica_cad.geometry.polynomials import bernstein, panel_functions
 from elastica_cad.geometry.polynomials.panel_functions import ORDER, PanelFunction, legendre_basis
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
 from elastica_cad.mechanics.stiffness import quadrature_panels, vertex_exchange
@@ -79,6 +79,61 @@ def test_curves_of_a_degree_beyond_the_compiled_room(both):
     curve = PlaneCurve(np.repeat([0.0, 1.0], 41), line, 40)
     compiled, plain = both(curve_derivatives, lambda: curve.evaluate(np.linspace(0, 1, 9)))
     np.testing.assert_array_equal(compiled, plain)
+
+
+@pytest.mark.parametrize("columns", [(0, None), (2, 4), (3, 3)])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_some_columns_of_polynomials(both, seed, columns):
+    rng = np.random.default_rng(seed)
+    series = rng.normal(size=(int(rng.integers(1, 9)), int(rng.integers(1, 12)), 5))
+    u = np.concatenate([[0.0, 1.0], rng.random(30)])
+    piece = rng.integers(0, len(series), u.size)
+    compiled, plain = both(bernstein, lambda: bernstein.sums_in_pieces(series, piece, u, *columns))
+    assert compiled.shape == plain.shape
+    assert distance(compiled, plain) < CLOSE
+
+
+@pytest.mark.parametrize("curve", [drawn, ellipses])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_tangent_angles(both, seed, curve):
+    """Cones, their axes and angles, and the angle at edges, from either side, and between them."""
+    one = curve(seed)
+    velocities, edges = tangent_angle.hodograph(one._pieces.bezier), one._pieces.edges
+    t = np.concatenate([edges, np.random.default_rng(seed).uniform(*one.domain, 200)])
+    velocity = one.derivatives(t, 1)[1]
+
+    def asked():
+        cones = tangent_angle.cut_into_tangent_cones(velocities, edges)
+        angles = tangent_angle.tabulate_tangent_angle(cones)
+        return cones, angles, [angles.at(t, velocity, left=left) for left in (False, True)]
+
+    (cones, angles, at), (plain_cones, plain_angles, plain_at) = both(tangent_angle, asked)
+    np.testing.assert_array_equal(cones.edges, plain_cones.edges)
+    np.testing.assert_array_equal(cones.hodographs, plain_cones.hodographs)
+    assert distance(angles.axis, plain_angles.axis) < CLOSE
+    assert distance(angles.angle, plain_angles.angle) < CLOSE
+    assert abs(angles.spread - plain_angles.spread) < CLOSE
+    assert distance(at, plain_at) < CLOSE
+
+
+@pytest.mark.parametrize(
+    "velocities",
+    [
+        [(1, 0), (0, 0), (1, 0)],
+        [(0, 0), (1, 0), (1, 0)],
+        [(1, 0), (1, 0), (1e-10, 0)],
+        [(1e-15, 0), (1e-15, 0), (1e-15, 0)],
+        [(1, 0), (-1, 1), (-1, -1)],
+    ],
+    ids=["held up", "begins at rest", "comes to rest", "a point", "turns about"],
+)
+def test_cones_beside_a_standstill(both, velocities):
+    """What may be cut or may stand still is left to the twin in Python."""
+    parts = np.array([[(1.0, 0.0)] * 3, velocities])
+    edges = np.array([0.0, 1.0, 2.0])
+    compiled, plain = both(tangent_angle, lambda: tangent_angle.cut_into_tangent_cones(parts, edges))
+    assert compiled.standstill == plain.standstill
+    np.testing.assert_array_equal(compiled.edges, plain.edges)
 
 
 @pytest.mark.parametrize("curve", [drawn, ellipses])

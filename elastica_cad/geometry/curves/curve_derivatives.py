@@ -15,7 +15,7 @@ from elastica_cad.geometry.polynomials.bernstein import (
     binomials,
     interior_roots,
     raise_degree,
-    scaled_bernstein,
+    sums_in_pieces,
 )
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans
 
@@ -125,18 +125,7 @@ class RationalPieces:
 
     def _sums(self, index: IntArray, u: FloatArray, first: int, end: int) -> FloatArray:
         """Columns (n, ...) from `first` to `end` of `_series` at local coordinates u (n,) of spans (n,)."""
-        series, degree = self._series, self.spans.degree
-        if kernels is not None and degree <= MOST_DEGREE:
-            values = np.empty((u.size, end - first))
-            sizes = (len(series), degree, series.shape[2], first)
-            kernels.bernstein_sums(
-                series, sizes, np.ascontiguousarray(index, dtype=np.intp), np.ascontiguousarray(u), values
-            )
-            return values
-        basis = scaled_bernstein(degree, u)
-        if len(series) == 1:
-            return np.asarray(basis @ series[0, :, first:end])
-        return np.asarray(np.einsum("nj,njc->nc", basis, series[:, :, first:end].take(index, axis=0)))
+        return sums_in_pieces(self._series, index, u, first, end)
 
     def stationary(self) -> FloatArray:
         """Parameters (k,) of the knots and of all places where x or y is stationary."""

@@ -4,10 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bernstein import product, subdivide
 
 _STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; a curve slower than that stands still
+_STILL_SPAN = 1e-14  # of the largest speed of all; a span that is nowhere faster is a point
+_ALONG_SHARE = 1e-9  # of a velocity, that it has along the axis of its cone
 _MOST_HALVINGS = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
 
 
@@ -34,6 +37,12 @@ class TangentAngle:
 
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
         """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
+        if kernels is not None:
+            angles, tabulated = np.empty(t.size), (self.edges, self.axis, self.angle)
+            kernels.angles_at(
+                tabulated, left, np.ascontiguousarray(t), np.ascontiguousarray(velocity), angles
+            )
+            return angles
         cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
 
@@ -72,6 +81,11 @@ class TangentCones:
 
 def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
+    if kernels is not None:
+        count = len(cones.hodographs)
+        axis, angle = np.empty((count, 2)), np.empty(count)
+        spread = kernels.tangent_angles(np.ascontiguousarray(cones.hodographs), axis, angle)
+        return TangentAngle(cones.edges, axis, angle, spread)
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
     # the velocity runs between its coefficients
@@ -88,10 +102,14 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
     """The tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
+    if kernels is not None:
+        limits = (_STILL_SPAN, _STANDSTILL_SHARE, _ALONG_SHARE)
+        if kernels.are_cones(np.ascontiguousarray(hodographs), len(hodographs), limits):
+            return TangentCones(edges, hodographs)
     part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
     size = np.hypot(part[..., 0], part[..., 1])
     largest = size.max(axis=1)
-    still = largest <= 1e-14 * largest.max()
+    still = largest <= _STILL_SPAN * largest.max()
     stopped = np.concatenate(
         [low[(size[:, 0] <= 1e-12 * largest) | still], (low + width)[size[:, -1] <= 1e-12 * largest]]
     )
@@ -105,7 +123,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
             break
         axis = _unit(part[:, [0, -1]]).sum(axis=1)
         along = (part @ axis[:, :, None])[:, :, 0]
-        decided = (along > 1e-9 * size).all(axis=1) & (size[:, [0, -1]].min(axis=1) > slowest)
+        decided = (along > _ALONG_SHARE * size).all(axis=1) & (size[:, [0, -1]].min(axis=1) > slowest)
         if not starts and decided.all():
             return TangentCones(edges, part)
         starts.append(low[decided])

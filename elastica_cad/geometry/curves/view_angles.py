@@ -12,8 +12,8 @@ from elastica_cad.geometry.polynomials.bernstein import (
     divide_out_end_root,
     interior_roots,
     product,
-    scaled_bernstein,
     subdivide,
+    sums_in_pieces,
 )
 
 _AT_KNOT_SHARE = 1e-9  # of a span
@@ -57,10 +57,7 @@ def find_view_angles(curve: PlaneCurve, t: float) -> ViewAngles | None:
     piece = np.array([*range(len(views)), len(views) - 1, *(root.piece for root in roots)])
     u = np.array([0.0] * len(views) + [1.0] + [root.u for root in roots])
     places = edges[piece] + u * (edges[piece + 1] - edges[piece])
-    degree = views.shape[1] - 1
-    direction = np.einsum(
-        "nj,njk->nk", scaled_bernstein(degree, u) * binomials(degree), views.take(piece, axis=0)
-    )
+    direction = sums_in_pieces(views * binomials(views.shape[1] - 1)[:, None], piece, u)
     angle = tabulate_tangent_angle(cones).at(places, direction)
     low, high = int(angle.argmin()), int(angle.argmax())
     return ViewAngles(point, float(angle[low]), float(angle[high]), float(places[low]), float(places[high]))

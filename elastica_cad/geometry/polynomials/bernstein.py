@@ -45,6 +45,24 @@ def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
     return np.asarray((powers[:, 0] * powers[::-1, 1]).T)
 
 
+def sums_in_pieces(
+    series: FloatArray, piece: IntArray, u: FloatArray, first: int = 0, end: int | None = None
+) -> FloatArray:
+    """Columns (n, ...) of polynomials by `scaled_bernstein` (p, degree + 1, ...) at u (n,) of pieces (n,)."""
+    degree = series.shape[1] - 1
+    if kernels is not None and degree <= MOST_DEGREE:
+        values = np.empty((u.size, (series.shape[2] if end is None else end) - first))
+        sizes = (len(series), degree, series.shape[2], first)
+        kernels.bernstein_sums(
+            series, sizes, np.ascontiguousarray(piece, dtype=np.intp), np.ascontiguousarray(u), values
+        )
+        return values
+    basis = scaled_bernstein(degree, u)
+    if len(series) == 1:
+        return np.asarray(basis @ series[0, :, first:end])
+    return np.asarray(np.einsum("nj,njc->nc", basis, series[:, :, first:end].take(piece, axis=0)))
+
+
 def product(a: FloatArray, b: FloatArray) -> FloatArray:
     """Coefficients (..., m+n+1) of the product of polynomials with coefficients (..., m+1) and (..., n+1)."""
     m, n = a.shape[-1] - 1, b.shape[-1] - 1

@@ -254,6 +254,13 @@ def ask_places(kernels, rng, case):
     )  # fmt: skip
     row = odd(rng, case, pieces, int(rng.integers(1, 33)))
     kernels.spline_values(odd(rng, case, pieces + 1), row, odd(rng, case, count), np.empty(count))
+    parts = odd(rng, case, pieces, stations, 2)
+    axis, angle = np.empty((pieces, 2)), np.empty(pieces)
+    kernels.are_cones(parts, pieces, (1e-14, 1e-9, 1e-9))
+    kernels.tangent_angles(parts, axis, angle)
+    velocity = odd(rng, case, count, 2)
+    table = odd(rng, case, pieces + 1), axis, angle
+    kernels.angles_at(table, case % 2, odd(rng, case, count), velocity, np.empty(count))
     away = np.empty(count)
     kernels.away_from_rims(tuple(odd(rng, case, 2, stations, 2)), *odd(rng, case, 2, count), away)
     lines = odd(rng, case, count, 2), odd(rng, case, stations, 2)
