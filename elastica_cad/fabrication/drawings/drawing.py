@@ -15,7 +15,7 @@ from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.paths.many_segments import bounds_of
 from elastica_cad.geometry.paths.path import Path, move_paths
 from elastica_cad.geometry.paths.point_distance import distances
-from elastica_cad.geometry.paths.segments import is_similarity, similarity_of, transform_points
+from elastica_cad.geometry.plane_matrices import is_similarity, similarity_of, transform_points
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet_keys import printable
 

@@ -15,10 +15,10 @@ from elastica_cad.geometry.paths.chords import (
     require_tolerance_mm,
 )
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, swept_by
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.paths.trim import trim_segment
-from elastica_cad.geometry.polynomials.circles import points_on_circles
+from elastica_cad.geometry.polynomials.circles import points_on_circles, swept_by
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 FEW = 8

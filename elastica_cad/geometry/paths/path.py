@@ -20,13 +20,12 @@ from elastica_cad.geometry.paths.segments import (
     Line,
     Segment,
     Spline,
-    is_similarity,
     place,
     point,
     segment_from_bulge,
-    similarity_of,
 )
 from elastica_cad.geometry.paths.spline_table import SplineTable
+from elastica_cad.geometry.plane_matrices import is_similarity, similarity_of
 from elastica_cad.geometry.polynomials.circles import points_on_circles
 
 JOIN = 1e-6

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import atan2, ceil, cos, dist, floor, hypot, inf, isfinite, pi, sin
+from math import ceil, cos, dist, floor, isfinite, pi, sin
 from typing import TypeAlias
 
 import numpy as np
@@ -13,7 +13,13 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.spline_table import SplineTable
-from elastica_cad.geometry.polynomials.circles import circles_of_bulges, points_on_circles
+from elastica_cad.geometry.plane_matrices import (
+    is_similarity,
+    require_affine,
+    similarity_of,
+    transform_points,
+)
+from elastica_cad.geometry.polynomials.circles import circles_of_bulges, points_on_circles, swept_by
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 _FLATTEST_MM = 1e-7
@@ -244,7 +250,7 @@ class Arc:
         InputError
             The matrix would make an ellipse of it; `Path.transformed` then takes a spline.
         """
-        m = _require_affine(matrix)
+        m = require_affine(matrix)
         if not is_similarity(m):
             raise InputError("an arc stays an arc only when moved, turned, mirrored or scaled evenly")
         scale, turn, sign = similarity_of(m)
@@ -366,55 +372,6 @@ def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line |
     if rise < _FLATTEST_MM or chord**2 > 8 * rise * _FARTHEST_MM:
         return Line(start, end)
     return Arc.from_bulge(start, end, bulge)
-
-
-def transform_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
-    """Points (..., 2) moved by a 3x3 affine matrix."""
-    m = _require_affine(matrix)
-    moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
-    return np.asarray(moved, dtype=float)
-
-
-def _require_affine(matrix: ArrayLike) -> FloatArray:
-    """The matrix, refused unless it is affine and invertible."""
-    m = numbers(matrix, "the matrix that a path is moved by")
-    if m.shape != (3, 3):
-        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
-    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers: this is asked once for every segment
-    if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
-        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
-    if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
-        raise InputError("a path can't be flattened to a line: use an invertible matrix")
-    return m
-
-
-def is_similarity(matrix: ArrayLike) -> bool:
-    """True where a 3x3 affine matrix keeps circles circles."""
-    (a, b, _), (c, d, _), _ = _require_affine(matrix).tolist()
-    slack = 1e-12 * max(abs(a), abs(b), abs(c), abs(d))
-    turned = bool(abs(b + c) <= slack and abs(d - a) <= slack)
-    return turned or bool(abs(b - c) <= slack and abs(d + a) <= slack)
-
-
-def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
-    """By what a 3x3 similarity scales, by which angle (rad) it turns, and 1.0, or -1.0 where it mirrors before."""
-    (a, b, _), (c, d, _), (_, _, last) = matrix.tolist()
-    way = 1.0 if last > 0 else -1.0
-    return hypot(a, c) / abs(last), atan2(way * c, way * a), 1.0 if a * d > b * c else -1.0
-
-
-def swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
-    """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
-    triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
-    segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
-    return np.asarray(0.5 * (triangle + segment), dtype=float)
-
-
-def _beyond_sine(x: FloatArray) -> FloatArray:
-    """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
-    y = x * x
-    near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
-    return np.where(np.abs(x) > 0.3, x - np.sin(x), near)
 
 
 def left_of(v: FloatArray) -> FloatArray:
