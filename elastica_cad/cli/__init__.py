@@ -60,7 +60,7 @@ def _command() -> "click.Group":
 
 def _painter(words: Sequence[str]) -> AbstractContextManager["PageProcess | None"]:
     """What paints the picture of `elastica strip` meanwhile, begun before all else is loaded."""
-    if words[:1] != ["strip"] or {"-h", "--help"} & set(words):
+    if words[:1] != ["strip"] or {"-h", "--help", "--no-pictures"} & set(words):
         return nullcontext()
     from elastica_cad.plot.page_process import page_process
 

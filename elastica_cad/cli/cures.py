@@ -32,7 +32,7 @@ MOST_TRIALS = 6
 MOST_MENDS = 12
 """Mends of a file that are tried, one after another, for as many slips."""
 
-QUICK = {"model": ("--no-step", "--no-pictures", "--no-effects")}
+QUICK = {"model": ("--no-step", "--no-pictures", "--no-effects"), "strip": ("--no-step", "--no-pictures")}
 """Options that leave out of a trial what cannot make it fail."""
 
 ADDED = (

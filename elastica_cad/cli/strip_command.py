@@ -51,6 +51,9 @@ _CUT = (
     holding_option,
     click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]),
                  help="Write NAME.pdf too: full size on this paper, tiles with marks to join them by."),
+    click.option("--step/--no-step", default=True,
+                 help="Write NAME.step: the flat and the bent strip (needs a CAD kernel)."),
+    click.option("--pictures/--no-pictures", default=True, help="Draw NAME.png (needs matplotlib)."),
     click.option("--glb", is_flag=True,
                  help="Write NAME.glb too: the bent strip for browsers, phones and Blender (needs build123d)."),
     output_options,
@@ -62,7 +65,7 @@ def _files(chosen: Mapping[str, Any]) -> StripFiles:
     width = None if chosen["kerf"] == "sheet" else chosen["kerf"]
     bridges = None if chosen["holding"] is None else HoldingTabs(chosen["holding"])
     cutting = Cutting(width, chosen["curves"], chosen["tolerance"], chosen["dxf_version"], bridges)
-    return StripFiles(cutting, chosen["paper"], chosen["glb"])
+    return StripFiles(cutting, chosen["paper"], chosen["glb"], chosen["step"], chosen["pictures"])
 
 
 @click.command()
@@ -197,9 +200,9 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
         if near is not None and warning == near.status.value:
             continue  # told with the distance
         warn(f"Warning: {warning}")
-    if "png" not in kit.files:
+    if kit.asked.pictures and "png" not in kit.files:
         say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")
-    if "step" not in kit.files:
+    if kit.asked.step and "step" not in kit.files:
         say(f"no .step: it needs build123d ({step_trouble()})")
     wrote(written)
     for joint, end in zip(kit.joints, ("starts", "ends"), strict=True):

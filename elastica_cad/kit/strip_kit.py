@@ -36,7 +36,7 @@ UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
 
 @dataclass(frozen=True)
 class StripFiles:
-    """Which files of one strip are asked for, beside those that every strip has.
+    """Which files of one strip are asked for, beside the cut pattern and the report.
 
     Attributes
     ----------
@@ -46,11 +46,15 @@ class StripFiles:
         Size of the pages of a template, "A4"; None for no template.
     glb : bool
         A model for browsers and phones too.
+    step, pictures : bool
+        The flat and the bent strip, and its picture, where libraries for them are installed.
     """
 
     cutting: Cutting = field(default_factory=Cutting)
     paper: str | None = None
     glb: bool = False
+    step: bool = True
+    pictures: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,9 +106,9 @@ class StripKit:
                 f"{layer.name} {kind}": file.replace(self.name, glued, 1) for kind, file in cuts.items()
             }
         more = {
-            "png": find_spec("matplotlib"),
+            "png": self.asked.pictures and find_spec("matplotlib"),
             "pdf": self.asked.paper,
-            "step": not step_trouble(),
+            "step": self.asked.step and not step_trouble(),
             "glb": self.asked.glb,
         }
         return names | {kind: f"{self.name}.{kind}" for kind, asked in more.items() if asked}

@@ -52,6 +52,31 @@ def test_strip_writes_every_file_and_a_report(drawn, tmp_path):
         assert f"bow.{suffix}" in result.stdout
 
 
+def test_step_and_picture_may_be_left_out(drawn, tmp_path):
+    """Without a word of what they would need."""
+    out = tmp_path / "out"
+    asked = ("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40, "--output", out)
+    result = elastica(*asked, "--no-step", "--no-pictures")
+    assert result.returncode == 0, result.stderr
+    assert "needs" not in result.stdout
+    assert {path.suffix for path in out.iterdir()} == {".dxf", ".svg", ".json"}
+
+
+def test_what_is_tried_before_a_refusal_builds_no_body(drawn, monkeypatch):
+    """A body and a picture may take a hundred times as long as the strip, and cannot make a command fail."""
+    from click.testing import CliRunner
+
+    from elastica_cad.cli import strip_command
+    from elastica_cad.cli.commands import elastica as group
+
+    tried = []
+    monkeypatch.setattr(strip_command, "write_strip", lambda kit, *_, **__: tried.append(kit.asked) or ())
+    words = ["strip", str(drawn), "--sheet", "birch-plywood-0.8", "--max-width", "40", "--glbb"]
+    refused = CliRunner().invoke(group, words)
+    assert "This works: `" in refused.output
+    assert [(files.step, files.pictures) for files in tried] == [(False, False)]
+
+
 def test_the_bent_strip_is_written_for_screens(drawn, tmp_path):
     pytest.importorskip("OCP")
     import trimesh
