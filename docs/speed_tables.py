@@ -93,6 +93,10 @@ OURS = {
     ),
     "test_batch_speed.py::test_two_processes": ("200 wishes in two processes", "the same in one"),
     "test_batch_speed.py::test_time_is_linear": ("600 wishes in two processes", "200 wishes"),
+    "test_batch_speed.py::test_ten_thousand": (
+        "10,000 wishes in two processes",
+        "half the time of one process",
+    ),
     "test_batch_speed.py::test_memory_is_constant": ("memory of 600 wishes at most", "of 200 wishes"),
     "test_pattern_speed.py::test_rounded_holes": (
         "all holes of a perforated strip rounded together",
@@ -119,6 +123,8 @@ PROCESSES = {
     "test_command_speed.py::test_whole_process[check]": "`elastica check arch.dxf`",
     "test_command_speed.py::test_whole_process[strip without STEP]": "`elastica strip arch.dxf`, no CAD kernel",
     "test_command_speed.py::test_whole_process[pavilion]": "`elastica model pavilion.toml`: 31 strips, 102 slots",
+    "test_command_speed.py::test_whole_process[perforated]": "`elastica strip`, 1220 holes, with picture, no STEP",
+    "test_command_speed.py::test_whole_process[lamp]": "`examples/lamp/lamp.py` with its pictures, no STEP",
 }
 """Whole processes, from the command to its end."""
 
@@ -131,7 +137,7 @@ BODIES = {
 """Bodies of OpenCASCADE."""
 
 
-FREECAD = "test_freecad_speed.py::test_a_hundred_strips"
+FREECAD = ("test_freecad_speed.py::test_recomputes", "test_freecad_speed.py::test_a_hundred_strips")
 """What a hand feels there: figures by what they are of, each with its unit."""
 
 
@@ -173,7 +179,7 @@ def named(test: str) -> str:
 
 def rows() -> set[str]:
     """All that the page tells."""
-    return {*PEERS, *OURS, *ALONE, *PROCESSES, *BODIES, FREECAD}
+    return {*PEERS, *OURS, *ALONE, *PROCESSES, *BODIES, *FREECAD}
 
 
 def page(kept: dict[str, Any]) -> str:
@@ -215,7 +221,8 @@ def page(kept: dict[str, Any]) -> str:
         ["work", "figure"],
         [
             [work.rpartition(", ")[0], f"{number:g} {work.rpartition(', ')[2]}"]
-            for work, number in found[FREECAD].items()
+            for name in FREECAD
+            for work, number in found[name].items()
             if work != "median_s"
         ],
     )

@@ -12,7 +12,7 @@ from elastica_cad.forming.many_rods import stream_nearest_rods
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 WORKERS = 2
-FEW, MANY = 200, 600
+FEW, MANY, TEN_THOUSAND = 200, 600, 10_000
 
 
 def arches(count):
@@ -54,6 +54,15 @@ def test_time_is_linear(benchmark, workers):
     ratio = min(seconds(MANY, workers) for _ in range(3)) / min(seconds(FEW, workers) for _ in range(3))
     benchmark.extra_info["ratio"] = ratio
     assert ratio <= 1.25 * MANY / FEW
+
+
+def test_ten_thousand(benchmark, workers):
+    """Beside half the time of one process, which is reckoned from a thousand of them."""
+    benchmark.pedantic(lambda: answered(TEN_THOUSAND, workers), rounds=1)
+    alone = TEN_THOUSAND / 1000 * seconds(1000)
+    ratio = benchmark.stats.stats.median / (alone / WORKERS)
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 1.25
 
 
 def test_memory_is_constant(benchmark, workers):

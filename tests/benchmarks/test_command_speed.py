@@ -10,6 +10,7 @@ from time import perf_counter
 
 import pytest
 
+ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 PLY = ("--sheet", "birch-plywood-0.8", "--max-width", "40")
 QUICK = ("--no-step", "--no-parts", "--no-effects", "--no-pictures")
 ELASTICA = (sys.executable, "-m", "elastica_cad")
@@ -17,6 +18,15 @@ WITHOUT_A_KERNEL = (
     sys.executable, "-c",
     "import sys; sys.modules['OCP'] = None; from elastica_cad.cli import main; main()",
 )  # fmt: skip
+PERFORATED = ("--style", "perforated", "--outer-width", "60", "--columns", "4", "--rows", "135", "--no-step")
+"""1220 holes."""
+
+LAMP = """
+import runpy, sys
+import elastica_cad as ec
+model = runpy.run_path(sys.argv[1])["build"]()
+ec.save_model(model, sys.argv[2], sheet_size=(1250.0, 1250.0), step=False, force=True)
+"""
 PROCESSES = {
     "import": lambda examples, out: (sys.executable, "-c", "import elastica_cad"),
     "check": lambda examples, out: (*ELASTICA, "check", examples / "arch" / "arch.dxf"),
@@ -26,7 +36,20 @@ PROCESSES = {
     "pavilion": lambda examples, out: (
         *ELASTICA, "model", examples / "pavilion" / "pavilion.toml", *QUICK, "--output", out, "--force"
     ),
+    "perforated": lambda examples, out: (
+        *ELASTICA, "strip", drawn_large(out), *PLY[:2], *PERFORATED, "--output", out / "holes", "--force"
+    ),
+    "lamp": lambda examples, out: (
+        sys.executable, "-c", LAMP, examples / "lamp" / "lamp.py", out / "lamp"
+    ),
 }  # fmt: skip
+
+
+def drawn_large(folder):
+    """A file of an arch of 2.9 m."""
+    path = folder / "arch.csv"
+    path.write_text("x,y\n" + "".join(f"{12 * x},{12 * y}\n" for x, y in ARCH))
+    return path
 
 
 @pytest.mark.parametrize("name", list(PROCESSES))

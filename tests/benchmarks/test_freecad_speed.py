@@ -7,10 +7,20 @@ import pytest
 
 from tests.freecad import launching
 
-
-@pytest.mark.skipif(
+pytestmark = pytest.mark.skipif(
     shutil.which("xvfb-run") is None, reason="FreeCAD is not set up: run tests/freecad/setup.sh"
 )
+
+
+def test_recomputes(benchmark, tmp_path):
+    """Of a strip and its flat part, without a window."""
+    found = benchmark.pedantic(lambda: launching.run_console("recomputes.py", tmp_path), rounds=1)
+    for name, times in found["recomputes"].items():
+        benchmark.extra_info[f"recompute of {name}, its flat part too, without a window, ms"] = round(
+            1e3 * float(np.median(times)), 1
+        )
+
+
 def test_a_hundred_strips(benchmark, tmp_path):
     found = benchmark.pedantic(lambda: launching.run_window("many_strips.py", tmp_path), rounds=1)
     assert found["strips"] == 100

@@ -7,21 +7,15 @@ import time
 import traceback
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parent))
+
 import FreeCAD as App
 import Part
+from drawn_splines import spline
 
 OUT = Path(os.environ["ELASTICA_TEST_OUT"])
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 answers = {}
-
-
-def spline(points, degree=4):
-    curve = Part.BSplineCurve()
-    spans = len(points) - degree
-    knots = [i / spans for i in range(spans + 1)]
-    counts = [degree + 1, *[1] * (spans - 1), degree + 1]
-    curve.buildFromPolesMultsKnots([App.Vector(*p, 0) for p in points], counts, knots, False, degree)
-    return curve
 
 
 def redraw(sketch, points, degree=4):

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
-import Part
+from drawn_splines import spline
 from PySide import QtCore
 
 try:
@@ -70,13 +70,8 @@ def _live(ms):
 
 
 def sketch(document, points, degree=4, name="Sketch", poles=True):
-    curve = Part.BSplineCurve()
-    spans = len(points) - degree
-    knots = [i / spans for i in range(spans + 1)]
-    counts = [degree + 1, *[1] * (spans - 1), degree + 1]
-    curve.buildFromPolesMultsKnots([App.Vector(*p, 0) for p in points], counts, knots, False, degree)
     made = document.addObject("Sketcher::SketchObject", name)
-    number = made.addGeometry(curve, False)
+    number = made.addGeometry(spline(points, degree), False)
     if poles:
         made.exposeInternalGeometry(number)
     document.recompute()
