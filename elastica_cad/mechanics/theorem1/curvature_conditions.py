@@ -39,11 +39,12 @@ ALL_BUT_UNBENT_SHARE = 1e-3
 """Of the largest curvature: a zero beyond an end that is bent more is no zero of it."""
 
 STEP_SHARE = 1e-3
-"""Jump of the curvature, relative to the larger side, that is not told: of a strip 40 mm wide it is 0.04 mm, and ends
-of arcs that were drawn to micrometres make smaller ones."""
+"""Jump of the curvature, relative to the larger side, that is not told: of a strip 40 mm wide it is 0.04 mm, and
+ends of arcs that were drawn to micrometres make smaller ones."""
 
 KINK_SHARE = 0.01
-"""The same for its slope, over the length: the edge of a strip a fifth as wide as long turns by 0.1 degree at most."""
+"""The same for its slope, over the length: the edge of a strip a fifth as wide as long turns by 0.1 degree
+at most."""
 
 _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
