@@ -153,8 +153,7 @@ def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, *, as_pix
         def get_paths(self) -> list[Path]:
             return [Path(patch, closed=True) for patch in np.concatenate([patches, patches[:, :1]], axis=1)]
 
-    seams = {"edgecolors": "face", "linewidths": SEAM_POINTS}
-    painted = Patches(facecolors=colors, rasterized=as_pixels, **seams)
+    painted = Patches(facecolors=colors, edgecolors="face", linewidths=SEAM_POINTS, rasterized=as_pixels)
     axes.add_collection(painted, autolim=False)
     axes.update_datalim(box_about(patches.reshape(-1, 2)))
 
