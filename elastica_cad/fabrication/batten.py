@@ -109,23 +109,32 @@ class BattenSpec:
         NotConvergedError
             No taper gives that camber.
         """
-        taper, chord = self._taper()
+        try:
+            taper, chord = self._taper()
+        except NotConvergedError:
+            if self.lying is not None:  # what the weight does is told
+                raise
+            raise self._too_thin(0.5 - self.place, 1 - 2.4 * self.camber**2, "less") from None
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
-            most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(taper)
-            within = 100 * self._place_of(most, chord)
-            # rounded towards the middle, so that what is told can be made
-            nearest = (
-                f"at least {np.ceil(10 * within) / 10:.3g}"
-                if taper > 0
-                else f"at most {np.floor(10 * within) / 10:.3g}"
-            )
-            raise InputError(
-                f"camber at {100 * self.place:.4g} % asks for {thin:.3g} mm at the thin end of stock of "
-                f"{self.stock.largest:g} mm, and {self.stock.least:g} mm must be left: move the camber to "
-                f"{nearest} % of the chord, or allow less"
-            )
+            raise self._too_thin(taper, chord, f"{thin:.3g} mm")
         return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
+
+    def _too_thin(self, side: float, chord: float, thin: str) -> InputError:
+        """That the stock's taper, larger at the end where `side` is positive, brings the camber less far."""
+        most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
+        within = 100 * self._place_of(most, chord)
+        # rounded towards the middle, so that what is told can be made
+        nearest = (
+            f"at least {np.ceil(10 * within) / 10:.3g}"
+            if side > 0
+            else f"at most {np.floor(10 * within) / 10:.3g}"
+        )
+        return InputError(
+            f"camber at {100 * self.place:.4g} % asks for {thin} at the thin end of stock of "
+            f"{self.stock.largest:g} mm, and {self.stock.least:g} mm must be left: move the camber to "
+            f"{nearest} % of the chord, or allow less"
+        )
 
     def _place_of(self, taper: float, chord: float) -> float:
         """Where this taper brings a camber of that depth, which grows with the root of what the chord is short."""

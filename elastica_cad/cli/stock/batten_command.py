@@ -13,7 +13,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.cli.asking.lengths import LENGTH, POINT
 from elastica_cad.cli.asking.options import asked_sheet, join_options, output_options, sheet_options
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.batten import MM_PER_INCH, Batten, BattenSpec, camber_of
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.leaf_stack import LeafStack
@@ -172,7 +172,8 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
         return np.linspace(0.0, length, chosen["stations"])
     if not length / MOST_STATIONS <= every <= length:
         raise InputError(
-            f"--every is {every:g} mm: give {length / MOST_STATIONS:.3g} mm to the batten's {length:g} mm"
+            f"--every is {every:g} mm: give {rounded_up(length / MOST_STATIONS, 3)} mm to the batten's "
+            f"{length:g} mm"
         )
     return np.unique(np.append(np.arange(0.0, length, every), length))
 

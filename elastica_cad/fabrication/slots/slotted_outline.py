@@ -103,6 +103,12 @@ class _Edge:
             if len(crossings) > 1:
                 break
         if len(crossings) != 2:
+            low, high = float(self.low[:, 0].min()), float(self.high[:, 0].max())
+            if not low < slot.at < high:
+                raise InputError(
+                    f"{name}: the slot at {slot.at:.6g} mm is not on the strip, which goes from {low:.4g} to "
+                    f"{high:.4g} mm with its tabs: move it"
+                )
             fault = "does not open at the edge" if len(crossings) < 2 else "cuts through to another edge"
             raise InputError(
                 f"{name}: the slot at {slot.at:.6g} mm {fault}: make it "

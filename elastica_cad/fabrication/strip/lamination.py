@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_positive
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.fabrication.strip.styles import (
     Backing,
     Layout,
@@ -173,7 +173,7 @@ def _infeasible(
     else:
         ways.insert(
             0,
-            f"make the backing {1 / ratio:.3g} times as thick as the base or more (now "
+            f"make the backing {rounded_up(1 / ratio, 3)} times as thick as the base or more (now "
             f"{section.backing.thickness / section.base.thickness:.3g} times)",
         )
     return told + ", or ".join(ways)

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_positive
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.styles import Layout, Width, refine_stations, stations_of, width_profile
 from elastica_cad.geometry.paths.profile import Profile
@@ -224,9 +224,10 @@ class _Fit:
     def _infeasible(self) -> str:
         """Why nothing fits, where, and what would do."""
         style, rigidity = self.style, self.section.rigidity
-        need = self.lowest * self.K / rigidity + self.holes
-        i = int(np.argmax(need / self.w))
-        ways = [f"make the outline {need[i]:.4g} mm or more wide there (now {self.w[i]:.4g} mm)"]
+        i, need = self._least_outline()
+        ways = []
+        if np.isfinite(need):
+            ways.append(f"make the outline {rounded_up(need)} mm or more wide there (now {self.w[i]:.4g} mm)")
         fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
@@ -235,8 +236,22 @@ class _Fit:
             ways.append(f"use {fewer[0]} column{'s' if fewer[0] > 1 else ''}")
         ratio = self.rod.ratio * self.highest / self.lowest
         if ratio > 1:
-            ways.append(f"lower the stiffness ratio from {self.rod.ratio:.3g} to {ratio:.3g}")
+            ways.append(f"lower the stiffness ratio from {self.rod.ratio:.3g} to {rounded_down(ratio, 3)}")
         return f"{self._too_little(self.highest)}, when holes still fit at {self.s[i]:.1f} mm: {', or '.join(ways)}"
+
+    def _least_outline(self) -> tuple[int, float]:
+        """Where the outline is too narrow, and the width that would do, mm: infinite where none does.
+
+        An outline of one width grows everywhere, and what holes must leave of it grows with it.
+        """
+        rigidity = self.section.rigidity
+        need = self.lowest * self.K / rigidity + self.holes
+        i = int(np.argmax(need / self.w))
+        if np.ptp(self.w) > SLACK * self.w[i]:
+            return i, float(need[i])
+        left = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())
+        by_ligaments = self.by_ligaments.lowest * float(self.K.max()) / rigidity + self.holes
+        return i, max(by_ligaments, self.holes / left) if left > 0 else np.inf
 
     def _would_do(self, columns: int) -> bool:
         section = PerforatedSection(

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.flat_outline import Ends, long_sides
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -258,7 +258,7 @@ def _within(
     if min_width is not None and narrow * (1 + slack) < min_width:
         raise InputError(
             f"the narrowest place is {narrow:.4g} mm, below min_width {min_width:g} mm: the ratio is "
-            f"{rod.ratio:.3g}, so max_width must be {min_width * wide / narrow:.4g} mm or more"
+            f"{rod.ratio:.3g}, so max_width must be {rounded_up(min_width * wide / narrow)} mm or more"
         )
     if max_width is not None and wide > max_width * (1 + slack):
         raise InputError(

@@ -66,6 +66,9 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     (30.0, True)
     """
     edge = edge_angles(position, angle)
+    if edge.size == 1:
+        knots = np.repeat(s, DEGREE + 1)
+        return PlaneCurve(knots, np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
     degree = min(DEGREE, edge.size - 1)
     through = SplineFunction.of(*spline_through((s[:-1] + s[1:]) / 2, edge, degree), degree)
     turn = _least_turn(s, position, angle[[0, -1]], through)

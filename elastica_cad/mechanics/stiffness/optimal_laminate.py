@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import require_number, require_record, several
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import point
@@ -207,7 +207,7 @@ def _scale(
         ratio = section.thickness_ratio(base_width, stiffness, least_backing=least_backing)
         raise InputError(
             "the laminate cannot be as soft in one place and as stiff in another as the curve needs: with "
-            f"the backing {1 / ratio:.3g} times as thick as the base (now "
+            f"the backing {rounded_up(1 / ratio, 3)} times as thick as the base (now "
             f"{section.backing.thickness / section.base.thickness:.3g} times) or more it could"
         )
     return found.scale

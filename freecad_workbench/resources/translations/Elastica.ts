@@ -2627,6 +2627,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1: the slot at %2 mm is not on the strip, which goes from %3 to %4 mm with its tabs: move it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1: the slot at %2 mm meets a hole at %3: move one of them</source>
         <translation type="unfinished"></translation>
     </message>

@@ -2643,6 +2643,10 @@
         <translation>%1: der Schlitz bei %2 mm %3: ihn %4 machen oder verschieben</translation>
     </message>
     <message>
+        <source>%1: the slot at %2 mm is not on the strip, which goes from %3 to %4 mm with its tabs: move it</source>
+        <translation>%1: der Schlitz bei %2 mm liegt nicht auf dem Streifen, der mit seinen Laschen von %3 bis %4 mm geht: ihn verschieben</translation>
+    </message>
+    <message>
         <source>%1: the slot at %2 mm meets a hole at %3: move one of them</source>
         <translation>%1: der Schlitz bei %2 mm trifft ein Loch bei %3: eines von beiden verschieben</translation>
     </message>

@@ -2643,6 +2643,10 @@
         <translation>%1：%2 mm 处的槽%3：使其%4，或移动它</translation>
     </message>
     <message>
+        <source>%1: the slot at %2 mm is not on the strip, which goes from %3 to %4 mm with its tabs: move it</source>
+        <translation>%1：%2 mm 处的槽不在条带上，条带连同端片从 %3 到 %4 mm：移动它</translation>
+    </message>
+    <message>
         <source>%1: the slot at %2 mm meets a hole at %3: move one of them</source>
         <translation>%1：%2 mm 处的槽与 %3 处的孔相交：移动其中之一</translation>
     </message>

@@ -232,6 +232,10 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
     [
         (("--stock", 25, 8, "--rod", 6), "--stock WIDTH THICKNESS for a strip, or --rod"),
         ((), "say what the batten is made of"),
+        (
+            ("--stock", 25, 8, "--at", 95),
+            r"asks for less at the thin end .*: move the camber to at most \d\d\.\d %",
+        ),
         (("--stock", 25, 8, "--least", 6), r"asks for 3.3\d mm at the thin end"),
         (
             ("--stock", 25, 8, "--least", 6, "--at", 30),

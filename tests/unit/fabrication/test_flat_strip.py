@@ -101,6 +101,16 @@ def test_bad_sizes_are_refused_in_one_sentence(options, words):
         _ = ec.Strip(tapered(), CARD, **options).outline
 
 
+@pytest.mark.parametrize("least", np.round(np.linspace(10.1, 40.0, 23), 3).tolist())
+def test_the_max_width_that_is_told_will_do(least):
+    """It had been rounded to the nearest figure: half of the time the same refusal followed."""
+    rod = ec.Rod.straight(100.0, np.linspace(1, 1.0413, 201))
+    with pytest.raises(InputError, match="below min_width") as refusal:
+        ec.Strip(rod, CARD, max_width=10.0, min_width=least)
+    told = float(str(refusal.value).split("max_width must be ")[1].split(" mm")[0])
+    assert ec.Strip(rod, CARD, max_width=told, min_width=least).width.extremes[0] < 1.001 * least
+
+
 def test_hole_that_leaves_its_tab_is_refused():
     with pytest.raises(InputError, match="does not fit"):
         ec.Tab(5, holes=(Hole(1.0, 3.0),))

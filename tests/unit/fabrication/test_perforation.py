@@ -278,6 +278,24 @@ def test_an_infeasible_outline_names_what_would_do(rod):
     ec.Strip(stiff, CARD, style=Perforated(width=30.0, columns=1, hole_ratio=0.95))
 
 
+@pytest.mark.parametrize("width", [17.0, 20.0, 26.0, 31.0])
+def test_one_width_that_is_told_will_do_whatever_limits_it(width):
+    """Wider everywhere, more must be left at the narrowest place, too: 31.2 mm had been told 32.5, then 33.6."""
+    sheet = ec.Sheet.named("birch-plywood-0.8")
+    stiff = ec.Rod.straight(380.0, ec.Profile.fit(lambda s: 1 + 5.08 * s / 380, 380.0))
+    with pytest.raises(InputError) as refusal:
+        ec.Strip(stiff, sheet, style=Perforated(width=width, columns=2, rows=20))
+    told = float(str(refusal.value).split("make the outline ")[1].split(" mm")[0])
+    ec.Strip(stiff, sheet, style=Perforated(width=told, columns=2, rows=20))
+
+
+def test_no_outline_is_told_where_none_would_do():
+    stiff = ec.Rod.straight(200.0, ec.Profile.fit(lambda s: 1 + 7 * s / 200, 200.0))
+    with pytest.raises(InputError, match="hole_ratio") as refusal:
+        ec.Strip(stiff, CARD, style=Perforated(width=30.0))
+    assert "make the outline" not in str(refusal.value)
+
+
 @pytest.mark.parametrize(
     "options",
     [{"columns": 0}, {"rows": 1.5}, {"hole_ratio": 1.0}, {"least_hole": 0.0}, {"corner_radius": -1}],

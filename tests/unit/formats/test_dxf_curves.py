@@ -7,6 +7,7 @@ from scipy.interpolate import CubicSpline
 
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.files import read_curves
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 S_POINTS = np.array([(0, 0), (30, 40), (60, -40), (90, 10), (120, 0)], dtype=float)
 
@@ -204,6 +205,19 @@ def test_small_gaps_are_closed_without_turning_tangents_and_large_ones_left(draw
     assert curve.evaluate(curve.domain[1]) == pytest.approx((-150, 119.996))
     assert len(drawing(lambda space, _: chain(space, gap=0.03))) == 2
     assert len(drawing(lambda space, _: chain(space, gap=0.03), tolerance=0.05)) == 1
+
+
+@pytest.mark.parametrize("gap", [1e-4, 1e-3, 4e-3, 9e-3])
+@pytest.mark.parametrize("where", ["between the ends", "in the radius"])
+def test_arcs_over_gaps_of_micrometres_make_no_step_to_speak_of(drawing, gap, where):
+    turn, radius = (np.degrees(gap / 100), 100) if where == "between the ends" else (0, 100 + gap)
+
+    def draw(space, _):
+        space.add_arc((0, 0), 100, 80 + turn, 140)
+        space.add_arc((0, 0), radius, 20, 80)
+
+    (curve,) = drawing(draw)
+    assert "width" not in str(check_equilibrium(curve))
 
 
 def test_splines_of_unlike_degree_join_exactly(drawing):

@@ -209,6 +209,12 @@ class TestNotRealizable:
         further = check_equilibrium(with_line_before((60, 1), (30, 1)))
         assert "The width of the strip steps at 110 mm" in str(further)
 
+    @pytest.mark.parametrize(("radius", "told"), [(99.999, False), (99.95, False), (99.8, True)])
+    def test_radii_that_differ_so_little_that_no_width_shows_it(self, radius, told):
+        assert (
+            "The width of the strip steps" in str(check_equilibrium(chain((100, 1), (radius, 1))))
+        ) is told
+
     def test_straight_piece_that_bends_too_gently_for_a_support(self):
         """kappa grows as the square of the distance: alone, the bent piece can't be had either."""
         line = [(0, 0), (10, 0), (20, 0), (30, 0), (40, 0)]

@@ -23,6 +23,7 @@ RODS = {
     "S with another width": lambda: bend(optimal_rod(S).with_stiffness(np.linspace(1, 2, 601))),
     "straight": lambda: Rod.straight(80.0, start=(3, 4), angle=0.7),
     "few nodes": lambda: Rod.straight(80.0, samples=4),
+    "two nodes": lambda: Rod.straight(80.0, [1, 2], start=(3, 4), angle=0.7),
 }
 
 

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 from elastica_cad import plot
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
@@ -20,6 +21,7 @@ from elastica_cad.geometry.paths.chords import chord_errors
 from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.plot.canvas import paint_patches
 from elastica_cad.plot.slabs import trapezoids
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
@@ -178,7 +180,7 @@ def test_what_holds_the_strips_is_drawn():
     assert f"{wide[0]:.0f} by {wide[1]:.0f} by " in stood.get_suptitle()
 
 
-def test_patches_are_painted_without_seams_and_as_pixels_in_vector_files(tmp_path):
+def test_patches_are_painted_without_seams_and_stay_polygons_in_vector_files(tmp_path):
     straight = make_strip(PlaneCurve.line((0, 0), (100, 0)), "card-200gsm", max_width=20)
     figure = plot.model(Model((Placed(straight),)), elevation=0.0, azimuth=90.0)
     canvas, axes = FigureCanvasAgg(figure), figure.axes[0]
@@ -189,7 +191,20 @@ def test_patches_are_painted_without_seams_and_as_pixels_in_vector_files(tmp_pat
     assert len(inside) > 300
     assert np.ptp(inside, axis=0).max() <= 1
     assert inside.max() < 255
-    figure.savefig(tmp_path / "strip.svg")
+    plot.save_figure(figure, tmp_path / "strip.svg")
+    plot.save_figure(figure, tmp_path / "strip.pdf")
     text = (tmp_path / "strip.svg").read_text()
+    assert "<image" not in text
+    assert text.count("<path") > 80
+    assert b"/Subtype /Image" not in (tmp_path / "strip.pdf").read_bytes()
+
+
+def test_patches_of_a_sheet_for_paper_are_pixels(tmp_path):
+    figure = Figure()
+    axes = figure.add_subplot()
+    squares = np.array([[(0, 0), (1, 0), (1, 1), (0, 1)]]) + np.arange(200)[:, None, None]
+    paint_patches(axes, squares, np.full((200, 3), 0.5), as_pixels=True)
+    figure.savefig(tmp_path / "squares.svg")
+    text = (tmp_path / "squares.svg").read_text()
     assert "<image" in text
     assert text.count("<path") < 100

@@ -111,6 +111,19 @@ def test_png_is_written_whole_and_the_same(tmp_path):
         plot.save_figure(plot.strip(made("arch")), tmp_path / "c.png", resolution=0)
 
 
+@pytest.mark.parametrize(("ending", "begins"), [("svg", b"<?xml"), ("PDF", b"%PDF"), ("png", b"\x89PNG")])
+def test_the_ending_says_what_is_written(tmp_path, ending, begins):
+    """A file named .svg had held a PNG."""
+    plot.save_figure(plot.strip(made("arch")), tmp_path / f"a.{ending}", resolution=80)
+    assert (tmp_path / f"a.{ending}").read_bytes().startswith(begins)
+
+
+@pytest.mark.parametrize("name", ["a.jpg", "a", ".svg"])
+def test_other_endings_are_refused(tmp_path, name):
+    with pytest.raises(InputError, match="no ending of a picture"):
+        plot.save_figure(plot.strip(made("arch")), tmp_path / name)
+
+
 @pytest.mark.parametrize("page", ["white", "#33669980"])
 @pytest.mark.parametrize("draw", [plot.strip_sheet, lambda strip: plot.drawing(strip.drawing())])
 def test_a_png_shows_what_savefig_shows(draw, page, tmp_path):
