@@ -11,6 +11,7 @@ from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.section_balance import TangentWeight
 
@@ -104,13 +105,29 @@ class SectionScale:
 
         Itself where it has that scale already.
         """
+        fitted, _ = self.fitted(bend, stiffness, rest)
+        return self if abs(fitted.scale / self.scale - 1) < SAME_SCALE else fitted
+
+    def fitted(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> tuple[Self, int]:
+        """The same whatever scale it has already, and the node whose section is the largest."""
         law = self.law.bent(bend, rest)
-        least, largest = law.limits
-        if np.isfinite(largest):
-            scale = float(np.min(law.bending_stiffness(np.full(stiffness.size, largest)) / stiffness))
-        else:
-            scale = float(np.max(law.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
-        return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
+        scales = law.bending_stiffness(np.full(stiffness.size, self._limit)) / stiffness
+        at = int(np.argmin(scales) if np.isfinite(law.limits[1]) else np.argmax(scales))
+        return replace(self, law=law, scale=float(scales[at])), at
+
+    def rise(self, bend: FloatArray, rest: float | FloatArray, step: float) -> FloatArray:
+        """How the scale that each node (n,) would settle alone grows with its bend, 1/(1/mm) of itself, by steps."""
+        more, less = (
+            self.law.bent(bend + by, rest).bending_stiffness(np.full(bend.size, self._limit))
+            for by in (step, -step)
+        )
+        return np.asarray(np.log(more / less) / (2 * step))
+
+    @property
+    def _limit(self) -> float:
+        """The size that settles the scale: the largest, or else the least, mm."""
+        least, largest = self.law.limits
+        return largest if np.isfinite(largest) else least
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
         """Weight over the scale (n,) of K (n,), times `size` mm cubed, and its derivative."""
@@ -128,6 +145,14 @@ class SectionScale:
         tangent = TangentWeight.of(self.law, EI)
         alpha = Profile.interpolate(rod.s, tangent.fixed)
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
+
+    def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
+        """dM/dkappa (n,) of nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, 1/mm, in the unit of K."""
+        law = self.law.bent(bend, rest)
+        curl = law.curl(law.parameter(self.scale * stiffness))
+        if curl is None:
+            return stiffness
+        return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
 
     def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
         """Share (n,) of what the skin is let bear that a curvature of 1/mm takes, of K (n,)."""

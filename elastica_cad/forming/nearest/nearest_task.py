@@ -75,6 +75,8 @@ class NearestTask:
         1/mm before bending.
     grows : bool
         Are sizes without weight made as large as the limits let them be, once the rod is found?
+    sized : bool
+        Are widths as large as their limit lets each rod be that is tried, not those of the rod found last?
     """
 
     curve: PlaneCurve
@@ -90,6 +92,7 @@ class NearestTask:
     section: SectionScale | None = None
     natural_curvature: NaturalCurvature = 0.0
     grows: bool = True
+    sized: bool = False
 
     @classmethod
     def of(

@@ -20,6 +20,7 @@ from elastica_cad.forming.nearest.constraints.kept_shape import (
 )
 from elastica_cad.forming.nearest.constraints.limit_rows import (
     CurvatureLimit,
+    FollowedMarginLimit,
     KeepOut,
     LeastStiffness,
     MarginLimit,
@@ -167,8 +168,17 @@ def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
     if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
         found.append(LeastStiffness())
     if with_margin and limits.margin is not None:
-        found.append(MarginLimit(limit=limits.margin))
+        found.append(_margin_limit(task, limits.margin))
     return found
+
+
+def _margin_limit(task: NearestTask, margin: float) -> MarginLimit:
+    section = task.section
+    if section is None or not section.law.follows_bend:
+        return MarginLimit(limit=margin)
+    return FollowedMarginLimit(
+        limit=margin, section=section, rest=task.rest, size=task.target.size, sized=task.sized
+    )
 
 
 def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:

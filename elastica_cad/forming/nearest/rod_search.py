@@ -31,6 +31,7 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
 _RESCALINGS = 8  # searches more, at most, until a section weighs what it is made of
+_LIGHT_RESCALINGS = 2  # of sections without weight, whose scale a search can go on with as an unknown
 _UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
 _MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
 _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
@@ -91,12 +92,8 @@ def find_rod(
         other = _search(smaller, measure)
         steps += other.steps
         found = min(found, other, key=lambda search: _rank(search.best))
-    for _ in range(_RESCALINGS):
-        settled = found.task.settled(found.best.point)
-        if settled is found.task:
-            break
-        found = _search(settled, measure, found.ended)
-        steps += found.steps
+    found, more = _rescaled(found, measure)
+    steps += more
     if found.task.section is not task.section:
         task = replace(task, section=found.task.section)
     problem, outcome = found.problem, found.best
@@ -185,6 +182,27 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
         best = min(best, outcome, key=_rank)
         off = _mean_distance(task, best) / task.target.diagonal
     return _told(measure, Search(task, problem, best, (), steps, off), found)
+
+
+def _rescaled(found: Search, measure: Measure) -> tuple[Search, int]:
+    """The search of sections that are as large as the limits let the rod found be, and the steps to it."""
+    steps, light = 0, found.task.gravity is None
+    for _ in range(_LIGHT_RESCALINGS if light else _RESCALINGS):
+        settled = found.task.settled(found.best.point)
+        if settled is found.task:
+            return found, steps
+        if light and settled.limits.margin is None:  # nothing that was searched for hangs on it
+            return found._replace(task=settled), steps
+        found = _search(settled, measure, found.ended)
+        steps += found.steps
+    if light:
+        task = replace(found.task, sized=True)
+        problem = pose_problem(task, measure)
+        best = _from_before(task, problem, found.ended)
+        if best is not None:
+            found = found._replace(task=task.settled(best.point), problem=problem, best=best)
+            steps += best.iterations
+    return found, steps
 
 
 def _is_refused(

@@ -9,9 +9,11 @@ from elastica_cad.forming.limits import Box, HalfPlane
 from elastica_cad.forming.nearest.constraints.constraint import Constraint, all_rows, thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.section_scale import SectionScale
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
 _STEP = 1e-5  # relative step of K for derivatives of strain
+_TANGENT_STEP = 1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: itself a difference in part
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,20 +31,93 @@ class MarginLimit(Constraint):
         """Size of a badly missed margin."""
         return max(10.0, abs(self.limit))
 
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """The rod as small disturbances feel it: with dM/dkappa, which is K by Hooke's law."""
+        return rod
+
     def values(self, rod: MappedRod) -> FloatArray:
         """(mu - limit min K) / scale, (1,)."""
-        return np.array([(rod.margin.value - self.limit * rod.stiffness.min()) / self.scale])
+        mu = self.disturbed(rod).margin.value
+        return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Chain rule from K, angles, forces and length to z."""
-        rod, d = sensitivities.rod, sensitivities.rod.margin_derivatives
+        rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
-        by_stiffness = d.stiffness.copy()
+        by_stiffness, by_moment = self.chained(rod, d.stiffness)
+        if by_moment is not None:
+            row += by_moment @ sensitivities.moments
         by_stiffness[int(np.argmin(rod.stiffness))] -= self.limit
         row[u.stiffness] += by_stiffness @ sensitivities.grid.basis
         row[u.length] += d.length
         return all_rows(row[None] / self.scale)
+
+    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+        """Derivatives by K and by M (n+1,) each, None for none, from those by dM/dkappa (n+1,)."""
+        _ = rod
+        return by_tangent.copy(), None
+
+
+@dataclass(frozen=True, kw_only=True)
+class FollowedMarginLimit(MarginLimit):
+    """The same of sections that follow the bend.
+
+    K is M / (kappa - kappa_0). A strip that stiffens as it is bent resists a disturbance by more, a blank that is
+    bent straight by less.
+
+    Attributes
+    ----------
+    section : SectionScale
+    rest : float or (n+1,) array
+        kappa_0 in lengths of the target.
+    size : float
+        That length, mm.
+    sized : bool
+        Is each rod as large as its limits let it be? Otherwise the section's scale stays.
+    """
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+    sized: bool
+
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """With dM/dkappa in place of K."""
+
+        def felt() -> DiscreteRod:
+            bend = self._bend(rod)
+            K = self._sized(rod, bend)[0].tangent(rod.stiffness, bend, self.rest / self.size)
+            return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
+
+        found: DiscreteRod = rod.remembered((FollowedMarginLimit, id(self.section)), felt)
+        return found
+
+    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+        """By differences: a width follows from K, bend and the largest section, the slope from width and bend."""
+        K, bend, rest = rod.stiffness, self._bend(rod), self.rest / self.size
+        section, at = self._sized(rod, bend)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        stiffer, softer = (section.tangent(K * (1 + e), bend, rest) for e in (_TANGENT_STEP, -_TANGENT_STEP))
+        more, less = (section.tangent(K, bend + e, rest) for e in (step, -step))
+        by_stiffness = by_tangent * (stiffer - softer) / (2 * _TANGENT_STEP * K)
+        by_bend = by_tangent * (more - less) / (2 * step)
+        if self.sized:  # a scale acts as K does, but for K itself
+            by_scale = float(by_stiffness @ K - by_tangent @ self.disturbed(rod).stiffness)
+            by_stiffness[at] -= by_scale / K[at]
+            by_bend[at] += by_scale * section.rise(bend, rest, step)[at]
+        by_moment = by_bend / (K * self.size)
+        return by_stiffness - by_moment * rod.moments / K, by_moment
+
+    def _bend(self, rod: MappedRod) -> FloatArray:
+        """kappa - kappa_0 (n+1,), 1/mm."""
+        return np.asarray(rod.moments / rod.stiffness / self.size)
+
+    def _sized(self, rod: MappedRod, bend: FloatArray) -> tuple[SectionScale, int]:
+        """The section of this rod, and the node that settles its scale."""
+        if not self.sized:
+            return self.section, 0
+        return self.section.fitted(bend, rod.stiffness, self.rest / self.size)
 
 
 @dataclass(frozen=True, kw_only=True)
