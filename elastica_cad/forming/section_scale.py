@@ -105,29 +105,18 @@ class SectionScale:
 
         Itself where it has that scale already.
         """
-        fitted, _ = self.fitted(bend, stiffness, rest)
-        return self if abs(fitted.scale / self.scale - 1) < SAME_SCALE else fitted
-
-    def fitted(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> tuple[Self, int]:
-        """The same whatever scale it has already, and the node whose section is the largest."""
         law = self.law.bent(bend, rest)
-        scales = law.bending_stiffness(np.full(stiffness.size, self._limit)) / stiffness
-        at = int(np.argmin(scales) if np.isfinite(law.limits[1]) else np.argmax(scales))
-        return replace(self, law=law, scale=float(scales[at])), at
+        least, largest = law.limits
+        if np.isfinite(largest):
+            scale = float(np.min(self.largest(bend, rest) / stiffness))
+        else:
+            scale = float(np.max(law.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
+        return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
 
-    def rise(self, bend: FloatArray, rest: float | FloatArray, step: float) -> FloatArray:
-        """How the scale that each node (n,) would settle alone grows with its bend, 1/(1/mm) of itself, by steps."""
-        more, less = (
-            self.law.bent(bend + by, rest).bending_stiffness(np.full(bend.size, self._limit))
-            for by in (step, -step)
-        )
-        return np.asarray(np.log(more / less) / (2 * step))
-
-    @property
-    def _limit(self) -> float:
-        """The size that settles the scale: the largest, or else the least, mm."""
-        least, largest = self.law.limits
-        return largest if np.isfinite(largest) else least
+    def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
+        """E I (n,), N mm2, of the largest section, bent by kappa - kappa_0 (n,) from `rest`, 1/mm."""
+        most = np.full(bend.size, self.law.limits[1])
+        return self.law.bent(bend, rest).bending_stiffness(most)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
         """Weight over the scale (n,) of K (n,), times `size` mm cubed, and its derivative."""
@@ -147,7 +136,7 @@ class SectionScale:
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
 
     def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
-        """dM/dkappa (n,) of nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, 1/mm, in the unit of K."""
+        """dM/dkappa (..., n) of K (..., n), in units of it, bent by kappa - kappa_0 (..., n) from `rest`, 1/mm."""
         law = self.law.bent(bend, rest)
         curl = law.curl(law.parameter(self.scale * stiffness))
         if curl is None:

@@ -22,6 +22,7 @@ from elastica_cad.forming.nearest.constraints.limit_rows import (
     CurvatureLimit,
     FollowedMarginLimit,
     KeepOut,
+    LargestSection,
     LeastStiffness,
     MarginLimit,
     StrainLimit,
@@ -168,17 +169,18 @@ def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
     if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
         found.append(LeastStiffness())
     if with_margin and limits.margin is not None:
-        found.append(_margin_limit(task, limits.margin))
+        found += _margin_limits(task, limits.margin)
     return found
 
 
-def _margin_limit(task: NearestTask, margin: float) -> MarginLimit:
-    section = task.section
-    if section is None or not section.law.follows_bend:
-        return MarginLimit(limit=margin)
-    return FollowedMarginLimit(
-        limit=margin, section=section, rest=task.rest, size=task.target.size, sized=task.sized
-    )
+def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
+    section, size = task.section, task.target.size
+    if section is None or not task.is_scaled_freely:
+        return [MarginLimit(limit=margin)]
+    found: list[Constraint] = [FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)]
+    if task.keeps_scale and np.isfinite(section.law.limits[1]):
+        found.append(LargestSection(section=section, rest=task.rest, size=size))
+    return found
 
 
 def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:

@@ -13,7 +13,10 @@ from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
 _STEP = 1e-5  # relative step of K for derivatives of strain
-_TANGENT_STEP = 1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: itself a difference in part
+_ROOM = 0.01  # of the largest section's stiffness: a sharp bend may ask for as much more between nodes
+_TANGENT_STEP = (
+    1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: itself a difference in part
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,51 +76,69 @@ class FollowedMarginLimit(MarginLimit):
         kappa_0 in lengths of the target.
     size : float
         That length, mm.
-    sized : bool
-        Is each rod as large as its limits let it be? Otherwise the section's scale stays.
     """
 
     section: SectionScale
     rest: float | FloatArray
     size: float
-    sized: bool
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
         """With dM/dkappa in place of K."""
 
         def felt() -> DiscreteRod:
-            bend = self._bend(rod)
-            K = self._sized(rod, bend)[0].tangent(rod.stiffness, bend, self.rest / self.size)
+            K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
             return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
 
         found: DiscreteRod = rod.remembered((FollowedMarginLimit, id(self.section)), felt)
         return found
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """By differences: a width follows from K, bend and the largest section, the slope from width and bend."""
-        K, bend, rest = rod.stiffness, self._bend(rod), self.rest / self.size
-        section, at = self._sized(rod, bend)
+        """By differences: a width follows from K and bend, the slope from width and bend."""
+        K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
-        stiffer, softer = (section.tangent(K * (1 + e), bend, rest) for e in (_TANGENT_STEP, -_TANGENT_STEP))
-        more, less = (section.tangent(K, bend + e, rest) for e in (step, -step))
+        by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
+        stiffer, softer, more, less = self.section.tangent(
+            K * (1 + by_K[:, None]), bend + by_step[:, None], self.rest / self.size
+        )
         by_stiffness = by_tangent * (stiffer - softer) / (2 * _TANGENT_STEP * K)
-        by_bend = by_tangent * (more - less) / (2 * step)
-        if self.sized:  # a scale acts as K does, but for K itself
-            by_scale = float(by_stiffness @ K - by_tangent @ self.disturbed(rod).stiffness)
-            by_stiffness[at] -= by_scale / K[at]
-            by_bend[at] += by_scale * section.rise(bend, rest, step)[at]
-        by_moment = by_bend / (K * self.size)
+        by_moment = by_tangent * (more - less) / (2 * step * K * self.size)
         return by_stiffness - by_moment * rod.moments / K, by_moment
 
-    def _bend(self, rod: MappedRod) -> FloatArray:
-        """kappa - kappa_0 (n+1,), 1/mm."""
-        return np.asarray(rod.moments / rod.stiffness / self.size)
 
-    def _sized(self, rod: MappedRod, bend: FloatArray) -> tuple[SectionScale, int]:
-        """The section of this rod, and the node that settles its scale."""
-        if not self.sized:
-            return self.section, 0
-        return self.section.fitted(bend, rod.stiffness, self.rest / self.size)
+@dataclass(frozen=True, kw_only=True)
+class LargestSection(Constraint):
+    """Every node, as it is bent, no larger than the largest section; for scales that a margin was counted with."""
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+    name: str = "largest section"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """The stiffness of the largest section over that of the node, less 1 and some room, (n+1,)."""
+        most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
+        return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are nearly as large."""
+        rod = sensitivities.rod
+        values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
+        near = thin_rows(np.flatnonzero(values < _NEAR), -values)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
+        by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
+        by_stiffness = -by_moment * rod.moments / K - (1 + _ROOM + values) / K
+        rows = by_moment[near, None] * sensitivities.moments[near]
+        basis = sensitivities.grid.basis[near]
+        rows[:, sensitivities.grid.unknowns.stiffness] += by_stiffness[near, None] * basis
+        return near, rows
+
+
+def _bend(rod: MappedRod, size: float) -> FloatArray:
+    """kappa - kappa_0 (n+1,), 1/mm, of a rod in lengths of `size` mm."""
+    return np.asarray(rod.moments / rod.stiffness / size)
 
 
 @dataclass(frozen=True, kw_only=True)
