@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,9 +17,9 @@ from elastica_cad.forming.nearest.nearest_record import NearestRod, judge_search
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, SearchPoint, Weights
 from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.rod_problem import RodProblem
-from elastica_cad.forming.nearest.rod_program import pose_problem
+from elastica_cad.forming.nearest.rod_program import RodOutcome, Search, pose_problem
 from elastica_cad.forming.optimizer.exact_point import worst_broken
-from elastica_cad.forming.optimizer.sqp import LIFTS, STEPS, Outcome, lift, minimize
+from elastica_cad.forming.optimizer.sqp import LIFTS, STEPS, lift, minimize
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
@@ -28,10 +28,8 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
-RodOutcome: TypeAlias = Outcome[MappedRod]
-
 _RESCALINGS = 8  # searches more, at most, until a section weighs what it is made of
-_NARROWER = (1.0, 0.9, 0.75)  # times the scale, where a margin is sought that hangs on it
+_NARROWER = (1.0, 0.9, 0.75)  # times a scale, where a margin is sought that hangs on it
 _MARGIN_SCALES = 8  # that are tried in turn from there
 _MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
 _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
@@ -118,28 +116,6 @@ def find_rod(
     )  # fmt: skip
 
 
-class Search(NamedTuple):
-    """What was asked at last, its best outcome, outcomes elsewhere that are as near, and all steps taken.
-
-    `off` is the mean distance that a search from all starts came to, in diagonals of the target.
-    """
-
-    task: NearestTask
-    problem: RodProblem
-    best: RodOutcome
-    ties: tuple[RodOutcome, ...]
-    steps: int
-    off: float
-
-    @property
-    def ended(self) -> SearchPoint:
-        """Where it ended, for a like search to go on from."""
-        target = self.task.target
-        return SearchPoint(
-            self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
-        )
-
-
 def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
     """From where a like search ended before, or from as many starts as are needed.
 
@@ -187,16 +163,25 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
     if met[0] or found.best.violation > MET:
         ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
         return found._replace(task=task, ties=ties)
-    for share in _NARROWER:
-        kept = _go_on(found, task.scaled_by(share), measure)
-        if kept.best.violation <= MET:
-            break
+    kept = _narrowed(found, task, measure)
     for _ in range(_MARGIN_SCALES):
         other = kept.task.rescaled(kept.best.point)
         if other is None or kept.best.violation > MET:
             break
-        kept = _go_on(kept, other, measure)
+        wider = _narrowed(kept, other, measure)
+        if kept.task.keeps_scale and wider.best.violation > MET:
+            break
+        kept = wider
     return kept
+
+
+def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """From where a search ended, at a scale or at smaller ones, where narrower strips keep what is asked."""
+    for share in _NARROWER:
+        tried = _go_on(found, task.scaled_by(share), measure)
+        if tried.best.violation <= MET:
+            break
+    return tried
 
 
 def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:

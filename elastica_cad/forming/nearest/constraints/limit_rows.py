@@ -14,9 +14,7 @@ from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
 _STEP = 1e-5  # relative step of K for derivatives of strain
 _ROOM = 0.01  # of the largest section's stiffness: a sharp bend may ask for as much more between nodes
-_TANGENT_STEP = (
-    1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: itself a difference in part
-)
+_TANGENT_STEP = 1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: it rounds kinks off
 
 
 @dataclass(frozen=True, kw_only=True)
