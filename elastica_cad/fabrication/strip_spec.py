@@ -285,6 +285,8 @@ class StripSpec(EqualByValue):
         """The law with the weight that pulls in the plane."""
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
+        if law is None and felt is None and self.makes_up_for_curl and self._asks_for_margin:
+            return self._width_law  # whose stability is that of a plate
         if law is None and felt is not None and self.makes_up_for_curl:
             law = self._width_law
             share = (self.material.elasto_gravity_length / felt.length) ** 3
@@ -302,6 +304,10 @@ class StripSpec(EqualByValue):
             BoundedLaw,
             replace(lighter, sheet=replace(sheet, density=share * sheet.density, density_range=None)),
         )
+
+    @property
+    def _asks_for_margin(self) -> bool:
+        return isinstance(self.limits, Limits) and self.limits.margin is not None
 
     @property
     def _makeable_limits(self) -> Limits:

@@ -104,9 +104,9 @@ def bend_strip(
     """Lead the ends of a strip along a path and tell what it does, in newtons and millimetres.
 
     Forces follow from the internal force -lambda B (Eq. 2), with B the bending stiffness where K = 1; the energy is
-    the integral of E I (kappa - kappa_0)^2 / 2. Where widths are made for how the strip curls across (the default
-    of `make_strip` for sheets whose Poisson ratio is known) it stiffens as each step bends it; other strips, and
-    laminates, are bent with the stiffness of their design, and `Strip.held` tells what that leaves out.
+    what bending stores. Sheets whose Poisson ratio is known stiffen across as each step bends them, and borders of
+    laminates give way. Widths that do not make up for it rest off their design from the start, by what `Strip.held`
+    tells; its other causes, such as slots, are left out.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def bend_strip(
     >>> bool(moved.force_along[1] > 0), moved.travel.round(6).tolist()
     (True, [5.0, 10.0])
     """
-    rods = bend_path(strip.rod, path, side=side)
+    rods = bend_path(strip.rod_to_bend, path, side=side)
     B = strip.bending_stiffness
     end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
     own = strip.rod.position[-1] - strip.rod.position[0]

@@ -104,8 +104,8 @@ class Limits:
         Largest stiffness ratio R = max K / min K, at least 1.
     margin : float, optional
         Least stability margin (see `stability`); 0 is the border of stability, 5 is safely stable. Of a strip that
-        bends as a plate it is counted with M / kappa, less than the dM/dkappa that `stability` takes, so the rod
-        found has up to some hundredths more.
+        bends as a plate (`section`) it hangs on the widths: where it binds, the widest place may be up to some
+        hundredths narrower than it may be.
     curvature : float, optional
         Largest size of kappa - kappa_0, 1/mm.
     sheet : Sheet, optional

@@ -11,6 +11,7 @@ from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.section_balance import TangentWeight
 
@@ -107,10 +108,15 @@ class SectionScale:
         law = self.law.bent(bend, rest)
         least, largest = law.limits
         if np.isfinite(largest):
-            scale = float(np.min(law.bending_stiffness(np.full(stiffness.size, largest)) / stiffness))
+            scale = float(np.min(self.largest(bend, rest) / stiffness))
         else:
             scale = float(np.max(law.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
         return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
+
+    def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
+        """E I (n,), N mm2, of the largest section, bent by kappa - kappa_0 (n,) from `rest`, 1/mm."""
+        most = np.full(bend.size, self.law.limits[1])
+        return self.law.bent(bend, rest).bending_stiffness(most)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
         """Weight over the scale (n,) of K (n,), times `size` mm cubed, and its derivative."""
@@ -128,6 +134,14 @@ class SectionScale:
         tangent = TangentWeight.of(self.law, EI)
         alpha = Profile.interpolate(rod.s, tangent.fixed)
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
+
+    def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
+        """dM/dkappa (..., n) of K (..., n), in units of it, bent by kappa - kappa_0 (..., n) from `rest`, 1/mm."""
+        law = self.law.bent(bend, rest)
+        curl = law.curl(law.parameter(self.scale * stiffness))
+        if curl is None:
+            return stiffness
+        return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
 
     def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
         """Share (n,) of what the skin is let bear that a curvature of 1/mm takes, of K (n,)."""

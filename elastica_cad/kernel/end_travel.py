@@ -101,7 +101,7 @@ class Travel:
         if not isinstance(frames, int) or frames < 2:
             raise InputError(f"a travel of {frames} frames shows no motion: give a whole number, 2 or more")
         shares = np.linspace(0.0, 1.0, frames)[1:, None]
-        return (self._rod, *bend_path(self._rod, self._rod.position[-1] + shares * self._way))
+        return (self._rod, *bend_path(self.strip.rod_to_bend, self._rod.position[-1] + shares * self._way))
 
     def rod(self, position: float) -> Rod:
         """The shape with the end `position` mm along the way, found from the nearest station."""
@@ -109,7 +109,8 @@ class Travel:
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
             raise InputError(f"position is {told} mm: the travel goes from 0 to {self.length:.4g} mm")
-        near = self._stations[round(share * STATIONS)]
+        station = round(share * STATIONS)
+        near = self._stations[station] if station else self.strip.rod_to_bend
         return bend(near, end=self._rod.position[-1] + share * self._way)
 
     def write_glb(

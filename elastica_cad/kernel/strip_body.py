@@ -155,7 +155,7 @@ class StripBody:
         for name in ("start", "end"):
             if led.get(name) is not None:
                 led[name] = self._in_plane(led[name], name)
-        return replace(self.strip, rod=bend(self.rod, **led))
+        return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
         """A point in space in the plane of the curve; two numbers are taken as they are."""

@@ -141,8 +141,10 @@ class Curl:
 
     def on(self, made: Rod, *, plated: bool = False) -> Rod:
         """A rod that is as stiff as made where it is bent as designed, and follows its bend elsewhere."""
-        factor = self.plated if plated else self.factor
-        return replace(made, law=CurlingLaw(factor, self.designed, made.natural_curvature, made.law))
+        factor, below = self.plated if plated else self.factor, made.law
+        if isinstance(below, CurlingLaw):  # of a design that was led elsewhere, which curls in the same way
+            below = below.below
+        return replace(made, law=CurlingLaw(factor, self.designed, made.natural_curvature, below))
 
 
 def curl_of(rod: Rod, layout: Layout, covered: ArrayLike = 0.0) -> Curl | None:
@@ -171,6 +173,29 @@ def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
     """A rod that follows its bend as its design counts on; where it does not, the rod itself."""
     curl = curl_of(design, layout) if design.follows_bend else None
     return made if curl is None else curl.on(made)
+
+
+def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
+    """A design to be led elsewhere: K stays, and what is cut curls at every place as its bend there makes it.
+
+    Widths that were not made for that leave it out of balance until it is bent; those that are `corrected` are as
+    stiff as K in the design. A sheet whose Poisson ratio is only estimated bends with E.
+    """
+    if rod.follows_bend or isinstance(rod.law, CurlingLaw):
+        return rod
+    s, rest = rod.s, rod.natural_curvature
+    factor: BendFactor
+    if layout.backing is not None:
+        section = LaminatedSection(layout.sheet, layout.backing.sheet)
+        factor = LaminateCurl.everywhere(
+            rod.curvature, layout.width(s), layout.backing.width(s), section, rest
+        )
+    elif layout.section is None and layout.sheet.poisson_known and layout.sheet.poisson_ratio > 0:
+        factor = SheetCurl(_breadth(layout, s), layout.sheet.thickness, layout.sheet.poisson_ratio, rest)
+    else:
+        return rod
+    designed = factor(rod.curvature) if corrected else np.ones(s.size)
+    return replace(rod, law=CurlingLaw(factor, designed, rest, rod.law))
 
 
 @dataclass(frozen=True)

@@ -369,6 +369,13 @@ class Strip:
         return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
 
     @cached_property
+    def rod_to_bend(self) -> Rod:
+        """The rod to be led elsewhere, where what is cut curls as its bend there makes it: see `bend_strip`."""
+        from elastica_cad.fabrication.strip.made_stiffness import rod_to_bend
+
+        return rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
+
+    @cached_property
     def as_made(self) -> "StripAsMade":
         """The strip with all that changes its stiffness, to be held: see `held`."""
         return self._made()

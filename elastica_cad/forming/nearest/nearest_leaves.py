@@ -12,8 +12,8 @@ from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
 from elastica_cad.forming.limits import MET, Keep, Limits
 from elastica_cad.forming.nearest.advice import advise
 from elastica_cad.forming.nearest.curve_distance import measure_deviation
-from elastica_cad.forming.nearest.nearest_record import Binding, NearestRod
-from elastica_cad.forming.nearest.rod_search import find_rod, judge_search
+from elastica_cad.forming.nearest.nearest_record import Binding, NearestRod, judge_search
+from elastica_cad.forming.nearest.rod_search import find_rod
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -68,7 +68,7 @@ def find_leaves(
     mean = float(np.sqrt(((laid.rod.position - drawn) ** 2).sum(axis=1).mean()))
     return NearestRod(
         found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
-        status=judge_search(missed, deviation, target, laid.settled),
+        status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
         binding=broken, violation=missed, iterations=steps, limits=limits, keep=keep,
         measure=asked["measure"], distance=mean, advise=advise,
         again=partial(again, curve, gravity=gravity, section=law, **asked),

@@ -17,6 +17,8 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 if TYPE_CHECKING:
     from elastica_cad.forming.nearest.nearest_task import Measure, SearchPoint
 
+_UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
+
 
 class Status(Enum):
     """How the search ended, in a sentence for the user."""
@@ -28,6 +30,15 @@ class Status(Enum):
         "The limits cannot be met together near this curve: this is the best rod found, relax what binds."
     )
     FAILED = "No rod was computed for this curve: see the message."
+
+
+def judge_search(violation: float, deviation: float, settled: bool) -> Status:
+    """How a search ended: by what is broken, by how far off it is, in diagonals, by whether it came to rest."""
+    if violation > MET:
+        return Status.NOT_MET
+    if deviation > _UNLIKE:
+        return Status.FAR
+    return Status.MET if settled else Status.UNSETTLED
 
 
 @dataclass(frozen=True)

@@ -50,6 +50,9 @@ _MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
 _COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
 
+_ROOMY = 0.99  # times the scale of a rod as large as may be: one that is kept leaves so much room
+_FULL = 1.03  # times the scale: no more room than that is left to the largest section
+
 
 @dataclass(frozen=True, eq=False)
 class NearestTask:
@@ -75,6 +78,8 @@ class NearestTask:
         1/mm before bending.
     grows : bool
         Are sizes without weight made as large as the limits let them be, once the rod is found?
+    keeps_scale : bool
+        Does the scale of a strip that follows its bend stay, and each node keep within the largest width there?
     """
 
     curve: PlaneCurve
@@ -90,6 +95,7 @@ class NearestTask:
     section: SectionScale | None = None
     natural_curvature: NaturalCurvature = 0.0
     grows: bool = True
+    keeps_scale: bool = False
 
     @classmethod
     def of(
@@ -178,6 +184,45 @@ class NearestTask:
         bend = mapped.moments / mapped.stiffness / self.target.size
         section = self.section.settled(bend, mapped.stiffness, self.rest / self.target.size)
         return self if section is self.section else replace(self, section=section)
+
+    @property
+    def without_followed_margin(self) -> "NearestTask":
+        """The task without a margin that hangs on the scale, which no rod has settled; itself where none does."""
+        if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
+            return self
+        return replace(self, limits=replace(self.limits, margin=None))
+
+    @property
+    def even_stiffness(self) -> float:
+        """That of a start: in the middle of what is allowed."""
+        return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
+
+    def off(self, mapped: MappedRod) -> float:
+        """Root mean square distance of a rod, arc length against arc length, in lengths."""
+        return float(np.sqrt(2 * self.mean_distance.value(mapped)))
+
+    @property
+    def scale(self) -> float:
+        """Of its section, N mm2; 1 of others."""
+        return 1.0 if self.section is None else self.section.scale
+
+    def rescaled(self, mapped: MappedRod) -> "NearestTask | None":
+        """For a margin that hangs on the scale, the task in that which a rod settles; None where it is about that.
+
+        Rods as near may be of other scales, so that none comes to rest: in the end one scale is kept.
+        """
+        settled = self.settled(mapped)
+        full = settled.scale < self.scale * _FULL
+        if full and self.keeps_scale:
+            return None
+        return replace(settled.scaled_by(_ROOMY), keeps_scale=True) if full or self.keeps_scale else settled
+
+    def scaled_by(self, share: float) -> "NearestTask":
+        """The task with its section's stiffness times a share."""
+        section = self.section
+        return (
+            self if section is None else replace(self, section=replace(section, scale=share * section.scale))
+        )
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":

@@ -1,6 +1,7 @@
-"""What is asked of a nearest rod as a nonlinear program: its box, its constraints, its distance."""
+"""What is asked of a nearest rod as a nonlinear program, its box, constraints and distance, and what was found."""
 
 from functools import partial
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -20,20 +21,47 @@ from elastica_cad.forming.nearest.constraints.kept_shape import (
 )
 from elastica_cad.forming.nearest.constraints.limit_rows import (
     CurvatureLimit,
+    FollowedMarginLimit,
     KeepOut,
+    LargestSection,
     LeastStiffness,
     MarginLimit,
     StrainLimit,
 )
-from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, values_along
-from elastica_cad.forming.nearest.rod_map import StripGrid
+from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, SearchPoint, values_along
+from elastica_cad.forming.nearest.rod_map import MappedRod, StripGrid
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.target_curve import symmetry_frame
+from elastica_cad.forming.optimizer.sqp import Outcome
 from elastica_cad.mechanics.loads.rest_curvature import LENGTHS_APART, RestCurvature
 
 _SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
 _SAME_CURVATURE = 1e-6  # of the target's typical one: blanks are symmetric but for rounding
 _LENGTHS = (0.2, 5.0)  # of the target, least and largest: where no limit says so a rod stays of its kind
+
+RodOutcome: TypeAlias = Outcome[MappedRod]
+
+
+class Search(NamedTuple):
+    """What was asked at last, its best outcome, outcomes elsewhere that are as near, and all steps taken.
+
+    `off` is the mean distance that a search from all starts came to, in diagonals of the target.
+    """
+
+    task: NearestTask
+    problem: RodProblem
+    best: RodOutcome
+    ties: tuple[RodOutcome, ...]
+    steps: int
+    off: float
+
+    @property
+    def ended(self) -> SearchPoint:
+        """Where it ended, for a like search to go on from."""
+        target = self.task.target
+        return SearchPoint(
+            self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
+        )
 
 
 def pose_problem(
@@ -167,7 +195,17 @@ def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
     if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
         found.append(LeastStiffness())
     if with_margin and limits.margin is not None:
-        found.append(MarginLimit(limit=limits.margin))
+        found += _margin_limits(task, limits.margin)
+    return found
+
+
+def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
+    section, size = task.section, task.target.size
+    if section is None or not task.is_scaled_freely:
+        return [MarginLimit(limit=margin)]
+    found: list[Constraint] = [FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)]
+    if task.keeps_scale and np.isfinite(section.law.limits[1]):
+        found.append(LargestSection(section=section, rest=task.rest, size=size))
     return found
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,13 +13,13 @@ from elastica_cad.forming.limits import MET, Keep, Limits
 from elastica_cad.forming.nearest.advice import advise
 from elastica_cad.forming.nearest.constraints.binding_limits import list_bindings
 from elastica_cad.forming.nearest.curve_distance import measure_deviation
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest.nearest_record import NearestRod, judge_search
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, SearchPoint, Weights
 from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.rod_problem import RodProblem
-from elastica_cad.forming.nearest.rod_program import pose_problem
-from elastica_cad.forming.nearest.target_curve import TargetCurve
-from elastica_cad.forming.optimizer.sqp import LIFTS, STEPS, Outcome, lift, minimize
+from elastica_cad.forming.nearest.rod_program import RodOutcome, Search, pose_problem
+from elastica_cad.forming.optimizer.exact_point import worst_broken
+from elastica_cad.forming.optimizer.sqp import LIFTS, STEPS, lift, minimize
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
@@ -28,10 +28,9 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
-RodOutcome: TypeAlias = Outcome[MappedRod]
-
 _RESCALINGS = 8  # searches more, at most, until a section weighs what it is made of
-_UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
+_NARROWER = (1.0, 0.9, 0.75)  # times a scale, where a margin is sought that hangs on it
+_MARGIN_SCALES = 8  # that are tried in turn from there
 _MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
 _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
 _BENT_STARTS, _FIRST_BENT_STARTS = 20, 4
@@ -84,23 +83,15 @@ def find_rod(
         curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
     )
     task = task if grown else replace(task, grows=False)
-    found = _search(task, measure, None if start is None else start.ended)
-    steps = found.steps
+    found = _search(task.without_followed_margin, measure, None if start is None else start.ended)
     smaller = task.in_smaller_sections
     if smaller is not None and (found.best.violation > MET or found.off > _FOLLOWED):
-        other = _search(smaller, measure)
-        steps += other.steps
-        found = min(found, other, key=lambda search: _rank(search.best))
-    for _ in range(_RESCALINGS):
-        settled = found.task.settled(found.best.point)
-        if settled is found.task:
-            break
-        found = _search(settled, measure, found.ended)
-        steps += found.steps
+        other, steps = _search(smaller, measure), found.steps
+        found = min(found, other, key=lambda search: _rank(search.best))._replace(steps=steps + other.steps)
+    found = _rescaled(found, measure, task.limits.margin)
     if found.task.section is not task.section:
         task = replace(task, section=found.task.section)
-    problem, outcome = found.problem, found.best
-    target = task.target
+    problem, outcome, target = found.problem, found.best, task.target
 
     def rod_of(point: MappedRod) -> Rod:
         return task.grown(point).rod_of(point)
@@ -109,10 +100,10 @@ def find_rod(
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
     return NearestRod(
         found=rod_of(outcome.point), target=curve, deviation=deviation,
-        status=judge_search(outcome.violation, deviation, target, outcome.settled),
-        mean_deviation=_mean_distance(found.task, outcome) * target.size,
-        binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation, iterations=steps,
-        limits=task.limits, keep=task.keep, measure=measure,
+        status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
+        mean_deviation=found.task.off(outcome.point) * target.size,
+        binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation,
+        iterations=found.steps, limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
         ties=tuple(rod_of(tie.point) for tie in found.ties),
         ended=found.ended,
@@ -125,37 +116,6 @@ def find_rod(
     )  # fmt: skip
 
 
-def judge_search(violation: float, deviation: float, target: TargetCurve, settled: bool) -> Status:
-    """How a search ended: by what is broken first, then by how far the rod is, then by whether it came to rest."""
-    if violation > MET:
-        return Status.NOT_MET
-    if deviation > _UNLIKE * target.diagonal * target.size:
-        return Status.FAR
-    return Status.MET if settled else Status.UNSETTLED
-
-
-class Search(NamedTuple):
-    """What was asked at last, its best outcome, outcomes elsewhere that are as near, and all steps taken.
-
-    `off` is the mean distance that a search from all starts came to, in diagonals of the target.
-    """
-
-    task: NearestTask
-    problem: RodProblem
-    best: RodOutcome
-    ties: tuple[RodOutcome, ...]
-    steps: int
-    off: float
-
-    @property
-    def ended(self) -> SearchPoint:
-        """Where it ended, for a like search to go on from."""
-        target = self.task.target
-        return SearchPoint(
-            self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
-        )
-
-
 def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
     """From where a like search ended before, or from as many starts as are needed.
 
@@ -166,7 +126,7 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
         return _told(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     first = _start(task, problem)
     best = minimize(problem, first)
-    steps, spent, off = best.iterations, _spent(best), _mean_distance(task, best) / task.target.diagonal
+    steps, spent, off = best.iterations, best.spent, task.off(best.point) / task.target.diagonal
     found, broken = [best], best.violation > MET and task.limits.margin is not None
     for attempt in _attempts(task, measure, problem, first):
         done = best.settled and best.violation <= MET
@@ -180,11 +140,54 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
         if measure == "max":  # which tells nothing of the distance of two rods
             known = []
         outcome = minimize(problem, attempt.route().end(), radius=attempt.radius, known=known)
-        steps, spent = steps + outcome.iterations, spent + _spent(outcome)
+        steps, spent = steps + outcome.iterations, spent + outcome.spent
         found.append(outcome)
         best = min(best, outcome, key=_rank)
-        off = _mean_distance(task, best) / task.target.diagonal
+        off = task.off(best.point) / task.target.diagonal
     return _told(measure, Search(task, problem, best, (), steps, off), found)
+
+
+def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
+    """The search of sections that are as large as the limits let the rod found be."""
+    for _ in range(_RESCALINGS):
+        settled = found.task.settled(found.best.point)
+        if settled is found.task or settled.gravity is None:  # without weight nothing hangs on the scale
+            found = found._replace(task=settled)
+            break
+        found = _go_on(found, settled, measure)
+    if margin == found.task.limits.margin:
+        return found
+    task = replace(found.task, limits=replace(found.task.limits, margin=margin))
+    problem = pose_problem(task, measure)
+    met = [worst_broken(problem, problem.values(one.point)) <= MET for one in (found.best, *found.ties)]
+    if met[0] or found.best.violation > MET:
+        ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
+        return found._replace(task=task, ties=ties)
+    kept = _narrowed(found, task, measure)
+    for _ in range(_MARGIN_SCALES):
+        other = kept.task.rescaled(kept.best.point)
+        if other is None or kept.best.violation > MET:
+            break
+        wider = _narrowed(kept, other, measure)
+        if kept.task.keeps_scale and wider.best.violation > MET:
+            break
+        kept = wider
+    return kept
+
+
+def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """From where a search ended, at a scale or at smaller ones, where narrower strips keep what is asked."""
+    for share in _NARROWER:
+        tried = _go_on(found, task.scaled_by(share), measure)
+        if tried.best.violation <= MET:
+            break
+    return tried
+
+
+def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """What is asked now, from where a search ended; its steps count too."""
+    more = _search(task, measure, found.ended)
+    return more._replace(steps=found.steps + more.steps)
 
 
 def _is_refused(
@@ -198,11 +201,6 @@ def _is_refused(
     )
 
 
-def _spent(outcome: RodOutcome) -> int:
-    """The steps that an attempt counts for: one that was given up would have used up all."""
-    return STEPS if outcome.hopeless else outcome.iterations
-
-
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
     """What is found from there, where that meets the limits and is about as near as what all starts found."""
     z = before.seen_from(task.target, problem.grid.unknowns)
@@ -211,7 +209,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
         return None
     found = minimize(problem, rod)
     enough = max(_NEAR, _AS_NEAR * before.off)
-    near = _mean_distance(task, found) < enough * task.target.diagonal
+    near = task.off(found.point) < enough * task.target.diagonal
     return found if near and found.settled and found.violation <= MET else None
 
 
@@ -219,7 +217,7 @@ def _told(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Sear
     """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
     task, problem, best, _, steps, _ = so_far
     free = task.is_scaled_freely or task.is_light
-    if free and _mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
+    if free and task.off(best.point) < _FOLLOWED * task.target.diagonal:
         lean = _leaner(task, measure, best)
         if lean is not None:
             tight, problem, best = lean
@@ -249,8 +247,8 @@ def _leaner(
     except InputError:  # the stiffness is bounded elsewhere too
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
-    near = max(_mean_distance(task, best), _LEAN * task.target.diagonal)
-    good = outcome.violation <= MET and _mean_distance(task, outcome) <= near
+    near = max(task.off(best.point), _LEAN * task.target.diagonal)
+    good = outcome.violation <= MET and task.off(outcome.point) <= near
     return (tight, problem, outcome) if good else None
 
 
@@ -267,11 +265,6 @@ def _ties(
         if all(problem.apart(outcome.point, other.point) > apart for other in told):
             told.append(outcome)
             yield outcome
-
-
-def _mean_distance(task: NearestTask, outcome: RodOutcome) -> float:
-    """Root mean square distance, arc length against arc length, in lengths."""
-    return float(np.sqrt(2 * task.mean_distance.value(outcome.point)))
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
@@ -331,7 +324,7 @@ def _attempts(
 def _from_pulled(task: NearestTask, problem: RodProblem, tension: float) -> _Route:
     """From the nearest rod under a force along the chord: taut ones are stable, unloaded ones do not buckle."""
     chord = task.target.position[-1] - task.target.position[0]
-    pull = tension * max(task.limits.margin or 0.0, 0.0) * _even_stiffness(task)
+    pull = tension * max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
     return _Route(_start(task, problem, force=-pull * chord / max(float(np.hypot(*chord)), _CLOSED)))
 
 
@@ -368,7 +361,7 @@ def _start(
     A `seed` bends the target by slow waves and varies the stiffness: for other valleys.
     """
     if stiffness is None:
-        stiffness = _even_stiffness(task)
+        stiffness = task.even_stiffness
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
     places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
@@ -389,8 +382,3 @@ def _start(
     moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
     start = grid.assemble(z, angles, moments)
     return lift(replace(problem, distance=task.mean_distance), start, lifts)
-
-
-def _even_stiffness(task: NearestTask) -> float:
-    """That of a start: in the middle of what is allowed."""
-    return float(np.sqrt(min(task.limits.largest_ratio, 16.0)))

@@ -80,6 +80,11 @@ class Outcome(Generic[Point]):
     settled: bool
     hopeless: bool = False
 
+    @property
+    def spent(self) -> int:
+        """The steps that it counts for: a search that was given up would have used up all."""
+        return STEPS if self.hopeless else self.iterations
+
 
 def lift(program: NonlinearProgram[Point], start: Point, steps: int = LIFTS) -> Point:
     """A point near one that is far from closed, nearly closed itself.

@@ -1,6 +1,6 @@
 """How a two-layer strip curls across, and how much softer or stiffer than E I that makes it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -24,6 +24,15 @@ ROOM_SHARE = 0.15
 
 TERMS, EVERY = 8, 4
 """Of the polynomials in curvature, and of the nodes one in so many that they are found at."""
+
+TERMS_EVERYWHERE, STATIONS = 24, 60
+"""Of the polynomials for all that a strip may be bent to, and the stations that they are found at, about."""
+
+LARGEST_STRAIN = 0.05
+"""Of a skin, to which a strip may be bent: beyond what any sheet bears."""
+
+FINE_SEARLE = 3.0
+"""Width^2 kappa / thickness up to which the factor follows the bend evenly; beyond, with the logarithm of that."""
 
 
 def laminate_factor(
@@ -144,6 +153,8 @@ class LaminateCurl:
         The curvatures of each node that are told apart, middle +- reach, 1/mm; beyond them the factor stays.
     coefficients : (m, n) array
         Of Chebyshev polynomials over them.
+    fine : (n,) array, optional
+        Distance from the middle, 1/mm, beyond which places are told apart by its logarithm (by arsinh).
 
     Examples
     --------
@@ -159,6 +170,7 @@ class LaminateCurl:
     middle: FloatArray
     reach: FloatArray
     coefficients: FloatArray
+    fine: FloatArray | None = None
 
     @classmethod
     def about(
@@ -173,27 +185,68 @@ class LaminateCurl:
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )
-        nodes = np.arange(kappa.size)
-        some = np.unique(np.append(nodes[::EVERY], nodes[-1]))
         bend = kappa - rest
         ends = rest + np.multiply.outer(BENDS, bend)
         middle, reach = ends.mean(axis=0), np.abs(ends[1] - ends[0]) / 2 + ROOM_SHARE * np.abs(bend).max()
-        t = np.cos(np.pi * (np.arange(TERMS) + 0.5) / TERMS)
-        stations = np.tile(np.arange(some.size), TERMS)
-        at = some[stations]
-        factor = laminate_factor(
-            base[at], backing[at], middle[at] + reach[at] * np.repeat(t, some.size), section, rest[at]
-        ).reshape(TERMS, some.size)
-        known = np.linalg.solve(np.polynomial.chebyshev.chebvander(t, TERMS - 1), factor)
-        return cls(middle, reach, np.array([np.interp(nodes, some, row) for row in known]))
+        return cls(middle, reach, np.empty((TERMS, 0)))._found(base, backing, section, rest, EVERY)
+
+    @classmethod
+    def everywhere(
+        cls,
+        curvature: FloatArray,
+        base_width: ArrayLike,
+        backing_width: ArrayLike,
+        section: LaminatedSection,
+        natural_curvature: ArrayLike = 0.0,
+    ) -> "LaminateCurl":
+        """For all that a strip of the design may be bent to, whatever the curvature (n,) of this, 1/mm.
+
+        Examples
+        --------
+        >>> card = Sheet("card", 0.5, 9000.0, density=600.0, max_strain=0.01, poisson_ratio=0.0)
+        >>> curl = LaminateCurl.everywhere(np.zeros(97), 24.0, 12.0, LaminatedSection(card, card))
+        >>> bent = np.linspace(-0.04, 0.04, 97)
+        >>> exact = laminate_factor(24.0, 12.0, bent, LaminatedSection(card, card))
+        >>> bool(np.abs(curl(bent) - exact).max() < 1e-4)
+        True
+        """
+        kappa, base, backing, rest = np.broadcast_arrays(
+            curvature, base_width, backing_width, natural_curvature
+        )
+        thickness = section.base.thickness + section.backing.thickness
+        reach = np.full(kappa.size, max(2 * LARGEST_STRAIN / thickness, 2 * float(np.abs(kappa).max())))
+        fine = np.minimum(FINE_SEARLE * thickness / base**2, reach)
+        empty = cls(np.zeros(kappa.size), reach, np.empty((TERMS_EVERYWHERE, 0)), fine)
+        return empty._found(base, backing, section, rest, max(EVERY, kappa.size // STATIONS))
+
+    def _found(
+        self, base: FloatArray, backing: FloatArray, section: LaminatedSection, rest: FloatArray, every: int
+    ) -> "LaminateCurl":
+        """With coefficients, from the factor at one in `every` of the nodes."""
+        terms, nodes = self.coefficients.shape[0], np.arange(self.middle.size)
+        some = np.unique(np.append(nodes[::every], nodes[-1]))
+        t = np.cos(np.pi * (np.arange(terms) + 0.5) / terms)
+        at = np.tile(some, terms)
+        away = self.reach[at] * np.repeat(t, some.size)
+        if self.fine is not None:
+            fine = self.fine[at]
+            away = fine * np.sinh(np.repeat(t, some.size) * np.arcsinh(self.reach[at] / fine))
+        factor = laminate_factor(base[at], backing[at], self.middle[at] + away, section, rest[at])
+        known = np.linalg.solve(np.polynomial.chebyshev.chebvander(t, terms - 1), factor.reshape(terms, -1))
+        return replace(self, coefficients=np.array([np.interp(nodes, some, row) for row in known]))
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
         """The same at stations (m,), mm, of what has it at `s` (n,)."""
-        found = (at_stations(values, s, at) for values in (self.middle, self.reach, self.coefficients))
-        return LaminateCurl(*map(np.asarray, found))
+        middle, reach, coefficients = (
+            np.asarray(at_stations(values, s, at)) for values in (self.middle, self.reach, self.coefficients)
+        )
+        fine = None if self.fine is None else np.interp(at, s, self.fine)
+        return LaminateCurl(middle, reach, coefficients, fine)
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
         """The factor of the nodes (..., n) at their curvatures (..., n), 1/mm."""
-        reach = np.where(self.reach == 0, 1.0, self.reach)
-        t = np.clip((curvature - self.middle) / reach, -1.0, 1.0)
+        away, reach = curvature - self.middle, np.where(self.reach == 0, 1.0, self.reach)
+        if self.fine is not None:
+            away, reach = np.arcsinh(away / self.fine), np.arcsinh(reach / self.fine)
+        t = np.clip(away / reach, -1.0, 1.0)
         return np.asarray(np.polynomial.chebyshev.chebval(t, self.coefficients, tensor=False))

@@ -109,7 +109,7 @@ def scale_within(
     B = float(scales.min() if limited else scales.max())
     if solved is None:
         return B
-    bounded = not law.follows_bend and solved < B
+    bounded = solved < B
     # a search keeps its largest size at nodes; what lies between them may be a little larger
     over = limited and B < solved < B * (1 + BETWEEN_NODES)
     kept = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE

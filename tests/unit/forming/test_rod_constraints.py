@@ -17,8 +17,11 @@ from elastica_cad.forming.nearest.curve_distance import (
 from elastica_cad.forming.nearest.rod_map import StripGrid
 from elastica_cad.forming.nearest.stiffness_basis import spline_basis
 from elastica_cad.forming.nearest.target_curve import TargetCurve
+from elastica_cad.forming.section_scale import SectionScale
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.anticlastic import WidthLaw
+from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core
 
@@ -73,6 +76,27 @@ def test_rows_are_derivatives(constraint, grid, z):
     for j in range(z.size):
         numeric = derivative(lambda q: constraint.values(grid.shoot(q))[index], z, j)
         np.testing.assert_allclose(rows[:, j], numeric, atol=1e-7 * max(1.0, np.abs(rows).max()))
+
+
+@pytest.mark.parametrize("rest", [0.0, 1.5])
+@pytest.mark.parametrize("kind", ["margin", "largest section"])
+def test_rows_of_strips_that_follow_their_bend(kind, rest, grid, z):
+    """By differences, which round off the kinks that a blank has where its bend changes sides."""
+    sheet = Sheet("acrylic", 1.0, 3000.0, 1190.0, max_strain=0.2, poisson_ratio=0.37)
+    section = SectionScale(WidthLaw(sheet, 0.0, 60.0), sheet.bending_stiffness(40.0), 3.0)
+    grid, of = replace(grid, natural_curvature=rest), {"section": section, "rest": rest, "size": 200.0}
+    constraint = limits.FollowedMarginLimit(limit=5.0, **of)
+    if kind != "margin":
+        constraint = limits.LargestSection(**of)
+    index, rows = constraint.rows(grid.sensitivities(grid.shoot(z)))
+    if kind == "margin":
+        assert constraint.values(grid.shoot(z)) != limits.MarginLimit(limit=5.0).values(grid.shoot(z))
+    assert index.size > 0
+    for j in range(z.size):
+        numeric = derivative(lambda q: constraint.values(grid.shoot(q))[index], z, j)
+        np.testing.assert_allclose(
+            rows[:, j], numeric, atol=(4e-3 if rest else 2e-4) * max(1.0, np.abs(rows).max())
+        )
 
 
 def test_a_point_is_passed_at_its_foot(grid, z):

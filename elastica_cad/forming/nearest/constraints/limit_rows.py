@@ -9,9 +9,12 @@ from elastica_cad.forming.limits import Box, HalfPlane
 from elastica_cad.forming.nearest.constraints.constraint import Constraint, all_rows, thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.section_scale import SectionScale
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
 _STEP = 1e-5  # relative step of K for derivatives of strain
+_ROOM = 0.01  # of the largest section's stiffness: a sharp bend may ask for as much more between nodes
+_TANGENT_STEP = 1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: it rounds kinks off
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,20 +32,111 @@ class MarginLimit(Constraint):
         """Size of a badly missed margin."""
         return max(10.0, abs(self.limit))
 
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """The rod as small disturbances feel it: with dM/dkappa, which is K by Hooke's law."""
+        return rod
+
     def values(self, rod: MappedRod) -> FloatArray:
         """(mu - limit min K) / scale, (1,)."""
-        return np.array([(rod.margin.value - self.limit * rod.stiffness.min()) / self.scale])
+        mu = self.disturbed(rod).margin.value
+        return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Chain rule from K, angles, forces and length to z."""
-        rod, d = sensitivities.rod, sensitivities.rod.margin_derivatives
+        rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
-        by_stiffness = d.stiffness.copy()
+        by_stiffness, by_moment = self.chained(rod, d.stiffness)
+        if by_moment is not None:
+            row += by_moment @ sensitivities.moments
         by_stiffness[int(np.argmin(rod.stiffness))] -= self.limit
         row[u.stiffness] += by_stiffness @ sensitivities.grid.basis
         row[u.length] += d.length
         return all_rows(row[None] / self.scale)
+
+    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+        """Derivatives by K and by M (n+1,) each, None for none, from those by dM/dkappa (n+1,)."""
+        _ = rod
+        return by_tangent.copy(), None
+
+
+@dataclass(frozen=True, kw_only=True)
+class FollowedMarginLimit(MarginLimit):
+    """The same of sections that follow the bend.
+
+    K is M / (kappa - kappa_0). A strip that stiffens as it is bent resists a disturbance by more, a blank that is
+    bent straight by less.
+
+    Attributes
+    ----------
+    section : SectionScale
+    rest : float or (n+1,) array
+        kappa_0 in lengths of the target.
+    size : float
+        That length, mm.
+    """
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """With dM/dkappa in place of K."""
+
+        def felt() -> DiscreteRod:
+            K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
+            return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
+
+        found: DiscreteRod = rod.remembered((FollowedMarginLimit, id(self.section)), felt)
+        return found
+
+    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+        """By differences: a width follows from K and bend, the slope from width and bend."""
+        K, bend = rod.stiffness, _bend(rod, self.size)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
+        stiffer, softer, more, less = self.section.tangent(
+            K * (1 + by_K[:, None]), bend + by_step[:, None], self.rest / self.size
+        )
+        by_stiffness = by_tangent * (stiffer - softer) / (2 * _TANGENT_STEP * K)
+        by_moment = by_tangent * (more - less) / (2 * step * K * self.size)
+        return by_stiffness - by_moment * rod.moments / K, by_moment
+
+
+@dataclass(frozen=True, kw_only=True)
+class LargestSection(Constraint):
+    """Every node, as it is bent, no larger than the largest section; for scales that a margin was counted with."""
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+    name: str = "largest section"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """The stiffness of the largest section over that of the node, less 1 and some room, (n+1,)."""
+        most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
+        return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are nearly as large."""
+        rod = sensitivities.rod
+        values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
+        near = thin_rows(np.flatnonzero(values < _NEAR), -values)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
+        by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
+        by_stiffness = -by_moment * rod.moments / K - (1 + _ROOM + values) / K
+        rows = by_moment[near, None] * sensitivities.moments[near]
+        basis = sensitivities.grid.basis[near]
+        rows[:, sensitivities.grid.unknowns.stiffness] += by_stiffness[near, None] * basis
+        return near, rows
+
+
+def _bend(rod: MappedRod, size: float) -> FloatArray:
+    """kappa - kappa_0 (n+1,), 1/mm, of a rod in lengths of `size` mm."""
+    return np.asarray(rod.moments / rod.stiffness / size)
 
 
 @dataclass(frozen=True, kw_only=True)

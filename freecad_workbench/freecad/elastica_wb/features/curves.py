@@ -88,7 +88,7 @@ class BentFeature(Feature):
         """Bend it."""
         if not is_strip(obj.Strip):
             raise InputError("the strip is missing: choose one in the property Strip")
-        rest = strip_of(obj.Strip).rod
+        rest = strip_of(obj.Strip).rod_to_bend
         rod = moved(rest, {name: getattr(obj, name).Value for name in MOVES})
         obj.Shape = spline_geometry(rod.curve).toShape()
         obj.Placement = drawn_curve(obj.Strip.Curve, obj).placement

@@ -30,7 +30,7 @@ class BendPanel(Panel):
     def __init__(self, obj: Any, feature: Any = None) -> None:
         """A strip to bend, and the feature that keeps how, where there is one already."""
         self.strip = strip_of(obj)
-        self.rest = self.strip.rod
+        self.rest = self.strip.rod_to_bend
         super().__init__(obj.Document, [obj] if feature is None else [obj, feature])
         self.object, self.feature = obj, feature
         self.rod = self.rest
