@@ -26,7 +26,7 @@ from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
 from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.anticlastic import WidthLaw
+from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability

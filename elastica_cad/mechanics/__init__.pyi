@@ -9,7 +9,6 @@ from elastica_cad.mechanics.loads.supports import End as End, Supports as Suppor
 from elastica_cad.mechanics.loads.weight import PointMass as PointMass, Weight as Weight
 from elastica_cad.mechanics.material.anticlastic import (
     AnticlasticWidths as AnticlasticWidths,
-    WidthLaw as WidthLaw,
     anticlastic_factor as anticlastic_factor,
     anticlastic_widths as anticlastic_widths,
 )
@@ -17,6 +16,7 @@ from elastica_cad.mechanics.material.laminated_section import LaminatedSection a
 from elastica_cad.mechanics.material.plain_section import (
     PerforatedSection as PerforatedSection,
     PlainSection as PlainSection,
+    WidthLaw as WidthLaw,
 )
 from elastica_cad.mechanics.material.moment_curvature import (
     ElasticPlasticLaw as ElasticPlasticLaw,

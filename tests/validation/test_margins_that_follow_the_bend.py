@@ -9,7 +9,7 @@ from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.anticlastic import WidthLaw
+from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import stability
 

@@ -15,7 +15,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.anticlastic import WidthLaw
+from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod

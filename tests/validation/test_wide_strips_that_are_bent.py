@@ -13,7 +13,8 @@ from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
-from elastica_cad.mechanics.material.anticlastic import SheetCurl, WidthLaw
+from elastica_cad.mechanics.material.anticlastic import SheetCurl
+from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.resampling import resample

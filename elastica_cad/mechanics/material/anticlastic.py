@@ -1,16 +1,13 @@
 """Anticlastic bending: wide thin strips curl across, or are kept from it and get stiffer."""
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers, require_number, require_positive
+from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.section_limits import LayerStrain, matched, positive
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.section_limits import matched
 from elastica_cad.mechanics.material.stiffness_law import at_stations
 
 SECANTS = 12
@@ -115,7 +112,7 @@ def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
     return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
 
 
-def _plate_width(
+def plate_width(
     effective: ArrayLike,
     curvature: ArrayLike,
     *,
@@ -127,7 +124,7 @@ def _plate_width(
 
     Examples
     --------
-    >>> round(_plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
+    >>> round(plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
     911.1
     """
     h, nu = _checked(thickness, poisson_ratio)
@@ -231,7 +228,7 @@ def anticlastic_widths(
     # every station could be the widest one: the scale c is the largest that keeps them all within max_width
     widest = max_width * anticlastic_factor(max_width, kappa, thickness=h, poisson_ratio=nu)
     scale = float(np.min(widest / K))
-    width = np.minimum(_plate_width(scale * K, kappa, thickness=h, poisson_ratio=nu), max_width)
+    width = np.minimum(plate_width(scale * K, kappa, thickness=h, poisson_ratio=nu), max_width)
     plain = max_width * K / K.max()
     relative = np.abs(width - plain) / plain
     i = int(np.argmax(relative))
@@ -275,7 +272,7 @@ class SheetCurl:
 
     def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
         """That of widths which are `times` (n,) as stiff where they are bent to curvatures (n,), 1/mm."""
-        width = _plate_width(
+        width = plate_width(
             times * self.width * self(curvature), curvature, thickness=self.thickness,
             poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,
         )  # fmt: skip
@@ -285,108 +282,6 @@ class SheetCurl:
         """The same at stations (m,), mm, of what has it at `s` (n,)."""
         rest = at_stations(self.natural_curvature, s, at)
         return replace(self, width=np.interp(at, s, self.width), natural_curvature=rest)
-
-
-@dataclass(frozen=True, eq=False)
-class WidthLaw:
-    """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
-
-    Its weight is that of the sheet, so it is not proportional to the stiffness: see `anticlastic_factor`.
-
-    Parameters
-    ----------
-    sheet : Sheet
-    least, largest : float
-        Limits of the width, mm; 0 for no least one, or infinity for no largest one.
-    curvature, natural_curvature : float or (n,) array
-        kappa and kappa_0 of the stations, 1/mm; set by `bent`.
-
-    Examples
-    --------
-    >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
-    >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
-    (900.0, 1.098)
-    """
-
-    sheet: Sheet
-    least: float
-    largest: float
-    curvature: float | FloatArray = 0.0
-    natural_curvature: float | FloatArray = 0.0
-
-    def __post_init__(self) -> None:
-        low = require_number(self.least, "width limit")
-        high = np.inf if self.largest == np.inf else require_number(self.largest, "width limit")
-        if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
-            raise InputError(
-                f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
-            )
-
-    @property
-    def quantity(self) -> str:
-        """Width."""
-        return "width"
-
-    @property
-    def limits(self) -> tuple[float, float]:
-        """Least and largest width, mm."""
-        return self.least, self.largest
-
-    @property
-    def follows_bend(self) -> bool:
-        """Yes: the sharper the bend, the more of the width bends as a plate."""
-        return True
-
-    @property
-    def stack(self) -> None:
-        """None: it is of one piece."""
-        return None
-
-    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
-        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
-        before = numbers(rest, "rest curvature")
-        return replace(self, curvature=numbers(curvature, "curvature") + before, natural_curvature=before)
-
-    def curl(self, parameter: FloatArray) -> SheetCurl | None:
-        """How the stiffness of widths (n,), mm, follows their bend; None for a sheet that does not curl."""
-        return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
-
-    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
-        w = positive(parameter, self.quantity)
-        return np.asarray(
-            self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
-        )
-
-    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Widths (n,), mm, that give the E I (n,), N mm2."""
-        EI = positive(bending_stiffness, "bending stiffness")
-        return _plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
-
-    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """N/mm (n,) of widths (n,), mm."""
-        specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
-        return specific * self.sheet.thickness * positive(parameter, self.quantity)
-
-    def strains(
-        self,
-        curvature: ArrayLike,
-        parameter: ArrayLike,  # noqa: ARG002
-        *,
-        natural_curvature: float = 0.0,
-    ) -> tuple[LayerStrain, ...]:
-        """Skin strain h/2 |kappa - kappa_0|, whatever the width."""
-        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
-        strain = np.atleast_1d(bend * self.sheet.thickness / 2)
-        return (LayerStrain(self.sheet.name, strain, self.sheet.max_strain),)
-
-    @property
-    def _plate(self) -> dict[str, Any]:
-        return {
-            "thickness": self.sheet.thickness,
-            "poisson_ratio": self.sheet.poisson_ratio,
-            "natural_curvature": self.natural_curvature,
-        }
 
 
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:

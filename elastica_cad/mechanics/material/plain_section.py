@@ -1,13 +1,15 @@
-"""The section of one sheet, solid or with holes: from width to bending stiffness E I, weight, strain, and back."""
+"""The section of one sheet, solid, with holes or as wide as a plate: its E I, weight and strain by width, and back."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers
+from elastica_cad._values import is_number, numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
+from elastica_cad.mechanics.material.anticlastic import SheetCurl, anticlastic_factor, plate_width
 from elastica_cad.mechanics.material.section_limits import LayerStrain, ScaleRange, positive
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -104,6 +106,105 @@ class PerforatedSection(PlainSection):
         """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""
         least = self.rigidity * self.ligaments * self.least_ligament
         return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
+
+
+@dataclass(frozen=True, eq=False)
+class WidthLaw:
+    """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
+
+    Its weight is that of the sheet, so it is not proportional to the stiffness: see `anticlastic_factor`.
+
+    Parameters
+    ----------
+    sheet : Sheet
+    least, largest : float
+        Limits of the width, mm; 0 for no least one, or infinity for no largest one.
+    curvature, natural_curvature : float or (n,) array
+        kappa and kappa_0 of the stations, 1/mm; set by `bent`.
+
+    Examples
+    --------
+    >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
+    >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
+    (900.0, 1.098)
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float
+    curvature: float | FloatArray = 0.0
+    natural_curvature: float | FloatArray = 0.0
+
+    def __post_init__(self) -> None:
+        low = require_number(self.least, "width limit")
+        high = np.inf if self.largest == np.inf else require_number(self.largest, "width limit")
+        if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
+            raise InputError(
+                f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
+            )
+
+    @property
+    def quantity(self) -> str:
+        """Width."""
+        return "width"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest width, mm."""
+        return self.least, self.largest
+
+    @property
+    def follows_bend(self) -> bool:
+        """Yes: the sharper the bend, the more of the width bends as a plate."""
+        return True
+
+    @property
+    def stack(self) -> None:
+        """None: it is of one piece."""
+        return None
+
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
+        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
+        before = numbers(rest, "rest curvature")
+        return replace(self, curvature=numbers(curvature, "curvature") + before, natural_curvature=before)
+
+    def curl(self, parameter: FloatArray) -> SheetCurl | None:
+        """How the stiffness of widths (n,), mm, follows their bend; None for a sheet that does not curl."""
+        return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
+
+    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
+        w = positive(parameter, self.quantity)
+        return np.asarray(
+            self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
+        )
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Widths (n,), mm, that give the E I (n,), N mm2."""
+        EI = positive(bending_stiffness, "bending stiffness")
+        return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
+
+    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+        """N/mm (n,) of widths (n,), mm."""
+        return areal_weight(self.sheet) * positive(parameter, self.quantity)
+
+    def strains(
+        self,
+        curvature: ArrayLike,
+        parameter: ArrayLike,  # noqa: ARG002
+        *,
+        natural_curvature: float = 0.0,
+    ) -> tuple[LayerStrain, ...]:
+        """Skin strain h/2 |kappa - kappa_0|, whatever the width."""
+        return PlainSection(self.sheet).strains(curvature, natural_curvature=natural_curvature)
+
+    @property
+    def _plate(self) -> dict[str, Any]:
+        return {
+            "thickness": self.sheet.thickness,
+            "poisson_ratio": self.sheet.poisson_ratio,
+            "natural_curvature": self.natural_curvature,
+        }
 
 
 def areal_weight(sheet: Sheet) -> float:

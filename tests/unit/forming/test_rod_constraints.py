@@ -20,7 +20,7 @@ from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.section_scale import SectionScale
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.anticlastic import WidthLaw
+from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core

@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.anticlastic import WidthLaw
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.plain_section import PerforatedSection, PlainSection
+from elastica_cad.mechanics.material.plain_section import PerforatedSection, PlainSection, WidthLaw
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import StiffnessLaw
