@@ -1,4 +1,4 @@
-"""The section of one sheet, solid, with holes or as wide as a plate: its E I, weight and strain by width, and back."""
+"""The section of one sheet, solid, with holes or as wide as a plate: E I, weight and strain by width, and back."""
 
 from dataclasses import dataclass, replace
 from typing import Any
