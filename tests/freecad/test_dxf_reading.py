@@ -44,6 +44,16 @@ def enclosed(wire):
     return abs(total)
 
 
+@pytest.fixture
+def without_layers():
+    """No layers of Draft are made: FreeCAD 1.0 asks for the view of each, and without a window there is none."""
+    wishes = App.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft")
+    wishes.SetBool("dxfUseDraftVisGroups", False)
+    yield
+    wishes.RemBool("dxfUseDraftVisGroups")
+
+
+@pytest.mark.usefixtures("without_layers")
 @pytest.mark.parametrize("curves", ["spline", "arc", "polyline"])
 def test_same_length_and_area(strip, curves, tmp_path):
     cuts = [item for item in strip.drawing().paths if item.layer in (CUT_OUTER, CUT_INNER)]

@@ -171,13 +171,19 @@ def tree_row(obj):
         for i in range(bar.count() if bar.isVisible() else 0):
             if bar.tabText(i) == "Model":
                 click(bar, at=bar.tabRect(i).center())
-    for tree in (tree for tree in main.findChildren(QtWidgets.QTreeWidget) if tree.isVisible()):
-        tree.expandAll()
-        for item in tree.findItems(obj.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0):
-            tree.scrollToItem(item)
-            still(lambda tree=tree, item=item: tree.visualItemRect(item).getRect(), 0.15)
-            return tree, item
-    raise AssertionError(f"{obj.Label} is in no tree")
+
+    def found():
+        for tree in (tree for tree in main.findChildren(QtWidgets.QTreeWidget) if tree.isVisible()):
+            tree.expandAll()
+            for item in tree.findItems(obj.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0):
+                return tree, item
+        return None
+
+    assert until(found), f"{obj.Label} is in no tree"  # it is filled by a timer
+    tree, item = found()
+    tree.scrollToItem(item)
+    still(lambda: tree.visualItemRect(item).getRect(), 0.15)
+    return tree, item
 
 
 def keys(*names):
