@@ -199,11 +199,9 @@ class Slider:
     """
 
     def __init__(self, rib: "_Made", end: Point) -> None:
-        if rib._made.home is None:
-            raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
-        from elastica_cad.kernel.end_travel import Travel
+        from elastica_cad.kernel.end_travel import travel_of
 
-        self.travel = Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))
+        self.travel = travel_of(rib, end)
 
     def place(self, position: float) -> cq.Location:
         """Where the end is `position` mm along the way: x along it, z across the strip."""
