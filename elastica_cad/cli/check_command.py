@@ -71,8 +71,8 @@ def check(
         cured = sum("cure" in told for told in answers)
         look: Callable[[], str] = str  # for no cure
         if not good and not one.drawn.problem and cured < MOST_CURES:
-            wish = one.whole.curve, supports, natural_curvature, smooth, one.which
-            look = partial(searched, partial(_cure, *wish))
+            asked_for = one.whole.curve, supports, natural_curvature, smooth, one.which
+            look = partial(searched, partial(_cure, *asked_for))
         said = " ".join((found["advice"], *found.get("notes", ())))
         if "problem" in found:
             cure = look()

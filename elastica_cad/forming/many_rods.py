@@ -179,7 +179,7 @@ def _in_order_of_completion(
             away -= len(share)
             try:
                 answers = future.result()
-            except Exception as error:  # so does a worker that died
+            except Exception as error:  # a worker that died raises anything too
                 answers = [_lost(task, error) for _, task in share]
             yield from ((i, near) for (i, _), near in zip(share, answers, strict=True))
     finally:

@@ -122,7 +122,7 @@ def write_pages(
     try:
         from matplotlib.backends.backend_pdf import PdfPages
     except ImportError as error:
-        raise needs_matplotlib(what) from error
+        raise _needs_matplotlib(what) from error
     stream = BytesIO()
     with PdfPages(stream, metadata={"CreationDate": None, "Title": title}) as pages:
         for figure in figures:
@@ -130,7 +130,7 @@ def write_pages(
     write_atomically(path, stream.getvalue(), force=force)
 
 
-def needs_matplotlib(what: str) -> MissingDependencyError:
+def _needs_matplotlib(what: str) -> MissingDependencyError:
     """The refusal where it is not installed; `what` are the files or pictures that need it."""
     return MissingDependencyError(f"{what} need matplotlib: {how_to_install('matplotlib')}")
 
@@ -189,7 +189,7 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
     except ImportError as error:
-        raise needs_matplotlib("pictures") from error
+        raise _needs_matplotlib("pictures") from error
 
     class Page(MatplotlibFigure):
         """A figure that a notebook shows where it is the last thing of a cell, once."""

@@ -115,7 +115,7 @@ def solve_quadratic(
 def _by_interior_points(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
     """The minimum where every unknown has room, from its middle; guesses of what binds are tried on the way."""
     if kernels is None or program.right.size > _MOST_COMPILED:
-        return _step_in_python(program, accuracy)
+        return _interior_points_in_python(program, accuracy)
     out = _empty_solution(program)
     settings = (
         accuracy, TOLERANCE, _GUESS_AT, _BACKOFF, _CENTERED, _ROUNDING,
@@ -139,7 +139,7 @@ def _empty_solution(program: QuadraticProgram) -> tuple[FloatArray, FloatArray, 
     return x, np.empty(program.right.size), low, high
 
 
-def _step_in_python(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
+def _interior_points_in_python(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
     lower, upper = program.lower, program.upper
     none = np.zeros(lower.size, dtype=bool)
     H, A, r = program.hessian, program.rows, program.right
