@@ -27,7 +27,7 @@ def is_number(value: object) -> TypeGuard[float]:
         return False
     try:
         return isfinite(value)
-    except OverflowError:  # a whole number beyond all others
+    except OverflowError:  # a whole number larger than all floats
         return False
 
 
@@ -71,7 +71,7 @@ def require_number(value: object, what: str, unit: str = "") -> float:
 
 
 def as_floats(values: object) -> FloatArray | None:
-    """An array of floats; None of texts, rows of unequal length, or whole numbers beyond all floats."""
+    """An array of floats; None of texts, rows of unequal length, or whole numbers larger than all floats."""
     try:
         return np.asarray(cast("ArrayLike", values), dtype=float)
     except (TypeError, ValueError, OverflowError):
@@ -84,7 +84,7 @@ def numbers(values: object, what: str) -> FloatArray:
     Raises
     ------
     InputError
-        Texts, None, rows of unequal length, or whole numbers beyond all floats among them.
+        Texts, None, rows of unequal length, or whole numbers larger than all floats among them.
 
     Examples
     --------

@@ -8,7 +8,6 @@ from typing import Any, TypeAlias, Unpack
 import build123d as bd
 
 from elastica_cad.build123d.native_shapes import add_joints, make_solids, read_frame
-from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -173,11 +172,9 @@ class Slider(bd.LinearJoint):
     """
 
     def __init__(self, rib: "_Made", end: Point) -> None:
-        if rib._made.home is None:
-            raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
-        from elastica_cad.kernel.end_travel import Travel
+        from elastica_cad.kernel.end_travel import travel_of
 
-        self.travel = Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))
+        self.travel = travel_of(rib, end)
         place = bd.Location(occt.make_location(self.travel.place))
         super().__init__(
             "slider", rib, bd.Axis(place.position, bd.Plane(place).x_dir), (0.0, self.travel.length)

@@ -95,21 +95,21 @@ class _Made(StripBody, cq.Shape):
 
     def moved(self, *args: Any, **options: Any) -> Any:
         """As `Shape.moved`; a single copy still knows its strip."""
-        return self._told(super().moved(*args, **options))
+        return self._knowing_its_strip(super().moved(*args, **options))
 
     def located(self, loc: cq.Location) -> Self:
         """As `Shape.located`; the copy still knows its strip."""
-        made: Self = self._told(super().located(loc))
+        made: Self = self._knowing_its_strip(super().located(loc))
         return made
 
     def copy(self, mesh: bool = False) -> Self:
         """As `Shape.copy`; the copy still knows its strip."""
-        made: Self = self._told(super().copy(mesh))
+        made: Self = self._knowing_its_strip(super().copy(mesh))
         return made
 
     def clean(self) -> Self:
         """As `Shape.clean`; what comes of it still knows its strip."""
-        made: Self = self._told(super().clean())
+        made: Self = self._knowing_its_strip(super().clean())
         return made
 
     def mirror(self, mirrorPlane: Any = "XY", basePointVector: Any = (0, 0, 0)) -> Self:
@@ -148,7 +148,7 @@ class _Made(StripBody, cq.Shape):
             self.color = cq.Color(*kept["color"])
 
     def _apply_transform(self, Tr: Any) -> Any:
-        made = self._told(super()._apply_transform(Tr))
+        made = self._knowing_its_strip(super()._apply_transform(Tr))
         if isinstance(made, type(self)) and "_made" in self.__dict__:
             here, back = self.location(), made.location().inverse
             if Tr.IsNegative():
@@ -159,7 +159,7 @@ class _Made(StripBody, cq.Shape):
             }
         return made
 
-    def _told(self, copy: Any) -> Any:
+    def _knowing_its_strip(self, copy: Any) -> Any:
         if isinstance(copy, type(self)):
             copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in KEPT})
         return copy
@@ -199,11 +199,9 @@ class Slider:
     """
 
     def __init__(self, rib: "_Made", end: Point) -> None:
-        if rib._made.home is None:
-            raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
-        from elastica_cad.kernel.end_travel import Travel
+        from elastica_cad.kernel.end_travel import travel_of
 
-        self.travel = Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))
+        self.travel = travel_of(rib, end)
 
     def place(self, position: float) -> cq.Location:
         """Where the end is `position` mm along the way: x along it, z across the strip."""

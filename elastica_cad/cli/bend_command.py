@@ -116,7 +116,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     _tell(rod, shapes, verdicts)
     if moved is not None:
         _tell_forces(moved)
-    told = [_told(*pair) for pair in zip(shapes, verdicts, strict=True)]
+    told = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
     table = None if moved is None else moved.table()
     answer({"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": table})
     wrote(_write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]))
@@ -181,7 +181,7 @@ def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def _told(shape: Rod, verdict: Stability) -> dict[str, Any]:
+def _shape_report(shape: Rod, verdict: Stability) -> dict[str, Any]:
     """One shape, for programs."""
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],

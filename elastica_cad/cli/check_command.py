@@ -59,20 +59,13 @@ def check(
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
     for one in asked:
-        try:
-            found, good = _judged(one, supports, natural_curvature, smooth)
-        except ElasticaError as problem:
-            if not several:
-                if not one.drawn.problem:
-                    cure_later(problem, partial(_cure, one.curve, supports, natural_curvature, smooth, ()))
-                raise
-            found, good = {"realizable": False, "problem": str(problem), "advice": f"{problem}."}, False
-            worst = BAD_INPUT
+        found = _judged(one, supports, natural_curvature, smooth, alone=not several)
+        good = found["realizable"]
         cured = sum("cure" in told for told in answers)
         look: Callable[[], str] = str  # for no cure
         if not good and not one.drawn.problem and cured < MOST_CURES:
-            wish = one.whole.curve, supports, natural_curvature, smooth, one.which
-            look = partial(searched, partial(_cure, *wish))
+            asked_for = one.whole.curve, supports, natural_curvature, smooth, one.which
+            look = partial(searched, partial(_cure, *asked_for))
         said = " ".join((found["advice"], *found.get("notes", ())))
         if "problem" in found:
             cure = look()
@@ -81,7 +74,7 @@ def check(
             head = f"{curve.name}, {one.drawn.called} of {one.count}:\n" if several else ""
             cure = say_with_cure(f"{head}{said}", look)
         found |= {"cure": cure} if cure else {}
-        worst = max(worst, 0 if good else NOT_REALIZABLE)
+        worst = max(worst, 0 if good else BAD_INPUT if "problem" in found else NOT_REALIZABLE)
         answers.append(found)
     answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
     if worst:
@@ -96,9 +89,27 @@ def _cure(*asked: Any) -> str:
 
 
 def _judged(
+    asked: AskedCurve,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    smooth: float | None,
+    *,
+    alone: bool,
+) -> dict[str, Any]:
+    """The report on one curve; of one among several also where it is no open, smooth curve."""
+    try:
+        return _report(asked, supports, natural_curvature, smooth)
+    except ElasticaError as problem:
+        if not alone:
+            return {"realizable": False, "problem": str(problem), "advice": f"{problem}."}
+        if not asked.drawn.problem:
+            cure_later(problem, partial(_cure, asked.curve, supports, natural_curvature, smooth, ()))
+        raise
+
+
+def _report(
     asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
-) -> tuple[dict[str, Any], bool]:
-    """The report on one curve, and whether it can be bent."""
+) -> dict[str, Any]:
     drawn = asked.bendable(smooth)
     smoothing = smooth_curve(drawn, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
@@ -106,4 +117,4 @@ def _judged(
     report = report_check(found)
     if doubt:
         report["advice"] = f"{doubt} As it stands: {report['advice']}"
-    return report | {"undecided": bool(doubt), "notes": list(smoothing.notes)}, found.realizable
+    return report | {"undecided": bool(doubt), "notes": list(smoothing.notes)}

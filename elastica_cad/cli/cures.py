@@ -55,7 +55,7 @@ ADDED = (
 """Words that are added where a command knows them and its refusal speaks of them: (pattern, words)."""
 
 PULLED = 1.1
-"""Of the box: where a corner of it goes when nobody says."""
+"""Of the way from the lower left to the upper right corner of the box, to which the latter is pulled as a trial."""
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.styles import Plain, Style
@@ -95,6 +96,28 @@ def limits_beside(
     if narrowest > widest:  # refused where the widths are compared
         return limits
     return replace(limits, width=(narrowest, widest))
+
+
+def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Shop) -> float:
+    """The largest ratio of a plain strip's widths, mm, that the workshop can cut of a sheet.
+
+    Raises
+    ------
+    InputError
+        A `min_width` above `max_width`, or a strip that is too narrow for its sheet everywhere.
+    """
+    least = shop.width_for(sheet)
+    if min_width > max_width:
+        raise InputError(
+            f"min_width is {min_width:g} mm, more than max_width, {max_width:g} mm: give the larger one "
+            "as max_width"
+        )
+    if least >= max_width:
+        raise InputError(
+            f"max_width is {max_width:g} mm, but {sheet.name} needs {least:.3g} mm at its "
+            "narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)"
+        )
+    return max_width / max(min_width, least)
 
 
 def masses_of(loads: object) -> tuple[PointMass, ...]:

@@ -24,6 +24,7 @@ from elastica_cad.fabrication.strip_checks import (
     check_law,
     limits_beside,
     masses_of,
+    ratio_of_widths,
     told_in_python,
 )
 from elastica_cad.forming.fairing_request import smooth_curve
@@ -267,7 +268,7 @@ class StripSpec(EqualByValue):
 
     @property
     def makes_up_for_curl(self) -> bool:
-        """Are the widths made for anticlastic bending, which nobody asked for or against?"""
+        """Are the widths made for anticlastic bending, as they are unless `compensate` says otherwise?"""
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
@@ -299,11 +300,8 @@ class StripSpec(EqualByValue):
         sheet = getattr(law, "sheet", None)
         if abs(share - 1.0) < SAME_LENGTH or not isinstance(sheet, Sheet):
             return law
-        lighter: Any = law
-        return cast(
-            BoundedLaw,
-            replace(lighter, sheet=replace(sheet, density=share * sheet.density, density_range=None)),
-        )
+        lighter = replace(sheet, density=share * sheet.density, density_range=None)
+        return cast(BoundedLaw, replace(cast(Any, law), sheet=lighter))
 
     @property
     def _asks_for_margin(self) -> bool:
@@ -321,18 +319,7 @@ class StripSpec(EqualByValue):
         if limits.sheet is None:
             limits = replace(limits, sheet=self.material)
         if self.law is None and isinstance(self.style, Plain) and self.max_width is not None:
-            asked, least = self.min_width or 0.0, self.shop.width_for(self.material)
-            if asked > self.max_width:
-                raise InputError(
-                    f"min_width is {asked:g} mm, more than max_width, {self.max_width:g} mm: give the larger one "
-                    "as max_width"
-                )
-            if least >= self.max_width:
-                raise InputError(
-                    f"max_width is {self.max_width:g} mm, but {self.material.name} needs {least:.3g} mm at its "
-                    "narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)"
-                )
-            ratio = self.max_width / max(asked, least)
+            ratio = ratio_of_widths(self.max_width, self.min_width or 0.0, self.material, self.shop)
             limits = replace(limits, ratio=ratio if limits.ratio is None else min(limits.ratio, ratio))
         return limits
 

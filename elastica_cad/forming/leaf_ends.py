@@ -171,7 +171,7 @@ class _Search:
         shape = [known]
         missed = partial(self._missed, shape=shape)
         if not start.size:
-            return self._told(start, known, settled=True)
+            return self._record(start, known, settled=True)
         low = np.full(start.size, -np.inf)
         high = np.full(start.size, np.inf)
         low[: self.places.size], high[: self.places.size] = 0.0, 1.0
@@ -179,7 +179,7 @@ class _Search:
             missed, start, bounds=(low, high), diff_step=DIFFERENCE, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
             max_nfev=MOST_TRIALS, x_scale="jac",
         )  # fmt: skip
-        return self._told(found.x, self._bent(found.x, shape[0]), settled=found.status > 0)
+        return self._record(found.x, self._bent(found.x, shape[0]), settled=found.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
         """Distances from the drawn points in lengths; far where the stack does not rest."""
@@ -239,7 +239,7 @@ class _Search:
         cuts = np.concatenate([[0.0], self._apart(places), [1.0]])
         return cuts, len(self.first) + np.concatenate([[0], np.cumsum(self.steps[:, 1])])
 
-    def _told(self, x: FloatArray, rod: Rod, *, settled: bool) -> LeafedRod:
+    def _record(self, x: FloatArray, rod: Rod, *, settled: bool) -> LeafedRod:
         places, length = self._apart(x[: self.places.size]), rod.length
         began = dict.fromkeys(self.first, 0.0)
         leaves = []

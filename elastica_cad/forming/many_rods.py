@@ -154,37 +154,53 @@ def _in_order_of_completion(
     if executor is None:
         yield from ((i, _attempted(task)) for i, task in waiting)
         return
-    running: dict[Future[list[NearestRod]], list[tuple[int, _Task]]] = {}
-    finished: SimpleQueue[Future[list[NearestRod]]] = SimpleQueue()
-    begun = away = 0
+    shares = _Shares(executor, ahead)
     try:
         while True:
-            while away + (size := _share(begun, ahead)) <= ahead:
-                share = list(islice(waiting, size))
-                if not share:
-                    break
-                begun += len(share)
-                try:
-                    future = executor.submit(_answers, [task for _, task in share])
-                except Exception as error:  # an executor that is shut down or broken may raise anything
-                    yield from ((i, _lost(task, error)) for i, task in share)
-                    continue
-                running[future] = share
-                away += len(share)
-                future.add_done_callback(finished.put)
-            if not running:
+            yield from shares.give_out(waiting)
+            if not shares.running:
                 return
-            future = finished.get()
-            share = running.pop(future)
-            away -= len(share)
-            try:
-                answers = future.result()
-            except Exception as error:  # so does a worker that died
-                answers = [_lost(task, error) for _, task in share]
-            yield from ((i, near) for (i, _), near in zip(share, answers, strict=True))
+            yield from shares.next_answers()
     finally:
-        for future in running:
+        for future in shares.running:
             future.cancel()
+
+
+class _Shares:
+    """Tasks that are with an executor, several in one future, and the futures that are done."""
+
+    def __init__(self, executor: Executor, ahead: int) -> None:
+        self.executor, self.ahead = executor, ahead
+        self.running: dict[Future[list[NearestRod]], list[tuple[int, _Task]]] = {}
+        self.finished: SimpleQueue[Future[list[NearestRod]]] = SimpleQueue()
+        self.begun = self.away = 0
+
+    def give_out(self, waiting: Iterator[tuple[int, "_Task"]]) -> Iterator[tuple[int, NearestRod]]:
+        """Give the executor what it has room for; the answers are those of tasks that it did not take."""
+        while self.away + (size := _share(self.begun, self.ahead)) <= self.ahead:
+            share = list(islice(waiting, size))
+            if not share:
+                return
+            self.begun += len(share)
+            try:
+                future = self.executor.submit(_answers, [task for _, task in share])
+            except Exception as error:  # an executor that is shut down or broken may raise anything
+                yield from ((i, _lost(task, error)) for i, task in share)
+                continue
+            self.running[future] = share
+            self.away += len(share)
+            future.add_done_callback(self.finished.put)
+
+    def next_answers(self) -> Iterator[tuple[int, NearestRod]]:
+        """Wait for the next future that is done, and answer its tasks."""
+        future = self.finished.get()
+        share = self.running.pop(future)
+        self.away -= len(share)
+        try:
+            answers = future.result()
+        except Exception as error:  # a worker that died raises anything too
+            answers = [_lost(task, error) for _, task in share]
+        yield from ((i, near) for (i, _), near in zip(share, answers, strict=True))
 
 
 def _share(begun: int, ahead: int) -> int:

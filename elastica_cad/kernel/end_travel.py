@@ -18,6 +18,7 @@ from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.surface_files.animated_glb import MovingMesh, encode_animation
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.meshes.skin_mesh import skin_meshes
+from elastica_cad.kernel.strip_body import Point, StripBody
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -154,3 +155,16 @@ class Travel:
             points, normals = (np.array(rows) for rows in zip(*shapes, strict=True))
             moving.append(MovingMesh(name, sheet_color(layer.sheet), points, normals, skin.triangles))
         write_atomically(path, encode_animation(moving, seconds), force=force)
+
+
+def travel_of(rib: StripBody, end: Point) -> Travel:
+    """The travel of a bent body's end to a point in space, or to two numbers in the body's `frame`, mm.
+
+    Raises
+    ------
+    InputError
+        A body that is not bent, a point off the plane in which it bends, or as `Travel`.
+    """
+    if rib._made.home is None:
+        raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
+    return Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))

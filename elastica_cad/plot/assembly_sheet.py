@@ -1,14 +1,12 @@
 """The assembly sheet: an exploded picture with numbered ends, and which strip goes where, in order, as PDF."""
 
 from collections.abc import Iterator, Sequence
-from io import BytesIO
 from os import PathLike
 from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import MissingDependencyError, how_to_install
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
 from elastica_cad.fabrication.holders.slotted_frame import Rib
@@ -17,8 +15,7 @@ from elastica_cad.fabrication.model.assembly_steps import AssemblyStep, list_ass
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.cut_list import CutList
-from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons
+from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
@@ -66,18 +63,10 @@ def save_assembly_sheet(
     MissingDependencyError
         matplotlib is not installed.
     """
-    try:
-        from matplotlib.backends.backend_pdf import PdfPages
-    except ImportError as error:
-        raise MissingDependencyError(
-            f"assembly sheets need matplotlib: {how_to_install('matplotlib')}"
-        ) from error
     steps = list_assembly_steps(model, holders)
-    stream = BytesIO()
-    with PdfPages(stream, metadata={"CreationDate": None, "Title": f"{model.name}: assembly"}) as pages:
-        for figure in _pages(model, holders, steps, cut_list):
-            pages.savefig(figure, dpi=PAINT_DPI)
-    write_atomically(path, stream.getvalue(), force=force)
+    pages = _pages(model, holders, steps, cut_list)
+    title = f"{model.name}: assembly"
+    write_pages(pages, path, title, what="assembly sheets", force=force, resolution=PAINT_DPI)
     return steps
 
 

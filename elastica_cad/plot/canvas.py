@@ -1,6 +1,6 @@
 """Figures without a display, and files of them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from io import BytesIO
 from os import PathLike
 from typing import Any, NamedTuple, TypeAlias
@@ -87,7 +87,7 @@ def _bytes_of(figure: Figure, kind: str, resolution: float) -> bytes:
 
 
 def draw_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
-    """A PNG file of what `savefig` shows; that would go through the whole figure once more before it is drawn."""
+    """A PNG file of what `savefig` shows, which itself would go through the whole figure twice."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
@@ -105,6 +105,51 @@ def draw_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
         figure.dpi = before
         figure.set_canvas(canvas)
     return stream.getvalue()
+
+
+def write_pages(
+    figures: Iterable[Figure],
+    path: str | PathLike[str],
+    title: str,
+    *,
+    what: str,
+    force: bool = False,
+    resolution: float = RESOLUTION,
+) -> None:
+    """Write figures as the pages of one PDF, whole or not at all; its bytes tell no time.
+
+    Parameters
+    ----------
+    figures : iterable of Figure
+        Drawn as they are asked for: one page is held at a time.
+    title : str
+        In the file's properties.
+    what : str
+        Which files need matplotlib, should it be missing.
+    resolution : float
+        Of what is painted as pixels, dots per inch.
+
+    Raises
+    ------
+    InputError
+        The file exists (without `force`) or cannot be written.
+    MissingDependencyError
+        matplotlib is not installed.
+    """
+    try:
+        from matplotlib.backends.backend_pdf import PdfPages
+    except ImportError as error:
+        raise _needs_matplotlib(what) from error
+    stream = BytesIO()
+    with PdfPages(stream, metadata={"CreationDate": None, "Title": title}) as pages:
+        for figure in figures:
+            pages.savefig(figure, dpi=resolution)
+    write_atomically(path, stream.getvalue(), force=force)
+
+
+def _needs_matplotlib(what: str) -> MissingDependencyError:
+    """The refusal where it is not installed; `what` are the files or pictures that need it."""
+    return MissingDependencyError(f"{what} need matplotlib: {how_to_install('matplotlib')}")
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
@@ -166,7 +211,7 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
     except ImportError as error:
-        raise MissingDependencyError(f"pictures need matplotlib: {how_to_install('matplotlib')}") from error
+        raise _needs_matplotlib("pictures") from error
 
     class Page(MatplotlibFigure):
         """A figure that a notebook shows where it is the last thing of a cell, once."""

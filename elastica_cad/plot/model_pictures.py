@@ -44,7 +44,7 @@ NAME_SHARE = 0.045
 """Of the longest flat part: room for its name."""
 
 _FLATS = 64
-"""Strips of late whose trapezoids are kept: a model is drawn as it stands and taken apart."""
+"""Strips whose trapezoids are kept: a model is drawn as it stands and taken apart."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
 """Towards the light: from above, the left and the front."""

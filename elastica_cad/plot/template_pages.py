@@ -1,7 +1,7 @@
 """Paper templates: a drawing at full size as PDF, in tiles of a home printer's paper with marks to join them by."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from io import BytesIO
 from os import PathLike
 from typing import Any
 
@@ -9,10 +9,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_record
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.plot.canvas import INK
+from elastica_cad.plot.canvas import INK, write_pages
 from elastica_cad.plot.strip_pictures import LAYER_COLORS
 
 PAPERS = {
@@ -147,26 +146,23 @@ def save_template(
     Raises
     ------
     InputError
-        As `_tile_drawing`, or the file exists.
+        Unknown paper, an overlap that leaves nothing, more than 400 pages, or the file exists.
     MissingDependencyError
         matplotlib is not installed.
     """
-    try:
-        from matplotlib.backends.backend_pdf import PdfPages
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise MissingDependencyError(
-            f"PDF templates need matplotlib: {how_to_install('matplotlib')}"
-        ) from error
     tiling = _tile_drawing(drawing, paper, overlap=overlap)
-    stream = BytesIO()
-    with PdfPages(stream, metadata={"CreationDate": None, "Title": drawing.name}) as pages:
-        for k, name in enumerate(tiling.names):
-            page: Any = Figure(figsize=(tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
-            _draw_page(page, drawing, tiling, k, overlap, f"{drawing.name}   page {name}   print at 100 %")
-            pages.savefig(page)
-    write_atomically(path, stream.getvalue(), force=force)
+    write_pages(_pages(drawing, tiling, overlap), path, drawing.name, what="PDF templates", force=force)
     return tiling
+
+
+def _pages(drawing: Drawing, tiling: Tiling, overlap: float) -> Iterator[Any]:
+    """One figure a tile."""
+    from matplotlib.figure import Figure
+
+    for k, name in enumerate(tiling.names):
+        page: Any = Figure(figsize=(tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
+        _draw_page(page, drawing, tiling, k, overlap, f"{drawing.name}   page {name}   print at 100 %")
+        yield page
 
 
 def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: float, title: str) -> None:

@@ -149,9 +149,9 @@ def _route_step(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> 
     return RouteStep(state.ratio, margin, float(np.sqrt(2 * half_square)) * state.curve.length)
 
 
-def _half_square(changes: CurveChanges, wish: PlaneCurve) -> float:
+def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
     """Half the mean square distance, in lengths."""
-    return 0.5 * float((changes.offsets(wish) ** 2).sum()) / changes.state.curve.length**2
+    return 0.5 * float((changes.offsets(target) ** 2).sum()) / changes.state.curve.length**2
 
 
 @dataclass(frozen=True, eq=False)

@@ -75,9 +75,9 @@ class CurveChanges:
         panels = self.state.balance.panels
         return np.sqrt((panels.stretch * WEIGHTS).ravel() / self.state.curve.length)[:, None]
 
-    def offsets(self, wish: PlaneCurve) -> FloatArray:
+    def offsets(self, target: PlaneCurve) -> FloatArray:
         """The present distance (2 g,) from a curve with the same parameter, weighted as `distance_rows`."""
-        off = self.state.curve.evaluate(self._t) - wish.evaluate(self._t)
+        off = self.state.curve.evaluate(self._t) - target.evaluate(self._t)
         return np.concatenate([(off * d * self._root_share).sum(axis=1) for d in self._frame])
 
     @cached_property

@@ -2,7 +2,7 @@
 
 import pytest
 from freecad.elastica_wb.features import baseplate, curves, flat, model, proxy, strip
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.host.sheet_store import sheet_list
 
@@ -38,7 +38,7 @@ def test_a_formula_out_of_range_is_told(made, name, formula, gives, takes):
     assert said.endswith("; mend the formula, or take it away")
     assert made.Reasons == [said]
     with pytest.raises(InputError, match="mend the formula"):
-        pieces_of([made])
+        cuts_of([made])
     made.setExpression(name, "0")
     assert told(made) == ""
 

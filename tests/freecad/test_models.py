@@ -10,7 +10,7 @@ from freecad.elastica_wb.curves.copies import originals
 from freecad.elastica_wb.curves.sketch_curves import linked
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, proxy, strip
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
@@ -174,7 +174,7 @@ def test_what_hangs_on_a_link_to_what_was_deleted_says_so(document, standing):
     )
     assert why_not_made(made[1]) == sentence
     with pytest.raises(InputError, match=r"^Link links to what was deleted"):
-        pieces_of([standing[0], link])
+        cuts_of([standing[0], link])
     document.removeObject(link.Name)
     document.recompute()
     assert in_sight(made) == [True] * 3
@@ -330,7 +330,7 @@ def test_a_nest_and_its_files(document, standing, tmp_path):
     assert laid.Sheets == 1
     box = laid.Shape.BoundBox
     assert (box.XLength, box.YLength) == pytest.approx((600, 400), abs=1e-6)
-    assert [piece.count for piece in pieces_of([made, plate])] == [1, 1, 1]
+    assert [cut.piece.count for cut in cuts_of([made, plate])] == [1, 1, 1]
     files = write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "nest", "step"))
     assert sum(file.name.startswith("nest") for file in files) == 1
     assert (tmp_path / "Model.step").exists()
@@ -480,13 +480,13 @@ def test_links_containers_and_flat_parts_are_counted(document, standing):
     spread.LinkedObject = lying
     spread.ElementCount = 6
     document.recompute()
-    counts = {piece.name: piece.count for piece in pieces_of([first, second, again, link])}
+    counts = {cut.piece.name: cut.piece.count for cut in cuts_of([first, second, again, link])}
     assert counts == {"A": 3, "B": 2}
-    assert [piece.count for piece in pieces_of([first, lying])] == [1], "the same piece, bent and flat"
-    assert [piece.count for piece in pieces_of([first, spread])] == [6]
+    assert [cut.piece.count for cut in cuts_of([first, lying])] == [1], "the same piece, bent and flat"
+    assert [cut.piece.count for cut in cuts_of([first, spread])] == [6]
     link.Scale = 2
     with pytest.raises(InputError, match="set its Scale to 1"):
-        pieces_of([link])
+        cuts_of([link])
 
 
 def test_models_and_plates_are_counted_where_they_are_linked(document, standing, tmp_path):
@@ -500,7 +500,7 @@ def test_models_and_plates_are_counted_where_they_are_linked(document, standing,
     houses = document.addObject("App::Link", "Houses")
     houses.LinkedObject = part
     document.recompute()
-    counts = [(piece.name, piece.count) for piece in pieces_of([made, link, plate, houses])]
+    counts = [(cut.piece.name, cut.piece.count) for cut in cuts_of([made, link, plate, houses])]
     assert counts == [("A", 3), ("B", 3), (plate.Label, 2)]
     files = write_cutting_files([made, link], tmp_path, kinds=("step", "svg"))
     assert [file.name for file in files if file.suffix == ".step"] == ["Model.step"]
@@ -579,7 +579,7 @@ def test_labels_that_cannot_be_engraved(document, standing, tmp_path, labels, en
     for one in (made, blocks, plate, sheets):
         assert one.State == ["Up-to-date"], one.getStatusString()
     names = engraved or [one.Name for one in standing]
-    assert [piece.name for piece in pieces_of([made])] == names
+    assert [cut.piece.name for cut in cuts_of([made])] == names
     assert len(write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "step"))) == 5
 
 
@@ -594,4 +594,4 @@ def test_a_link_to_a_strip_inside_a_container(document, standing):
     assert linked(link) is standing[0]
     assert linked(group) is group
     assert originals(group) == [standing[0]]
-    assert [piece.count for piece in pieces_of([link, standing[0]])] == [2]
+    assert [cut.piece.count for cut in cuts_of([link, standing[0]])] == [2]

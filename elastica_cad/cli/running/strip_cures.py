@@ -119,8 +119,8 @@ def _cure_for(spec: StripSpec, which: Sequence[str], whole: PlaneCurve | None) -
         if answer is not None:
             smoothed = spec.changed(**fields).rod_spec.smoothing.moved
             off = answer[0].deviation if isinstance(answer[0], NearestRod) else smoothed
-            return _told(pieces, off, f"`{_typed_line(*added, *which)}` {_costs(*answer, smoothed)}")
-    return _told(pieces)
+            return _cure_in_words(pieces, off, f"`{_typed_line(*added, *which)}` {_costs(*answer, smoothed)}")
+    return _cure_in_words(pieces)
 
 
 def cure_for_curve(
@@ -165,7 +165,7 @@ def cure_for_curve(
             if answer is not None and _bears(answer[1]):
                 smoothed = strip(drawn, sheet, smooth=slight).rod_spec.smoothing.moved
                 typed = _typed_line(*words(sheet, "--smooth", typed_length(slight)), *which, instead="strip")
-                return _told((np.inf, ""), smoothed, f"`{typed}` {_costs(*answer, smoothed)}")
+                return _cure_in_words((np.inf, ""), smoothed, f"`{typed}` {_costs(*answer, smoothed)}")
     tries = [(words(sheet, *added), {"sheet": sheet} | more) for sheet in TRIED_SHEETS
              for added, more in (((), {}), ((NEAREST,), freed))]  # fmt: skip
     pieces = (np.inf, "") if file else _in_pieces(drawn, which, strip, tries, instead="strip")
@@ -178,14 +178,14 @@ def cure_for_curve(
         if answer[0].deviation < NEAR_SHARE * drawn.length:
             break
     if not found:
-        return _told(pieces)
+        return _cure_in_words(pieces)
     near, made = min(found, key=lambda one: one[0].deviation)
     added = (*words(made.sheet.name, NEAREST), *which)
     typed = _typed_line(*added, instead="strip") if file is None else command_line("strip", str(file), *added)
-    return _told(pieces, near.deviation, f"`{typed}` {_costs(near, made)}")
+    return _cure_in_words(pieces, near.deviation, f"`{typed}` {_costs(near, made)}")
 
 
-def _told(pieces: tuple[float, str], off: float = np.inf, whole: str = "") -> str:
+def _cure_in_words(pieces: tuple[float, str], off: float = np.inf, whole: str = "") -> str:
     """The cure: strips between the corners where they come nearer, one strip for all, or both."""
     apart, said = pieces
     if said and whole and apart <= off:

@@ -20,7 +20,7 @@ BUDGET = "elastica.budget"
 """Key of the seconds and MB that the command may take."""
 
 LONGEST_SEARCH_S = 60.0
-"""For a cure: nobody waits longer for what was not asked for."""
+"""For a command that would work: the user did not ask for this search, so it is short."""
 
 MOST_CURES = 12
 """Curves of a file for which a command is sought; each costs a few solves."""

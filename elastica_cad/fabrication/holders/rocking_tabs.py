@@ -50,7 +50,7 @@ def _lies_on(holder: object) -> TypeGuard[Ring]:
 
 
 def _turn(degrees: float) -> str:
-    """With its sign; what nobody sees is 0."""
+    """With its sign; 0 for a turn too small to be seen."""
     return "0" if abs(degrees) < NO_PLAY_DEGREES else f"{degrees:+.2g}"
 
 

@@ -19,7 +19,7 @@ STATIONS = 400
 CURVE_ERROR = 1e-13
 """Of the curve over arc length, relative to its length: near rounding, so that crossings are exact."""
 
-_TABLES = 128  # curves of late: equal strips share theirs, and crossings and collisions ask for the same
+_TABLES = 128  # curves whose tables are kept: equal strips share theirs, as do crossings and collisions
 _ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it
 
 InPlane = tuple[FloatArray, FloatArray]

@@ -53,7 +53,7 @@ RIM_POINTS = 13
 
 SIDES = (-1.0, 1.0)
 
-_SIZES = 64  # of strips of late: each is asked against several others, and equal ones share theirs
+_SIZES = 64  # of strips whose first parts are kept: each is compared with several others
 
 
 @dataclass(frozen=True, eq=False)

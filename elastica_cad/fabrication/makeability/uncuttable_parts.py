@@ -36,7 +36,7 @@ STEEPEST = 1.0
 FAR_WIDER = 2.0
 """Lengths of the stock across, beyond which a strip is told as too large and its thin places are not looked for."""
 
-_KNOWN = 256  # outlines of late: strips that are cut alike share theirs
+_KNOWN = 256  # outlines whose thin places are kept: strips that are cut alike share theirs
 
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
@@ -141,7 +141,7 @@ def find_plate_faults(
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
     return (
-        *_told(
+        *_faults_at(
             name, find_thin_places([outline], holes, least), least, sheet,
             "leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border",
             ("the edge", *called, *("a hole" for _ in holes[len(called):])),
@@ -203,7 +203,7 @@ def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
     places = _thin_places(layer.outline, holes, least)
     cure = "make it wider (max_width), or ask for the nearest curve with a smaller ratio"
-    yield from _told(name, places, least, layer.sheet, cure)
+    yield from _faults_at(name, places, least, layer.sheet, cure)
 
 
 @lru_cache(maxsize=_KNOWN)
@@ -211,7 +211,7 @@ def _thin_places(outline: Path, holes: tuple[Path, ...], least: float) -> tuple[
     return find_thin_places([outline], holes, least)
 
 
-def _told(
+def _faults_at(
     name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str, loops: Sequence[str] = ()
 ) -> Iterator[Fault]:
     for k, place in enumerate(places[:MOST_TOLD]):

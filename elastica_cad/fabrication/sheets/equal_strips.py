@@ -33,7 +33,7 @@ STEEPEST_SLOPE = 100.0
 SAMPLES = 6
 """Points a segment by which loops are compared: as many as a cubic has coefficients, and two more."""
 
-_LEANS = 256  # outlines of late: parts, shapes and the cut list ask for the same ones
+_LEANS = 256  # outlines whose leans are kept: parts, shapes and the cut list ask for the same ones
 
 WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 """Signs of x and y: as it is, turned over along the strip, across it, turned about."""

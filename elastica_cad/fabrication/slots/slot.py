@@ -25,7 +25,7 @@ STRAIGHT_MM = 1e-7
 CLEARANCE_MM = 0.1
 """Usually added to the width of a slot: a laser-cut sheet then slides in and stays."""
 
-_SLOTS = 512  # of late: an outline is cut by slots that other strips are then kept clear of
+_SLOTS = 512  # whose sides are kept: an outline is cut by slots that other strips are then kept clear of
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]

@@ -19,9 +19,8 @@ CLEARANCE_MM = 0.5
 FLAT_MM = 0.02
 """Flatness of the cuts as letters see them: little beside their clearance."""
 
-_POLYLINES = (
-    256  # lines of late: labels, marks and numbers keep off the same outlines, and so do equal strips
-)
+_POLYLINES = 256
+"""Kept: labels, marks and numbers keep off the same outlines, and so do equal strips."""
 
 
 def text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:

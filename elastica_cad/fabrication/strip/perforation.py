@@ -119,7 +119,7 @@ class Perforated:
             outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
             arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
         )  # fmt: skip
-        told = self._told(pattern, fit.s)
+        told = self._warnings(pattern, fit.s)
         return Layout(sheet, outer, material, scale, pattern=pattern, warnings=told)
 
     def tip_zone(self, layout: Layout) -> float:
@@ -130,7 +130,7 @@ class Perforated:
         # the halves at the edges are the sharpest
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
-    def _told(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
+    def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
         told = []
         slopes = pattern.slopes(s)
         i = int(np.argmax(slopes))

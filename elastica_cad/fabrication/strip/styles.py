@@ -44,7 +44,7 @@ CORRECTION_TOLERANCE = 1e-6
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
 
-_RODS = 64  # of late, whose bends are kept: equal strips of a model share theirs
+_RODS = 64  # whose bends are kept: equal strips of a model share theirs
 
 MOST_EXTREMES = 200
 """Local extremes at which finer stations are set: more of them are rounding."""

@@ -171,15 +171,7 @@ def read_design(
 
 
 def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | None") -> Design:
-    try:
-        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
-        data = tomllib.loads(text)
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path} is no TOML file, which are UTF-8: save it as text in UTF-8") from error
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(
-            f"{path} is no TOML file: {error}; {toml_slip(text, error)}, or begin with one of `elastica new`"
-        ) from error
+    data = _parse(path)
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*TOP)
@@ -190,17 +182,8 @@ def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | N
     top.scope = top.within(data.get("let", {}))
     sheets = _own_sheets(top, path)
     revolution = None
-    if top.has("revolution"):
-        inner = top.table("revolution")
-        inner.defaults = Table(
-            {key: top.raw(key) for key in ("sheet", "thickness", "ends", "shop", "anyway") if top.has(key)},
-            top.where,
-            top.scope,
-        )
-        from elastica_cad.formats.design_files.revolution_table import read_revolution
-
-        with slips.gathering():
-            revolution = read_revolution(inner, path.parent, sheets, read_curves)
+    with slips.gathering():
+        revolution = _read_revolution(top, path.parent, sheets, read_curves)
     entries, reports = _read_strips(top, path.parent, sheets, read_curves, read_surface, slips)
     patterns: list[tuple[str, dict[str, Any]]] = []
     for table in top.tables("patterns"):
@@ -228,6 +211,33 @@ def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | N
         reports=reports if revolution is None else (*revolution.reports, *reports),
         revolution=revolution,
     )
+
+
+def _parse(path: Path) -> dict[str, Any]:
+    """The tables of a TOML file."""
+    try:
+        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
+        return tomllib.loads(text)
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path} is no TOML file, which are UTF-8: save it as text in UTF-8") from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(
+            f"{path} is no TOML file: {error}; {toml_slip(text, error)}, or begin with one of `elastica new`"
+        ) from error
+
+
+def _read_revolution(
+    top: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader
+) -> "RevolutionEntry | None":
+    """The surface of revolution, where the design has one; keys that it leaves out are those of the design."""
+    if not top.has("revolution"):
+        return None
+    from elastica_cad.formats.design_files.revolution_table import read_revolution
+
+    table = top.table("revolution")
+    inherited = ("sheet", "thickness", "ends", "shop", "anyway")
+    table.defaults = Table({key: top.raw(key) for key in inherited if top.has(key)}, top.where, top.scope)
+    return read_revolution(table, folder, sheets, read_curves)
 
 
 class _Sheets(dict[str, Sheet]):

@@ -1,4 +1,4 @@
-"""Tables of a design file: values by key, formulae computed, whatever nobody asked for refused."""
+"""Tables of a design file: values by key with formulae computed; unknown keys are refused."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager

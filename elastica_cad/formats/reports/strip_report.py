@@ -7,12 +7,14 @@ import numpy as np
 from elastica_cad._values import is_whole, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
+from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
 from elastica_cad.formats.reports.bent_blank import report_blank
 from elastica_cad.formats.reports.check_report import report_check, round_numbers
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 
@@ -60,6 +62,11 @@ def report_strip(
         What was moved of the drawn curve to make it fair.
     stations : int
         Number of stations at which stiffness and width are listed, uniform in arc length.
+
+    Raises
+    ------
+    InputError
+        What is no record of its kind, fewer than two stations or more than `MOST_STATIONS`.
     """
     require_record(strip, Strip, "what is reported", "a Strip, as make_strip makes one")
     for value, record, what in ((near, NearestRod, "near"), (stability, Stability, "stability")):
@@ -68,10 +75,7 @@ def report_strip(
     if not (is_whole(stations) and 2 <= stations <= MOST_STATIONS):
         raise InputError(f"stations are {stations!r}: give a whole number from 2 to {MOST_STATIONS}")
     rod, sheet = strip.rod, strip.sheet
-    s = np.linspace(0.0, rod.length, stations)
     low, high = strip.width.extremes
-    backing = strip.layout.backing
-    reactions = strip.reactions()
     return {
         "schema": REPORT_SCHEMA,
         "name": name,
@@ -81,14 +85,7 @@ def report_strip(
         "curve": curve_record(rod.curve),
         "check": None if rod.check is None else report_check(rod.check),
         "nearest": None if near is None else _nearest_report(near),
-        "stability": None
-        if stability is None
-        else {
-            "stable": stability.stable,
-            "margin": round_numbers(stability.margin),
-            "word": stability.word,
-            "meaning": stability.meaning,
-        },
+        "stability": None if stability is None else _stability_report(stability),
         "sideways": _sideways(strip.sideways),
         "creep": _creep(strip),
         "moved_by_snapping": round_numbers(rod.moved),
@@ -99,24 +96,10 @@ def report_strip(
         "gravity": None
         if rod.gravity is None
         else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
-        "stations": {
-            "s": round_numbers(s),
-            "stiffness": round_numbers(rod.profile(s)),
-            "width": round_numbers(strip.width(s)),
-            "material": round_numbers(strip.layout.material(s)),
-            "backing": None if backing is None else round_numbers(backing.width(s)),
-            **{name: round_numbers(size(s)) for name, size in strip.tapered.items()},
-        },
+        "stations": _stations_report(strip, stations),
         "blank": report_blank(strip),
         "width": {"least": round_numbers(low), "largest": round_numbers(high)},
-        "sheet": {
-            "name": sheet.name,
-            "thickness": sheet.thickness,
-            "youngs_modulus_MPa": sheet.youngs_modulus,
-            "density_kg_m3": sheet.density,
-            "max_strain": sheet.max_strain,
-            "source": sheet.source,
-        },
+        "sheet": _sheet_report(sheet),
         "strain": {
             "largest": round_numbers(strip.max_strain),
             "at": round_numbers(strip.max_strain_at),
@@ -126,13 +109,52 @@ def report_strip(
         "joint": _joint(strip),
         "mass": round_numbers(strip.mass),
         "layers": _layers(strip),
-        "reactions": {
-            "start_force": round_numbers(reactions.start_force),
-            "start_moment": round_numbers(reactions.start_moment),
-            "end_force": round_numbers(reactions.end_force),
-            "end_moment": round_numbers(reactions.end_moment),
-        },
+        "reactions": _reactions_report(strip.reactions()),
         "warnings": list(strip.warnings),
+    }
+
+
+def _stability_report(stability: Stability) -> dict[str, Any]:
+    return {
+        "stable": stability.stable,
+        "margin": round_numbers(stability.margin),
+        "word": stability.word,
+        "meaning": stability.meaning,
+    }
+
+
+def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
+    """Stiffness and widths at so many places, uniform in arc length."""
+    rod, layout = strip.rod, strip.layout
+    s = np.linspace(0.0, rod.length, count)
+    return {
+        "s": round_numbers(s),
+        "stiffness": round_numbers(rod.profile(s)),
+        "width": round_numbers(strip.width(s)),
+        "material": round_numbers(layout.material(s)),
+        "backing": None if layout.backing is None else round_numbers(layout.backing.width(s)),
+        **{name: round_numbers(size(s)) for name, size in strip.tapered.items()},
+    }
+
+
+def _sheet_report(sheet: Sheet) -> dict[str, Any]:
+    return {
+        "name": sheet.name,
+        "thickness": sheet.thickness,
+        "youngs_modulus_MPa": sheet.youngs_modulus,
+        "density_kg_m3": sheet.density,
+        "max_strain": sheet.max_strain,
+        "source": sheet.source,
+    }
+
+
+def _reactions_report(reactions: Reactions) -> dict[str, Any]:
+    """What the ends push and turn with, N and N mm."""
+    return {
+        "start_force": round_numbers(reactions.start_force),
+        "start_moment": round_numbers(reactions.start_moment),
+        "end_force": round_numbers(reactions.end_force),
+        "end_moment": round_numbers(reactions.end_moment),
     }
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree import ElementTree
 
 import numpy as np
@@ -130,50 +130,25 @@ def _absolute(text: str | None) -> float | None:
 def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
     """The subpaths of all shapes that are shown, mm; `to_mm` (2, 2) maps user units."""
     try:
-        from svgelements import SVG, Matrix, Shape
+        from svgelements import SVG, Shape
     except ImportError as error:
         raise MissingDependencyError(
             f"reading {path.name} needs svgelements, which is not installed: {how_to_install('svgelements')}"
         ) from error
-    read: dict[int, PathData] = {}
-    bad: dict[int, InputError] = {}
-    drawn: set[int] = set()
-    count = 0
+    shapes, count = _Shapes(tree), 0
     try:
         drawing = SVG.parse(BytesIO(_in_user_units(tree.root)), reify=False, on_error="raise")
         for shape in drawing.elements():
-            if not isinstance(shape, Shape):
+            drawn = shapes.read(shape) if isinstance(shape, Shape) else None
+            if drawn is None:
                 continue
-            m = Matrix(shape.transform)
-            matrix, offset = (
-                np.array([[m.a, m.c], [m.b, m.d]], dtype=float),
-                np.array([m.e, m.f], dtype=float),
-            )
-            mark = int(shape.values[MARK])
-            if shape.values.get("visibility") in ("hidden", "collapse"):
-                continue
-            drawn.add(mark)
-            if mark in bad:
-                continue
-            source = tree.shapes[mark]
-            try:
-                if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
-                    raise InputError("has a transform with numbers that are not finite or too large")
-                if source.data is None:
-                    runs, rounding = list(_subpaths(shape.segments(transformed=False))), source.rounding
-                else:
-                    read[mark] = read[mark] if mark in read else path_data(source.data)
-                    runs = [_with_polylines(run) for run in read[mark].runs]
-                    rounding = read[mark].rounding
-            except InputError as error:
-                bad[mark] = error
-                continue
-            clone = next((value for name, value in shape.values.items() if name.startswith(CLONE)), "")
-            name = "/".join(part for part in (clone, source.name) if part)
-            record = Source(name, source.layer, rounding * float(np.linalg.norm(to_mm @ matrix, 2)))
-            for run in runs:
+            matrix = to_mm @ drawn.matrix
+            source = replace(drawn.source, rounding=drawn.source.rounding * float(np.linalg.norm(matrix, 2)))
+            for run in drawn.runs:
                 count = check_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
-                yield tuple(edge.mapped(to_mm @ matrix, to_mm @ offset, record) for edge in run)
+                yield tuple(edge.mapped(matrix, to_mm @ drawn.offset, source) for edge in run)
+    except InputError:
+        raise
     except (
         ValueError,
         TypeError,
@@ -183,19 +158,81 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
         RecursionError,
         OverflowError,
     ) as error:
-        if isinstance(error, InputError):
-            raise
         raise InputError(
             "has path data or attributes that break off or make no sense: export it anew"
         ) from error
-    hidden = sum(shape.shown and mark not in drawn for mark, shape in enumerate(tree.shapes))
-    if hidden:
-        tree.skipped["hidden or empty shape"] += hidden
-    if bad and len(bad) == len(drawn):
-        raise next(iter(bad.values()))
-    for mark, problem in bad.items():
-        name = f" {tree.shapes[mark].name}" if tree.shapes[mark].name else ""
-        tree.skipped[f"{tree.shapes[mark].kind}{name} that {problem}"] += 1
+    shapes.tell_left_out()
+
+
+class _DrawnShape(NamedTuple):
+    """The subpaths of a shape in its own coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
+
+    runs: Sequence[Run]
+    source: Source
+    matrix: FloatArray
+    offset: FloatArray
+
+
+class _Shapes:
+    """Reads the shapes of a tree, a path once however many clones show it, and counts what is left out.
+
+    Attributes
+    ----------
+    drawn : set of int
+        Marks of shapes that are shown.
+    bad : dict
+        The error of each shape, by its mark, that cannot be read.
+    """
+
+    def __init__(self, tree: SvgTree) -> None:
+        self.tree = tree
+        self.drawn: set[int] = set()
+        self.bad: dict[int, InputError] = {}
+        self._paths: dict[int, PathData] = {}
+
+    def read(self, shape: Any) -> _DrawnShape | None:
+        """What svgelements found, with the path as `path_data` reads it; None where it is hidden or bad."""
+        mark = int(shape.values[MARK])
+        if shape.values.get("visibility") in ("hidden", "collapse"):
+            return None
+        self.drawn.add(mark)
+        if mark in self.bad:
+            return None
+        m = shape.transform
+        matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
+        try:
+            if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
+                raise InputError("has a transform with numbers that are not finite or too large")
+            runs, rounding = self._edges(mark, shape)
+        except InputError as error:
+            self.bad[mark] = error
+            return None
+        clone = next((value for name, value in shape.values.items() if name.startswith(CLONE)), "")
+        source = self.tree.shapes[mark]
+        name = "/".join(part for part in (clone, source.name) if part)
+        return _DrawnShape(runs, Source(name, source.layer, rounding), matrix, offset)
+
+    def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
+        """Subpaths, and half a unit of their coordinates' last digit."""
+        source = self.tree.shapes[mark]
+        if source.data is None:
+            return list(_subpaths(shape.segments(transformed=False))), source.rounding
+        if mark not in self._paths:
+            self._paths[mark] = path_data(source.data)
+        path = self._paths[mark]
+        return [_with_polylines(run) for run in path.runs], path.rounding
+
+    def tell_left_out(self) -> None:
+        """Count hidden and bad shapes among what the tree skips; where all are bad, raise the first error."""
+        shapes, skipped = self.tree.shapes, self.tree.skipped
+        hidden = sum(shape.shown and mark not in self.drawn for mark, shape in enumerate(shapes))
+        if hidden:
+            skipped["hidden or empty shape"] += hidden
+        if self.bad and len(self.bad) == len(self.drawn):
+            raise next(iter(self.bad.values()))
+        for mark, problem in self.bad.items():
+            name = f" {shapes[mark].name}" if shapes[mark].name else ""
+            skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
 
 
 def _in_user_units(root: ElementTree.Element) -> bytes:

@@ -70,9 +70,9 @@ def nearest_rod(
     natural_curvature : float or RestCurvature
         kappa_0, 1/mm, or that of a blank bent beforehand: the rod is then as long as the blank, but for 1 %.
     start : NearestRod, optional
-        The answer to nearly the same wish, such as the curve before a small move: the search begins at its rod and
-        takes two thirds of the time, or a tenth where many starts were needed. It stays in that rod's valley while
-        what it finds there meets the limits and is nearly as near as that rod was; else it begins afresh.
+        The answer to nearly the same request, such as the curve before a small move: the search begins at its rod
+        and takes two thirds of the time, or a tenth where many starts were needed. It stays in that rod's valley
+        while what it finds there meets the limits and is nearly as near as that rod was; else it begins afresh.
 
     Returns
     -------

@@ -201,7 +201,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """The rod in balance; its last moment is not a number where it winds up beyond all measure."""
+        """The rod in balance; its last moment is not a number where it winds up so far that numbers overflow."""
         K, force, length = self._given(z)
         u = self.unknowns
         angles, moments = shoot(
@@ -281,7 +281,9 @@ class StripGrid:
             angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.all_angles[0], late
         position = np.zeros((n + 1, 2, columns))
         step = position[1:]
-        with np.errstate(over="ignore", invalid="ignore"):  # who asks finds angles beyond all measure
+        with np.errstate(
+            over="ignore", invalid="ignore"
+        ):  # sensitivities may overflow; `linearize` refuses them
             np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
             np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
             step[:, :, u.length] += T / n

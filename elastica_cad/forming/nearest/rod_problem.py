@@ -50,7 +50,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return point.z, _stack_rows(self.constraints, self.grid.sensitivities(point), values)
 
     def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
-        """A rod with its derivatives; None where it winds up, or is sensitive, beyond all measure."""
+        """A rod with its derivatives; None where it winds up, or reacts to its unknowns, too much for numbers."""
         if not np.isfinite(point.moments[-1]):
             return None
         sensitivities = self.grid.sensitivities(point, closing=True)
@@ -63,7 +63,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
     def close(self, point: MappedRod, step: FloatArray | None = None) -> MappedRod | None:
-        """The rod in balance; None where it winds up beyond all measure."""
+        """The rod in balance; None where it winds up so far that numbers overflow."""
         rod = self.grid.shoot(point.z if step is None else self._inside(point.z + step))
         return rod if np.isfinite(rod.moments[-1]) else None
 

@@ -123,7 +123,7 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     """
     problem = pose_problem(task, measure)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
-        return _told(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
+        return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     first = _start(task, problem)
     best = minimize(problem, first)
     steps, spent, off = best.iterations, best.spent, task.off(best.point) / task.target.diagonal
@@ -144,7 +144,7 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
         found.append(outcome)
         best = min(best, outcome, key=_rank)
         off = task.off(best.point) / task.target.diagonal
-    return _told(measure, Search(task, problem, best, (), steps, off), found)
+    return _concluded(measure, Search(task, problem, best, (), steps, off), found)
 
 
 def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
@@ -213,7 +213,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
     return found if near and found.settled and found.violation <= MET else None
 
 
-def _told(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
+def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
     """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
     task, problem, best, _, steps, _ = so_far
     free = task.is_scaled_freely or task.is_light
@@ -230,7 +230,7 @@ def _leaner(
 ) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
     """A rod of the least ratio that the target itself needs, where that is less than the best one's and as near.
 
-    The distance does not see the ratio: on a wish that can be met exactly it would stay as the search left it.
+    The distance does not see the ratio: on a target that can be met exactly it would stay as the search left it.
     """
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law

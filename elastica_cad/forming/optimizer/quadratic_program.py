@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._native import Kernels, kernels
 from elastica_cad._types import BoolArray, FloatArray
-from elastica_cad.forming.optimizer.dense_solves import gram
+from elastica_cad.forming.optimizer.dense_solves import SINGULAR_SHARE, factor_kkt, solve_kkt
 
 # Interior points, not HiGHS: its active-set QP was tried first and cycled without end on the programs of a
 # nearly solved problem. These programs are dense, at most some hundred rows by some tens of unknowns, and
@@ -26,7 +26,6 @@ _CYCLING = 20  # factorisations after which the corrector may go round in circle
 _CENTERED = 0.3  # of mu: what steps aim at from there on, without a corrector
 _BINDS = 1e-7  # of the gradient: bounds and rows with a larger multiplier bind
 _AT_PRICE = 1 - 1e-6  # of a row's price: a row with a larger multiplier is broken
-_ROUNDING = 1e-15  # rows that say nearly the same may not make the system singular
 
 _Plain: TypeAlias = tuple[
     FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray
@@ -115,10 +114,10 @@ def solve_quadratic(
 def _by_interior_points(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
     """The minimum where every unknown has room, from its middle; guesses of what binds are tried on the way."""
     if kernels is None or program.right.size > _MOST_COMPILED:
-        return _step_in_python(program, accuracy)
+        return _interior_points_in_python(program, accuracy)
     out = _empty_solution(program)
     settings = (
-        accuracy, TOLERANCE, _GUESS_AT, _BACKOFF, _CENTERED, _ROUNDING,
+        accuracy, TOLERANCE, _GUESS_AT, _BACKOFF, _CENTERED, SINGULAR_SHARE,
         _CYCLING, MOST_FACTORISATIONS, _MOST_GUESSES_COMPILED, _PATIENCE,
     )  # fmt: skip
     none = np.zeros(program.gradient.size, dtype=bool)
@@ -139,57 +138,39 @@ def _empty_solution(program: QuadraticProgram) -> tuple[FloatArray, FloatArray, 
     return x, np.empty(program.right.size), low, high
 
 
-def _step_in_python(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
-    lower, upper = program.lower, program.upper
-    none = np.zeros(lower.size, dtype=bool)
-    H, A, r = program.hessian, program.rows, program.right
-    scale = 1 / max(1e-30, float(np.abs(program.gradient).max()), float(np.abs(np.diag(H)).max()))
-    H, g, y_high = H * scale, program.gradient * scale, program.price * scale
-    tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
-    y_low = np.where(program.one_sided, 0.0, -y_high)
+def _interior_points_in_python(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
+    scaled = _Scaled.of(program, accuracy)
+    H, A, g, r = scaled.hessian, scaled.rows, scaled.gradient, scaled.right
     n, m = g.size, r.size
     low, high, up, down = slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + m), slice(2 * n + m, None)
-
-    # Complementary pairs u v = mu: u is linear in (x, y), its partner v (z_low, z_high, p, q) is free.
     count = 2 * (n + m)
-    pairs, changes = np.empty(2 * count), np.empty(2 * count)
+    x, y, pairs = scaled.start()
+    changes = np.empty(2 * count)
     u, v, du, dv = pairs[:count], pairs[count:], changes[:count], changes[count:]
-    inner = 0.1 * (upper - lower)
-    x, y = np.clip(0.0, lower + inner, upper - inner), (y_low + y_high) / 2
-    u[low], u[high], u[up], u[down] = x - lower, upper - x, y - y_low, y_high - y
-    mu = max(1e-3, 0.1 * float(np.abs(g) @ inner) / n)
-    np.divide(mu, u, out=v)
-    gap, room = A @ x - r, v[up].copy()
-    v[up] = room + gap / 2 + np.hypot(room, gap / 2)
-    v[down] = np.maximum(v[up] - gap, mu)
-
-    converged, iteration, guess_at = False, 0, _GUESS_AT * tolerance / accuracy
+    converged, iteration, guess_at = False, 0, _GUESS_AT * scaled.tolerance / accuracy
     while iteration < MOST_FACTORISATIONS:
         dual = H @ x + g - y @ A - v[low] + v[high]
         primal = A @ x - r - v[up] + v[down]
         product = u * v
         mu = float(product.sum()) / count
-        if mu < tolerance and _largest(dual) < 10 * tolerance and _largest(primal) < 10 * TOLERANCE:
+        if scaled.is_solved(mu, dual, primal):
             converged = True
             break
         if mu < guess_at:
-            nearer, wide = u < v, u[down] < v[down]
-            met = ~(nearer[up] | wide)
-            broken = np.where(wide, 1.0, np.where(nearer[up] & ~program.one_sided, -1.0, 0.0))
-            exact = _by_active_sets(program, none, _Binding(nearer[low], nearer[high], met, broken))
+            exact = _by_active_sets(program, np.zeros(n, dtype=bool), _Binding.nearer(program, u, v))
             if exact is not None:
                 return exact
             guess_at = 0.0
         iteration += 1
         ratio = v / u
-        system = _factorised(H, ratio[low] + ratio[high], A, ratio[up] + ratio[down])
+        system = factor_kkt(H, ratio[low] + ratio[high], A, ratio[up] + ratio[down])
         if system is None or not pairs.min() > 0:  # a pair has run out to zero: no step leaves it
             break
         # Predictor straight to mu = 0, then Mehrotra's corrector towards the centre it leaves room for.
         aim = -product
         for corrector in (False, True):
             change = aim / u
-            dx, dy = _solved(system, change[low] - change[high] - dual, change[up] - change[down] - primal)
+            dx, dy = solve_kkt(system, change[low] - change[high] - dual, change[up] - change[down] - primal)
             du[low], du[high], du[up], du[down] = dx, -dx, dy, -dy
             np.subtract(change, ratio * du, out=dv)
             worst = -float((changes / pairs).min())
@@ -202,7 +183,68 @@ def _step_in_python(program: QuadraticProgram, accuracy: float) -> QuadraticSolu
         step *= _BACKOFF
         x, y = x + step * dx, y + step * dy
         pairs += step * changes
+    scale = scaled.scale
     return QuadraticSolution(x, y / scale, v[low] / scale, v[high] / scale, converged, iteration)
+
+
+@dataclass(frozen=True, eq=False)
+class _Scaled:
+    """A program with its numbers times `scale`, and prices as bounds of the multipliers y of its rows."""
+
+    scale: float
+    hessian: FloatArray
+    gradient: FloatArray
+    rows: FloatArray
+    right: FloatArray
+    lower: FloatArray
+    upper: FloatArray
+    y_low: FloatArray
+    y_high: FloatArray
+    tolerance: float
+
+    @classmethod
+    def of(cls, program: QuadraticProgram, accuracy: float) -> "_Scaled":
+        """The program over the largest number in its gradient or on its Hessian's diagonal."""
+        H, g = program.hessian, program.gradient
+        scale = 1 / max(1e-30, float(np.abs(g).max()), float(np.abs(np.diag(H)).max()))
+        g, y_high = g * scale, program.price * scale
+        y_low = np.where(program.one_sided, 0.0, -y_high)
+        tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
+        return cls(
+            scale,
+            H * scale,
+            g,
+            program.rows,
+            program.right,
+            program.lower,
+            program.upper,
+            y_low,
+            y_high,
+            tolerance,
+        )
+
+    def start(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """x and y in the middle, and the complementary pairs u v = mu there.
+
+        Of the pairs all u come first, which are linear in (x, y): x - lower, upper - x, y - y_low, y_high - y; then
+        their partners v, which are free: the bounds' multipliers z_low, z_high, and the rows' slacks p, q.
+        """
+        n, m = self.gradient.size, self.right.size
+        inner = 0.1 * (self.upper - self.lower)
+        x = np.clip(0.0, self.lower + inner, self.upper - inner)
+        y = (self.y_low + self.y_high) / 2
+        u = np.concatenate([x - self.lower, self.upper - x, y - self.y_low, self.y_high - y])
+        mu = max(1e-3, 0.1 * float(np.abs(self.gradient) @ inner) / n)
+        v = mu / u
+        gap, room = self.rows @ x - self.right, v[2 * n : 2 * n + m].copy()
+        v[2 * n : 2 * n + m] = room + gap / 2 + np.hypot(room, gap / 2)
+        v[2 * n + m :] = np.maximum(v[2 * n : 2 * n + m] - gap, mu)
+        return x, y, np.concatenate([u, v])
+
+    def is_solved(self, mu: float, dual: FloatArray, primal: FloatArray) -> bool:
+        """Are complementarity, gradient and rows met to the tolerance?"""
+        met = mu < self.tolerance and _largest(dual) < 10 * self.tolerance
+        return met and _largest(primal) < 10 * TOLERANCE
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,6 +267,15 @@ class _Binding:
         met = (~program.one_sided | (y > least)) & (broken == 0)
         low, high = solution.lower_multipliers > least, solution.upper_multipliers > least
         return cls(low & ~fixed, high & ~fixed, met, broken)
+
+    @classmethod
+    def nearer(cls, program: QuadraticProgram, u: FloatArray, v: FloatArray) -> "_Binding":
+        """What interior points with these pairs tend to: the smaller of each pair goes to zero."""
+        n, m = program.gradient.size, program.right.size
+        smaller, wide = u < v, u[2 * n + m :] < v[2 * n + m :]
+        up = smaller[2 * n : 2 * n + m]
+        broken = np.where(wide, 1.0, np.where(up & ~program.one_sided, -1.0, 0.0))
+        return cls(smaller[:n], smaller[n : 2 * n], ~(up | wide), broken)
 
     def differs(self, other: "_Binding") -> int:
         """In how many places."""
@@ -305,46 +356,6 @@ def _guess_in_python(
             return None
         bound = following
     return None
-
-
-def _factorised(
-    H: FloatArray, diagonal: FloatArray, A: FloatArray, D: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray] | None:
-    """L^-1 of L L^T = G = H + diagonal, W = L^-1 A^T, and the Cholesky factor of W^T W + D.
-
-    L is inverted because LAPACK's triangular solves with several right-hand sides start threads, which on a
-    busy machine costs a thousand times the work.
-    """
-    G = H.copy()
-    G.flat[:: G.shape[0] + 1] += diagonal
-    L, info = lapack().dpotrf(G, lower=1)
-    if info != 0:
-        return None
-    inverse, _ = lapack().dtrtri(L, lower=1)
-    W = inverse @ A.T
-    S = gram(W) if W.size else np.zeros((0, 0))
-    if not S.size:
-        return inverse, W, S
-    diagonals = S.reshape(-1)[:: S.shape[0] + 1]
-    diagonals += D
-    C, info = lapack().dpotrf(S, lower=1)
-    if info != 0:
-        diagonals += _ROUNDING * diagonals.max()
-        C, info = lapack().dpotrf(S, lower=1)
-    return None if info != 0 else (inverse, W, C)
-
-
-def _solved(
-    system: tuple[FloatArray, FloatArray, FloatArray], a: FloatArray, b: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """(dx, dy) with G dx - A^T dy = a and A dx + D dy = b."""
-    inverse, W, C = system
-    half = inverse @ a
-    dy = np.zeros(0)
-    if C.size:
-        dy, _ = lapack().dpotrs(C, b - half @ W, lower=1)
-        half = half + W @ dy
-    return half @ inverse, dy
 
 
 def _largest(values: FloatArray) -> float:

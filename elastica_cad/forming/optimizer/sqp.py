@@ -21,11 +21,8 @@ from elastica_cad.forming.optimizer.iterate import (
     row_keys,
 )
 from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, NonlinearProgram, Point
-from elastica_cad.forming.optimizer.quadratic_program import (
-    QuadraticProgram,
-    QuadraticSolution,
-    solve_quadratic,
-)
+from elastica_cad.forming.optimizer.quadratic_program import QuadraticSolution
+from elastica_cad.forming.optimizer.step_program import damping_of, solve_step
 
 STEPS = 80  # most quadratic programs of one search: usual ones take less than half
 LIFTS = 12  # most lifted steps: they converge quadratically, or not at all
@@ -40,8 +37,7 @@ _CALMED = 0.1  # of the state: a lifted step that changes it by less leaves a po
 _WORTHWHILE = 0.7  # a lifted step that leaves more of the objective is the last
 _AJAR = 1.0  # of the state: a start that is off by more is closed from its unknowns instead
 _ALIKE = 0.1  # of the distance to the optimum known: nearer points lie in the same valley
-_SENSITIVE = 100.0  # root of the objective's curvature, per scale: beyond it an unknown is measured finer
-_SAME = 0.02  # the same of an optimum that breaks its limits
+_SAME = 0.02  # of the distance to an optimum known that breaks its limits
 _BROKEN = 1e-6  # of a constraint's value
 _AS_BROKEN = 0.9  # of what is broken at an optimum known: less of it may lead elsewhere
 _CLOSER = 0.1  # of its defect: a trial that is off by less is worth more than the point it came from
@@ -101,7 +97,9 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = LIFTS) -> 
         here = iterate_at(program, point)
         if here is None:
             break
-        step, solution = _solve_step(here, _FAR, _damping(here, _CALM, np.inf if k == 0 else _IDLE), solution)
+        step, solution = solve_step(
+            here, _FAR, damping_of(here, _CALM, np.inf if k == 0 else _IDLE), solution
+        )
         if step is None or solution is None:
             break
         change = np.append(step, 1.0)
@@ -136,68 +134,127 @@ def minimize(
     NotConvergedError
         When no point is found to begin with.
     """
-    here = _begin(program, start)
-    prices = np.zeros(program.highest_prices.size)
-    active = all_equalities(here)
-    found: tuple[ConstraintRows, QuadraticSolution] | None = None
-    settled, iteration, ease = False, 0, 1.0
-    broken, hopeless = [here.violation], False
-    ended: Point | None = None
-    while iteration < steps and not (settled or hopeless) and radius > SMALLEST_RADIUS:
+    walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size), radius)
+    iteration, broken, hopeless = 0, [walk.here.violation], False
+    while iteration < steps and walk.goes_on and not hopeless:
         for other in known:
-            if _leads_to(here, other):
+            if _leads_to(walk.here, other):
                 return replace(other, iterations=iteration)
         iteration += 1
-        floor = SETTLED * here.objective + _RESOLUTION
-        damping = _damping(here, _DAMPING, _IDLE)
-        accepted = False
-        while not accepted and radius > SMALLEST_RADIUS:
-            step, solution = _solve_step(here, radius, ease * damping, None if found is None else found[1])
-            if step is None or solution is None:
-                radius *= 0.25
-                continue
-            found = here.local.rows, solution
-            prices = _prices(program, here.local.rows, solution, prices)
-            merit = here.merit(prices)
-            promised = merit - here.predicted_merit(step, prices)
-            size = float(np.abs(step / program.scale).max())
-            worth, highest = max(promised, floor), float(prices.max(initial=0.0))
-            reliable = here.is_reliable(worth, highest)
-            settled = reliable and promised <= floor and not here.restores_feasibility(step)
-            if settled and promised < -floor and radius > _STUCK:
-                # a step for the worse solves no program: a shorter one, damped, is found better
-                settled, ease, radius = False, 1.0, 0.25 * radius
-                continue
-            if settled and (ended := _last_point(here, step, prices, merit - 1e-4 * worth)) is not None:
-                break
-            touched = _touched(here, step, solution)
-            trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
-            gain = -np.inf if trial is None else (merit - trial.merit(prices)) / worth
-            accepted = gain > 1e-4
-            if trial is not None and accepted:
-                here, active = trial, touched
-            elif not reliable:
-                # the merit that the trial did not come up to may be that of a point that does not close so
-                nearer = _closer(here, trial, active, radius, worth, highest)
-                if nearer is not None:
-                    here, accepted = nearer, True
-                    continue
-            if settled:
-                break
-            if gain > 0.75:
-                radius, ease = max(radius, min(5.0, 2 * size)), max(0.1 * ease, _EASIEST)
-            elif gain < 0.25:
-                radius, ease = (0.5 if accepted else 0.3) * size, 1.0
-        broken.append(here.violation)
-        hopeless = not settled and _is_hopeless(broken, steps - iteration)
-    point = ended or close_iterate(here, active) or program.close(here.local.point) or program.fallback()
-    point = make_exact(program, point)
+        walk.advance()
+        broken.append(walk.here.violation)
+        hopeless = not walk.settled and _is_hopeless(broken, steps - iteration)
+    point = make_exact(program, walk.end())
     values = program.values(point)
-    multipliers, low, high = _multipliers(program, values, found)
+    multipliers, low, high = _multipliers(program, values, walk.solved)
     return Outcome(
-        point, program.objective(point), worst_broken(program, values), multipliers, low, high, iteration, settled,
-        hopeless,
+        point, program.objective(point), worst_broken(program, values), multipliers, low, high, iteration,
+        walk.settled, hopeless,
     )  # fmt: skip
+
+
+@dataclass(eq=False)
+class _Walk(Generic[Point]):
+    """A search from one iterate to the next, and what it has learned on the way.
+
+    Attributes
+    ----------
+    here : Iterate
+    prices : (c,) array
+        Of every constraint in the merit.
+    radius : float
+        Of the trust region, in scales.
+    damping_share : float
+        Of the full damping: falls where steps keep what they promise.
+    solved : pair of ConstraintRows and QuadraticSolution, or None
+        The last quadratic program.
+    settled : bool
+        Does no step promise more than the search resolves?
+    active : ActiveSet
+        What the last step touched.
+    last : Point or None
+        The closed point after the last step, where it was worth taking.
+    """
+
+    here: Iterate[Point]
+    prices: FloatArray
+    radius: float
+    damping_share: float = 1.0
+    solved: tuple[ConstraintRows, QuadraticSolution] | None = None
+    settled: bool = False
+    last: Point | None = None
+
+    def __post_init__(self) -> None:
+        self.active = all_equalities(self.here)
+
+    @property
+    def goes_on(self) -> bool:
+        """Is there a step left to try?"""
+        return not self.settled and self.radius > SMALLEST_RADIUS
+
+    def advance(self) -> None:
+        """Steps within smaller and smaller radii, until one is taken or none is worth it."""
+        floor = SETTLED * self.here.objective + _RESOLUTION
+        damping = damping_of(self.here, _DAMPING, _IDLE)
+        while self.radius > SMALLEST_RADIUS and not self._try_step(floor, damping):
+            pass
+
+    def end(self) -> Point:
+        """The closed point where it ended."""
+        here = self.here
+        program = here.program
+        return (
+            self.last
+            or close_iterate(here, self.active)
+            or program.close(here.local.point)
+            or program.fallback()
+        )
+
+    def _try_step(self, floor: float, damping: float) -> bool:
+        """One step of the quadratic program; False asks for another, within the radius as it is then."""
+        here, near = self.here, None if self.solved is None else self.solved[1]
+        step, solution = solve_step(here, self.radius, self.damping_share * damping, near)
+        if step is None or solution is None:
+            self.radius *= 0.25
+            return False
+        self.solved = here.local.rows, solution
+        self.prices = _prices(here.program, here.local.rows, solution, self.prices)
+        merit = here.merit(self.prices)
+        promised = merit - here.predicted_merit(step, self.prices)
+        worth, highest = max(promised, floor), float(self.prices.max(initial=0.0))
+        reliable = here.is_reliable(worth, highest)
+        if reliable and promised <= floor and not here.restores_feasibility(step):
+            if promised < -floor and self.radius > _STUCK:
+                # a step for the worse solves no program: a shorter one, damped, is found better
+                self.damping_share, self.radius = 1.0, 0.25 * self.radius
+                return False
+            self.settled = True
+            self.last = _last_point(here, step, self.prices, merit - 1e-4 * worth)
+            if self.last is not None:
+                return True
+        touched = _touched(here, step, solution)
+        trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
+        gain = -np.inf if trial is None else (merit - trial.merit(self.prices)) / worth
+        accepted = gain > 1e-4
+        if trial is not None and accepted:
+            self.here, self.active = trial, touched
+        elif not reliable:
+            # the merit that the trial did not come up to may be that of a point that does not close so
+            nearer = _closer(here, trial, self.active, self.radius, worth, highest)
+            if nearer is not None:
+                self.here = nearer
+                return True
+        if not self.settled:
+            self._adapt(gain, float(np.abs(step / here.program.scale).max()), accepted=accepted)
+        return accepted or self.settled
+
+    def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
+        """Radius and damping after a step of `size` scales that gained this share of what it promised."""
+        if gain > 0.75:
+            self.radius = max(self.radius, min(5.0, 2 * size))
+            self.damping_share = max(0.1 * self.damping_share, _EASIEST)
+        elif gain < 0.25:
+            self.radius, self.damping_share = (0.5 if accepted else 0.3) * size, 1.0
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
@@ -274,57 +331,6 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
     y = solution.row_multipliers[: rows.value.size]
     touched = ~rows.one_sided | (y > 1e-6 * rows.price)
     return ActiveSet(row_keys(rows)[touched], (rows.value + rows.jacobian @ step)[touched])
-
-
-def _solve_step(
-    here: Iterate[Point], radius: float, damping: float, near: QuadraticSolution | None
-) -> tuple[FloatArray | None, QuadraticSolution | None]:
-    """The step of the quadratic program within `radius` scales, and its solution in scales; `near` is the last."""
-    program, local = here.program, here.local
-    rows, model, z = local.rows, local.model, local.z
-    s = program.scale
-    p = z.size
-    # what the objective is very sensitive to is measured finer: it would set how well the others are solved for
-    fine = np.sqrt(np.maximum(1.0, model.hessian.diagonal() * (s / _SENSITIVE) ** 2))
-    s = s / fine
-    hessian = model.hessian * np.outer(s, s)
-    hessian.flat[:: p + 1] += damping / fine**2
-    lower = np.maximum((program.lower - z) / s, -radius * fine)
-    upper = np.minimum((program.upper - z) / s, radius * fine)
-    jacobian, value = rows.jacobian * s, rows.value
-    gradient, price, one_sided = model.gradient * s, rows.price, rows.one_sided
-    if model.peaks.size:
-        # one more unknown t >= every peak; its rows cannot be worth breaking
-        k, top = model.peaks.size, float(model.peaks.max())
-        grown = np.zeros((p + 1, p + 1))
-        grown[:p, :p] = hessian
-        hessian, gradient = grown, np.append(gradient, 1.0)
-        lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
-        jacobian = np.block([[jacobian, np.zeros((value.size, 1))], [-model.peak_rows * s, np.ones((k, 1))]])
-        value = np.append(value, top - model.peaks)
-        price = np.append(price, np.full(k, 10.0))
-        one_sided = np.append(one_sided, np.ones(k, dtype=bool))
-    solution = solve_quadratic(
-        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided), near=near
-    )
-    if not np.all(np.isfinite(solution.x)):
-        return None, None
-    if fine.max() == 1.0:
-        return solution.x[:p] * s, solution
-    back = np.append(fine, np.ones(solution.x.size - p))
-    in_scales = replace(
-        solution, x=solution.x / back, lower_multipliers=solution.lower_multipliers * back,
-        upper_multipliers=solution.upper_multipliers * back,
-    )  # fmt: skip
-    return solution.x[:p] * s, in_scales
-
-
-def _damping(here: Iterate[Point], most: float, share: float) -> float:
-    """Against long steps that change nothing: less and less as the objective comes down."""
-    most *= float(here.local.model.hessian.diagonal().max())
-    if here.local.model.peaks.size or not np.isfinite(share):
-        return most
-    return min(most, max(share * here.program.objective(here.local.point), 1e-16))
 
 
 def _prices(

@@ -65,12 +65,11 @@ def has_rough_curvature(curve: PlaneCurve) -> bool:
 
 
 def choose_tolerance(curve: PlaneCurve) -> float:
-    """How far a curve may be moved to make it fair when nobody says, mm; 0: not at all.
+    """How far a curve may be moved to make it fair unless told, mm; 0: not at all.
 
     Only curves of a pen tool, as readers of files record it, whose curvature jumps: by 0.1 mm or 5e-4 of the
-    length,
-    whichever is less, and no less than its coordinates were rounded by. Curves with straight pieces are left alone:
-    those are meant to be straight.
+    length, whichever is less, and no less than its coordinates were rounded by. Curves with straight pieces are
+    left alone: those are meant to be straight.
     """
     drawn = curve.provenance
     if drawn is None or drawn.drawn != "pen" or curve.has_corners:

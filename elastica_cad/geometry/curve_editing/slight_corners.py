@@ -19,9 +19,9 @@ WORTH_SHARE = 1e-3
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
-    """The curve without the corners that moves within half of `smooth` (mm) take out, and a bound of the moves, mm.
+    """The curve without slight corners, and how far, mm, it was moved at most to take them out.
 
-    Corners of more than 5 degrees stay.
+    Corners of more than 5 degrees stay, and those for which it would move by more than half of `smooth` (mm).
 
     Examples
     --------
@@ -41,9 +41,9 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
-    """The distance, mm, one figure long, within which all corners can be taken out; None where that is no detail.
+    """The `smooth`, mm, of one figure, with which `round_corners` takes out all corners; None if it is no detail.
 
-    No less than pen curves are made fair by.
+    It is at least what curves of a pen tool are made fair with, at most a thousandth of the length.
 
     Examples
     --------

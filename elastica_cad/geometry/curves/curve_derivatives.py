@@ -179,7 +179,7 @@ class RationalPieces:
         difference = spans.matrix @ near[..., : self._dimension]
         series = np.zeros((len(near), degree + 1, _ORDERS, self._dimension))
         factor = np.ones(len(near))
-        # where knots all but meet derivatives are beyond all numbers: such curves are refused by who asks for those
+        # derivatives overflow where knots nearly coincide: callers that need them refuse such curves
         with np.errstate(over="ignore", invalid="ignore"):
             for k in range(min(degree, _ORDERS - 1) + 1):
                 if k:

@@ -58,10 +58,6 @@ class Spans:
         u = (t - self.edges[index]) / self.widths[index]
         return index, np.minimum(np.maximum(u, 0.0), 1.0)
 
-    def bernstein(self, u: FloatArray) -> FloatArray:
-        """Values (n, degree + 1) of the Bernstein polynomials at local coordinates u (n,)."""
-        return _bernstein_values(self.degree, u, 0)
-
     def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
         """Values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
         local, index = self.local_basis(t, derivative)

@@ -106,7 +106,7 @@ def library_folders() -> tuple[Path, ...]:
         return tuple(Path(part.strip()).expanduser() for part in named)
     try:
         home = Path.home()
-    except RuntimeError:  # nobody's process
+    except RuntimeError:  # a process of a user without a home
         return ()
     if sys.platform == "win32":
         settings = Path(os.environ.get("APPDATA") or home / "AppData" / "Roaming")

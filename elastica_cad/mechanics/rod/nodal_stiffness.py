@@ -1,11 +1,15 @@
-"""Stiffness at the nodes of a discrete rod, also where it goes in steps."""
+"""Stiffness of a discrete rod: the profile that is given, its values at the nodes, also where it goes in steps."""
 
 from itertools import pairwise
+from math import isclose
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import as_floats
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 
 GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(3)
 
@@ -38,3 +42,52 @@ def nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
             turned += (b - a) / 2 * float(GAUSS_WEIGHTS @ (1 / profile(inside)))
         K[i] = (edges[i + 1] - edges[i]) / turned
     return K
+
+
+def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
+    """A stiffness and its values at nodes s (n,), mm, over the least of these.
+
+    Raises
+    ------
+    InputError
+        It is not positive.
+    """
+    if not profile.is_positive:
+        raise InputError("rod stiffness must be positive everywhere along the rod")
+    K = profile(s)
+    return profile.scaled(1 / K.min()), K / K.min()
+
+
+def stiffness_profile_of(
+    stiffness: "ArrayLike | Profile", length: float, samples: int | None
+) -> tuple[Profile, int]:
+    """A profile over [0, length] and the number of nodes it asks for.
+
+    Parameters
+    ----------
+    stiffness : float, (n,) array_like or Profile
+        One value, values at n uniform stations, or a profile over [0, length].
+    length : float
+        mm.
+    samples : int or None
+        Number of nodes; None for one a value, or the usual number.
+
+    Raises
+    ------
+    InputError
+        A profile of another length, or values that are not positive and finite.
+    """
+    if isinstance(stiffness, Profile):
+        if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
+            raise InputError(
+                f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
+            )
+        return stiffness, samples or DEFAULT_SAMPLES
+    given = as_floats(stiffness)
+    values = np.array([]) if given is None else np.atleast_1d(given)
+    if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
+        raise InputError("stiffness must be positive, finite numbers: one, or one a node")
+    n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
+    if values.size == 1:
+        values = np.full(2, values[0])
+    return Profile.interpolate(np.linspace(0.0, length, values.size), values), n

@@ -2,14 +2,13 @@
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from math import isclose
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, numbers, require_number, require_positive
+from elastica_cad._values import numbers, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -23,7 +22,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, scale_with
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
-from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
+from elastica_cad.mechanics.rod.nodal_stiffness import scaled_to_least, stiffness_profile_of
 from elastica_cad.mechanics.rod.rest_shape import edge_angles, has_even_edges, integrate_edges
 
 if TYPE_CHECKING:
@@ -181,7 +180,7 @@ class Rod:
             raise InputError(f"start must be two numbers, mm, got {start!r}")
         require_positive(length, "rod length")
         require_number(angle, "the angle of a rod", "rad")
-        profile, n = _profile_of(stiffness, length, samples)
+        profile, n = stiffness_profile_of(stiffness, length, samples)
         s = np.linspace(0.0, length, n)
         profile, K = scaled_to_least(profile, s)
         tangent = np.array([np.cos(angle), np.sin(angle)])
@@ -372,7 +371,7 @@ class Rod:
                 f"stiffness has {np.size(stiffness)} values, the rod {self.s.size} nodes: give one a node, "
                 "or a Profile"
             )
-        profile, _ = _profile_of(stiffness, self.length, self.s.size)
+        profile, _ = stiffness_profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)
         if np.any(K <= 0):
             raise InputError(f"stiffness is not positive at {self.s[int(np.argmin(K))]:.6g} mm")
@@ -381,35 +380,3 @@ class Rod:
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()
         residual = float(imbalance / size) if size > 0 else float(imbalance > 0)
         return replace(self, stiffness=K, profile=profile, residual=residual)
-
-
-def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
-    """A stiffness and its values at nodes s (n,), mm, over the least of these.
-
-    Raises
-    ------
-    InputError
-        It is not positive.
-    """
-    if not profile.is_positive:
-        raise InputError("rod stiffness must be positive everywhere along the rod")
-    K = profile(s)
-    return profile.scaled(1 / K.min()), K / K.min()
-
-
-def _profile_of(stiffness: "ArrayLike | Profile", length: float, samples: int | None) -> tuple[Profile, int]:
-    """A profile over [0, length] and the number of nodes it asks for."""
-    if isinstance(stiffness, Profile):
-        if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
-            raise InputError(
-                f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
-            )
-        return stiffness, samples or DEFAULT_SAMPLES
-    given = as_floats(stiffness)
-    values = np.array([]) if given is None else np.atleast_1d(given)
-    if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
-        raise InputError("stiffness must be positive, finite numbers: one, or one a node")
-    n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
-    if values.size == 1:
-        values = np.full(2, values[0])
-    return Profile.interpolate(np.linspace(0.0, length, values.size), values), n

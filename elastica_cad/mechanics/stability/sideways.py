@@ -92,7 +92,7 @@ class SidewaysStability:
 
     @property
     def meaning(self) -> str:
-        """What the margin means for the one who builds it."""
+        """What the margin means to a maker, in words."""
         if self._is_rod and self._between:
             return "its holes leave open whether it tips over sideways: guide it at the sides, or try it out"
         return {

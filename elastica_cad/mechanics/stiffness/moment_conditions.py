@@ -31,7 +31,7 @@ NO_GAIN_SHARE = 1e-6
 """Relative gain in ratio that counts as none."""
 
 WIDEST_RATIO = 1e10
-"""A stiffness that may vary by this factor is beyond all strips and beyond double precision."""
+"""Ratio of stiffness that no strip can have, and that leaves double precision no digits."""
 
 RANK_SHARE = 1e-7
 """Conditions that depend on each other to this accuracy count as dependent."""
@@ -142,7 +142,7 @@ class ConditionedRows:
 
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
-        """Panels and places x of the nodes at which alone the ratio is judged, if so wished."""
+        """Panels and places x of the nodes at which alone the ratio is judged, where that is asked for."""
         return None if self.nodes is None else self.panels.locate(self.nodes)
 
     def steadied(self, state: FloatArray) -> FloatArray:

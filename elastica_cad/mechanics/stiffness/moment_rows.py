@@ -77,7 +77,7 @@ def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
     """
     if load is None:
         return _weightless(panels)
-    with np.errstate(over="ignore", invalid="ignore"):  # a weight beyond all strips: the caller looks
+    with np.errstate(over="ignore", invalid="ignore"):  # a weight far too large overflows; the caller checks
         return _weighted(panels, load)
 
 

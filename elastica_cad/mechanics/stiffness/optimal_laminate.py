@@ -1,6 +1,8 @@
 """The rod that a laminate makes: its weight depends on the backing, and the backing on the rod."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -118,65 +120,120 @@ def optimal_laminate(
             f"the base width is given over {base_width.length:.6g} mm, the curve is {s_end:.6g} mm long"
         )
     gravity = None if direction is None else _filled(section, direction)
-    rod = optimal_rod(curve, gravity, supports, samples=samples)
-    w1 = _along(base_width, rod.s)
-    stations = np.linspace(0.0, rod.length, _STATIONS)
-    everywhere = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
+    solve = partial(optimal_rod, curve, gravity, supports, samples=samples)
+    rod = solve()
+    base = _Base.under(rod, section, base_width, least_backing)
+    if gravity is None:
+        return base.laminate(rod, base.scale(rod), 1)
+    laminate, change = _by_tangent_laws(solve, base, rod, masses)
+    if laminate is not None:
+        return laminate
     if isinstance(base_width, Profile):
-        everywhere = np.union1d(everywhere, np.clip(base_width.knots, 0.0, rod.length))
-    widths = _along(base_width, everywhere)
+        raise NotConvergedError(
+            f"weight and stiffness of the laminate do not settle (the stiffness still moves by {change:.2g}): give "
+            "the base one width all along, which is searched for more closely, or use stiffer or lighter sheets"
+        )
+    rod = _by_short_steps(solve, section, float(base_width), masses)
+    return base.laminate(rod, base.scale(rod), _MOST_ROUNDS)
 
-    def built(rod: Rod, scale: float, rounds: int) -> Laminate:
+
+@dataclass(frozen=True, eq=False)
+class _Base:
+    """The base of a laminate, and the places along it where a backing must fit.
+
+    Attributes
+    ----------
+    section : LaminatedSection
+    width : float or Profile
+        w1, mm.
+    least_backing : float
+        Narrowest backing, mm.
+    at_nodes : (n,) array
+        w1 at the nodes of the rod, mm.
+    places, at_places : (m,) arrays
+        Arc lengths where it must fit, and w1 there, mm.
+    """
+
+    section: LaminatedSection
+    width: "float | Profile"
+    least_backing: float
+    at_nodes: FloatArray
+    places: FloatArray
+    at_places: FloatArray
+
+    @classmethod
+    def under(
+        cls, rod: Rod, section: LaminatedSection, width: "float | Profile", least_backing: float
+    ) -> "_Base":
+        """That of a rod of the curve's length."""
+        at_nodes = _along(width, rod.s)
+        places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
+        if isinstance(width, Profile):
+            places = np.union1d(places, np.clip(width.knots, 0.0, rod.length))
+        return cls(section, width, least_backing, at_nodes, places, _along(width, places))
+
+    def scale(self, rod: Rod) -> float:
+        """The largest c, N mm2, with E I = c K within the base."""
+        return _scale(self.section, self.at_places, _stiffness(rod, self.places), self.least_backing)
+
+    def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
+        """The record of a rod that is made with this scale."""
         K = np.asarray(rod.stiffness)
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
-            section=section,
-            base_width=w1,
-            backing_width=section.backing_width(w1, scale * K),
-            range=section.scale_range(w1, K, least_backing=least_backing),
+            section=self.section,
+            base_width=self.at_nodes,
+            backing_width=self.section.backing_width(self.at_nodes, scale * K),
+            range=self.section.scale_range(self.at_nodes, K, least_backing=self.least_backing),
             rounds=rounds,
         )
 
-    scale = _scale(section, widths, _stiffness(rod, everywhere), least_backing)
-    if gravity is None:
-        return built(rod, scale, 1)
-    base = _along(base_width, stations)
-    bounds = section.bending_stiffness(base, 0.0 * base), section.bending_stiffness(base, base)
+
+def _by_tangent_laws(
+    solve: Callable[..., Rod], base: _Base, rod: Rod, masses: tuple[PointMass, ...]
+) -> tuple[Laminate | None, float]:
+    """Each rod under a weight law tangent to the true one at the rod before; None and the last change of K where
+    they do not settle.
+    """
+    section = base.section
+    stations = np.linspace(0.0, rod.length, _STATIONS)
+    w1 = _along(base.width, stations)
+    bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
+    scale = base.scale(rod)
     history: list[float] = []
     change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above the 1 that was asked for
     for rounds in range(2, _MOST_ROUNDS):
         asked = scale / least
         # an extrapolated scale may ask for more than two full layers somewhere, or for less than the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
-        weight = section.weight(stations, base, EI / asked, asked)
-        loaded = Weight(weight.alpha, weight.beta, masses)
-        found = optimal_rod(curve, gravity, supports, samples=samples, weight=loaded, bending_stiffness=asked)
+        weight = section.weight(stations, w1, EI / asked, asked)
+        found = solve(weight=Weight(weight.alpha, weight.beta, masses), bending_stiffness=asked)
         change = float(np.abs(found.stiffness / rod.stiffness - 1).max())
         rod, got = found, found.bending_stiffness or asked
         least = got / asked
-        scale = _scale(section, widths, _stiffness(rod, everywhere), least_backing)
+        scale = base.scale(rod)
         if change < _SETTLED_SHARE and abs(scale / got - 1) < _SETTLED_SHARE:
-            return built(rod, scale, rounds)
+            return base.laminate(rod, scale, rounds), change
         history.append(np.log(scale))
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    if isinstance(base_width, Profile):
-        raise NotConvergedError(
-            f"weight and stiffness of the laminate do not settle (the stiffness still moves by {change:.2g}): give "
-            "the base one width all along, which is searched for more closely, or use stiffer or lighter sheets"
-        )
-    law = BoundedBacking(section, np.asarray(float(base_width)), (0.0, float(base_width)))
-    carried = Weight(masses=masses, own=True)
+    return None, change
+
+
+def _by_short_steps(
+    solve: Callable[..., Rod], section: LaminatedSection, base_width: float, masses: tuple[PointMass, ...]
+) -> Rod:
+    """The rod that `balance_with_section` finds for a base of one width."""
+    law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
     try:
-        rod = optimal_rod(curve, gravity, supports, samples=samples, section=law, weight=carried)
+        rod = solve(section=law, weight=Weight(masses=masses, own=True))
     except InputError as error:
         raise InputError(
             "the laminate cannot be as soft in one place and as stiff in another as the curve needs under this "
             "weight: use a thicker backing, or lighter sheets"
         ) from error
-    scale = _scale(section, widths, _stiffness(rod, everywhere), least_backing)
-    return built(replace(rod, section=None), scale, _MOST_ROUNDS)
+    return replace(rod, section=None)
 
 
 def _along(width: float | Profile, s: FloatArray) -> FloatArray:

@@ -35,7 +35,7 @@ from elastica_cad.mechanics.theorem1.unbent_ends import examine_unbent
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
 
 TOLD_MOVE_MM = 1e-3
-"""Nobody sees or cuts less."""
+"""Least move of the curve that is worth a sentence: smaller ones are neither seen nor cut."""
 
 _LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments
 
@@ -229,7 +229,7 @@ def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> N
 
 
 def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:
-    """Refuse an end that neither a support nor a mass holds: what the curve does there is not for drawing.
+    """Refuse an end that neither a support nor a mass holds: its shape follows from the weight and cannot be drawn.
 
     With u the distance from it and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
     u = 0, and where the weight is the strip's own, K stays finite and positive only for kappa = cos(alpha)

@@ -165,7 +165,7 @@ def _moved_onto(
 def _off_the_border(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, spare: float = 0.0
 ) -> EquilibriumCheck:
-    """The verdict, refused where only a stiffness beyond all strips would do."""
+    """The verdict, refused where the curve asks for a ratio of stiffness that no strip can have."""
     if check.line is None or not check.realizable:
         return check
     at = _widest_place(ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare)

@@ -70,7 +70,7 @@ def repeated(obj: Any) -> list[Any]:
     """The features that a body's pattern repeats; none for all other objects."""
     if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
         return []
-    return list(obj.Originals or filter(None, [obj.BaseFeature]))  # of late it repeats all before it, too
+    return list(obj.Originals or filter(None, [obj.BaseFeature]))  # newer releases repeat all before it, too
 
 
 def contents(obj: Any) -> list[Any]:

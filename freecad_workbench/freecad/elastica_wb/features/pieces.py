@@ -49,11 +49,6 @@ class Cut:
     strip: Strip | None = None
 
 
-def pieces_of(sources: Iterable[Any]) -> list[Piece]:
-    """The pieces of `cuts_of`."""
-    return [cut.piece for cut in cuts_of(sources)]
-
-
 def told_blanks_of(cuts: Iterable[Cut]) -> list[str]:
     """How pieces are bent before they are mounted, a sentence for those that are bent alike."""
     return told_blanks((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)

@@ -327,10 +327,10 @@ def keep_places(container: Any) -> None:
 def telling(obj: Any, name: str) -> list[Any]:
     """An object and the features made from it, as far as their sentences speak of this name."""
     ours = (one for one in (obj, *obj.InListRecursive) if isinstance(getattr(one, "Proxy", None), Feature))
-    return [one for one in ours if any(name in words for words in _told(one))]
+    return [one for one in ours if any(name in words for words in _sentences(one))]
 
 
-def _told(obj: Any) -> Iterator[str]:
+def _sentences(obj: Any) -> Iterator[str]:
     for name in [one for one in TOLD if one in obj.PropertiesList]:
         yield from getattr(obj, name)
     yield str(obj.getStatusString())

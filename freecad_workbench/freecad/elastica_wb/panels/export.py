@@ -100,10 +100,9 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
-        folder = Path(
-            os.path.expanduser(self.form.folder.text().strip())
-        )  # the home of nobody stays as it is
-        if not folder.is_absolute():  # FreeCAD runs in a folder that nobody knows
+        # where there is no such home, ~ stays as it is
+        folder = Path(os.path.expanduser(self.form.folder.text().strip()))
+        if not folder.is_absolute():  # users do not see in which folder FreeCAD runs
             raise InputError(translate("Elastica", "write the whole path of the folder, or press Browse"))
         with progress(
             QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
@@ -128,7 +127,7 @@ class ExportPanel(Panel):
 def _usual_folder(document: Any) -> str:
     """Where files went the last time; else beside the document; else the user is asked."""
     last = preferences.get("ExportFolder")
-    if last and os.path.isdir(last):  # False too where nobody may look
+    if last and os.path.isdir(last):  # False too for a folder without permission
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 

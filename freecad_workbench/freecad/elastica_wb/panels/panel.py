@@ -186,7 +186,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # the document still stands with one foot in memory: an undo now would end FreeCAD
+            # FreeCAD still destroys the document: an undo now would crash it
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 
