@@ -17,7 +17,7 @@ from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, sk
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
 from freecad.elastica_wb.export.later_features import tell_later_features
 from freecad.elastica_wb.features import flat, nest, proxy, strip
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.shapes.part_shapes import make_edge, make_wire
@@ -315,10 +315,10 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
     assert [a.read_bytes() == b.read_bytes() for a, b in zip(files, again, strict=True)] == [True] * len(
         files
     )
-    names = [piece.name for piece in pieces_of([feature, document.copyObject(feature)])]
+    names = [cut.piece.name for cut in cuts_of([feature, document.copyObject(feature)])]
     assert len(set(names)) == 2
     with pytest.raises(InputError, match="nothing to cut"):
-        pieces_of([sketch])
+        cuts_of([sketch])
 
 
 def test_nearest_follows_when_asked(document, drawn):

@@ -3,7 +3,7 @@
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, proxy, strip
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.pieces import cuts_of
 
 from elastica_cad.errors import InputError
 
@@ -197,7 +197,7 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
         says = r"^the formula of MaxWidth cannot be computed \(.*Numbers.*\): mend it, or take it away$"
     document.recompute()
     with pytest.raises(InputError, match=says):
-        pieces_of([feature])
+        cuts_of([feature])
     proxy.give_up(document)  # what a window is told
     assert [one.Visibility for one in made] == [False] * 3
     assert feature.Verdict == "There is no strip."
@@ -210,7 +210,7 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
     assert [one.Visibility for one in made] == [True] * 3
     assert [one.State for one in made] == [["Up-to-date"]] * 3
     assert feature.Reasons == [], said
-    assert [piece.size[1] for piece in pieces_of([feature])] == pytest.approx([20])
+    assert [cut.piece.size[1] for cut in cuts_of([feature])] == pytest.approx([20])
 
 
 def test_a_backing_of_a_strip_whose_curve_was_deleted(document, sketch):

@@ -4,7 +4,7 @@ import FreeCAD as App
 import pytest
 from freecad.elastica_wb.curves.copies import originals
 from freecad.elastica_wb.features import model, strip
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.pieces import cuts_of
 
 from elastica_cad.errors import InputError
 
@@ -33,7 +33,7 @@ def image_of(source, normal=(1, 0.3, 0.2)):
 
 
 def counts(*sources):
-    return [piece.count for piece in pieces_of(sources)]
+    return [cut.piece.count for cut in cuts_of(sources)]
 
 
 def held(*shown):

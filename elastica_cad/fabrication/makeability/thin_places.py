@@ -52,6 +52,26 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     [1.0]
     """
     chords = _Chords.of(outlines, holes, FLAT_SHARE * least)
+    near = _places_in_question(chords, least)
+    if near is None:
+        return ()
+    points, chord = near
+    i, j, width = _widths_across(points, chords.inward[chord], least)
+    if not width.size:
+        return ()
+    middle = (points[i] + points[j]) / 2
+    loop = chords.loop[chord]
+    places = [
+        ThinPlace(
+            float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
+        )
+        for k in _thinnest_of_each_group(middle, width, least)
+    ]
+    return tuple(sorted(places, key=lambda place: place.width))
+
+
+def _places_in_question(chords: "_Chords", least: float) -> tuple[FloatArray, IntArray] | None:
+    """Points (n, 2) on the cuts, and their chords (n,), where a coarse look finds another cut near; or None."""
     cells = chords.cells(least / COARSE)
     points, chord = chords.middles(cells)
     normals = chords.inward[chord]
@@ -64,11 +84,19 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
         np.einsum("ij,ij->i", across, normals.take(j, axis=0)) < LEANING * least
     )
     if not np.any(between):
-        return ()
+        return None
     is_near = np.zeros(len(points), dtype=bool)
     is_near[i[between]] = is_near[j[between]] = True
-    points, chord = chords.middles(chords.cells(least / SAMPLES_PER_WIDTH), cells, is_near)
-    normals = chords.inward[chord]
+    return chords.middles(chords.cells(least / SAMPLES_PER_WIDTH), cells, is_near)
+
+
+def _widths_across(
+    points: FloatArray, normals: FloatArray, least: float
+) -> tuple[IntArray, IntArray, FloatArray]:
+    """Pairs of points (k,) that face each other straight across the material, and how far apart they are, mm.
+
+    Of all pairs of a point only the narrowest is kept.
+    """
     i, j = near_pairs(points, least * (1 - 1e-9))
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
@@ -76,27 +104,20 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
         across = across / width[:, None]
     facing = (np.sum(across * normals[i], axis=1) > FACING) & (np.sum(across * normals[j], axis=1) < -FACING)
     i, j, width = i[facing], j[facing], width[facing]
-    if not width.size:
-        return ()
     narrowest = np.unique(np.concatenate([_narrowest(i, width), _narrowest(j, width)]))
-    i, j, width = i[narrowest], j[narrowest], width[narrowest]
+    return i[narrowest], j[narrowest], width[narrowest]
+
+
+def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
+    """The thinnest of places (k, 2) that lie within `least` of each other, directly or by others between."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
-    middle = (points[i] + points[j]) / 2
     near = near_pairs(middle, least)
     links = coo_matrix((np.ones(near.shape[1], dtype=bool), near), shape=(width.size, width.size))
     group = connected_components(links, directed=False)[1]
     order = np.argsort(width, kind="stable")
-    thinnest = order[np.unique(group[order], return_index=True)[1]]
-    loop = chords.loop[chord]
-    places = [
-        ThinPlace(
-            float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
-        )
-        for k in thinnest
-    ]
-    return tuple(sorted(places, key=lambda place: place.width))
+    return order[np.unique(group[order], return_index=True)[1]]
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:

@@ -156,8 +156,18 @@ def lowest_constrained(
         found = _smooth_mode(diagonal, off, basis, reach)
         if found is not None:
             return found
-    tolerance = 0.01 * reach / n**2
-    last = min(n, rank + count)
+    d, e, shift = _factored_below(diagonal, off, min(n, rank + count), reach)
+    return _lanczos(d, e, shift, basis, count)
+
+
+def _factored_below(
+    diagonal: FloatArray, off: FloatArray, last: int, reach: float
+) -> tuple[FloatArray, FloatArray, float]:
+    """D and L of L D L^T, of the matrix less a shift below its lowest eigenvalues, and the shift.
+
+    The first `last` eigenvalues tell how far below.
+    """
+    tolerance = 0.01 * reach / diagonal.size**2
     lowest = lapack().dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
     step = 0.3 * (lowest[last - 1] - lowest[0]) + 10 * tolerance
     shift = lowest[0] - step
@@ -168,6 +178,14 @@ def lowest_constrained(
         d, e, info = lapack().dpttrf(diagonal - shift, off)
     if info != 0:
         raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+    return d, e, shift
+
+
+def _lanczos(
+    d: FloatArray, e: FloatArray, shift: float, basis: FloatArray, count: int
+) -> tuple[FloatArray, FloatArray]:
+    """Eigenpairs next to the shift, of a matrix factored there, orthogonal to an orthonormal `basis` (rank, n)."""
+    n, rank = d.size, basis.shape[0]
     solved = np.ascontiguousarray(lapack().dpttrs(d, e, basis.T)[0].T) if rank else basis
     inner = np.linalg.inv([_along(solved, row) for row in basis]) if rank else np.zeros((0, 0))
 

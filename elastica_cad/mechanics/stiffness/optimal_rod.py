@@ -58,6 +58,8 @@ def optimal_rod(
 
     Parameters
     ----------
+    curve : PlaneCurve
+        mm.
     gravity : Gravity, optional
         Weight proportional to the stiffness, as of a plain strip; its direction serves for `weight` too.
     supports : Supports
@@ -130,8 +132,8 @@ def optimal_rod(
         check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
     else:
         check = examine_unbent(curve, supports, natural_curvature, tolerance)
-    if gravity is not None and not check.any_stiffness:
-        _require_load_at_free_end(check, supports, weight)
+        if not check.any_stiffness:
+            _require_load_at_free_end(check, supports, weight)
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
@@ -143,32 +145,7 @@ def optimal_rod(
     )
     if check.any_stiffness:
         return _unbent_rod(problem)
-    nodes = None if samples is None else _nodes(problem).t
-    if section is not None:
-        balance = balance_with_section(
-            check,
-            supports,
-            natural_curvature,
-            section,
-            gravity,
-            masses=() if weight is None else weight.masses,
-            nodes=nodes,
-        )
-    elif gravity is None:
-        balance = balance_without_weight(check, supports, natural_curvature, law=law, nodes=nodes)
-    else:
-        balance = balance_with_weight(
-            check,
-            supports,
-            natural_curvature,
-            gravity,
-            law=law,
-            weight=weight,
-            bending_stiffness=bending_stiffness,
-            largest_stiffness=largest_stiffness,
-            nodes=nodes,
-        )
-    return _bent_rod(problem, balance)
+    return _bent_rod(problem, _balance(problem, largest_stiffness))
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,6 +159,30 @@ class _Problem:
     bending_stiffness: float | None
     law: MaterialLaw | None
     section: BoundedLaw | None
+
+
+def _balance(problem: _Problem, largest_stiffness: float | None) -> BalancedStiffness:
+    """The stiffness of least ratio: of a section, without weight, or with it."""
+    p = problem
+    nodes = None if p.samples is None else _nodes(p).t
+    if p.section is not None:
+        masses = () if p.weight is None else p.weight.masses
+        return balance_with_section(
+            p.check, p.supports, p.natural_curvature, p.section, p.gravity, masses=masses, nodes=nodes
+        )
+    if p.gravity is None:
+        return balance_without_weight(p.check, p.supports, p.natural_curvature, law=p.law, nodes=nodes)
+    return balance_with_weight(
+        p.check,
+        p.supports,
+        p.natural_curvature,
+        p.gravity,
+        law=p.law,
+        weight=p.weight,
+        bending_stiffness=p.bending_stiffness,
+        largest_stiffness=largest_stiffness,
+        nodes=nodes,
+    )
 
 
 def _check_section(
