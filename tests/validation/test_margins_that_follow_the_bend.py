@@ -94,12 +94,17 @@ def test_a_flat_strip_is_not_moved_for_a_margin_that_it_has():
     assert near.deviation == pytest.approx(free.deviation, abs=1e-4)
 
 
+@pytest.mark.parametrize("drawn", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("gravity", [False, True])
-def test_a_strip_of_a_blank_that_is_nearly_unbent_stays(gravity):
-    """Asked for as a person does; its verdict was unstable, at a margin of -3.6, and of -5.5 under its weight."""
+def test_a_strip_of_a_blank_that_is_nearly_unbent_stays(gravity, drawn):
+    """Asked for as a person does; its verdict was unstable, at a margin of -3.6, and of -5.5 under its weight.
+
+    A pole moved a little decides which search comes to it at once, and which by way of most of the margin.
+    """
+    curve = PlaneCurve.spline([(0, 0), (50, 110 + drawn), (100, 10), (150, -90), (200, 20)], degree=4)
     made = make_strip(
-        DEEP_S, ACRYLIC, max_width=40.0, limits=Limits(margin=5.0), natural_curvature=0.03, gravity=gravity,
+        curve, ACRYLIC, max_width=40.0, limits=Limits(margin=5.0), natural_curvature=0.03, gravity=gravity,
         anyway=True,
     )  # fmt: skip
     assert stability(made.rod).margin > 5.0 * (1 - 1e-3)
-    assert made.width.extremes[1] == pytest.approx(40.0, rel=0.03)
+    assert made.width.extremes[1] == pytest.approx(40.0, rel=0.05)

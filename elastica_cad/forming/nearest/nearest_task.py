@@ -191,7 +191,11 @@ class NearestTask:
         """The task without a margin that hangs on the scale, which no rod has settled; itself where none does."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
-        return replace(self, limits=replace(self.limits, margin=None))
+        return self.with_margin(None)
+
+    def with_margin(self, margin: float | None) -> "NearestTask":
+        """The task with another least margin, or none."""
+        return replace(self, limits=replace(self.limits, margin=margin))
 
     @property
     def even_stiffness(self) -> float:
@@ -220,10 +224,9 @@ class NearestTask:
 
     def scaled_by(self, share: float) -> "NearestTask":
         """The task with its section's stiffness times a share."""
-        section = self.section
-        return (
-            self if section is None else replace(self, section=replace(section, scale=share * section.scale))
-        )
+        if self.section is None:
+            return self
+        return replace(self, section=replace(self.section, scale=share * self.section.scale))
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":

@@ -30,6 +30,7 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 _RESCALINGS = 8  # searches more, at most, until a section weighs what it is made of
 _NARROWER = (1.0, 0.9, 0.75)  # times a scale, where a margin is sought that hangs on it
+_EASED = 0.8  # of such a margin, which is kept first where all of it is not found at once
 _MARGIN_SCALES = 8  # that are tried in turn from there
 _MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
 _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
@@ -157,7 +158,7 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
         found = _go_on(found, settled, measure)
     if margin == found.task.limits.margin:
         return found
-    task = replace(found.task, limits=replace(found.task.limits, margin=margin))
+    task = found.task.with_margin(margin)
     problem = pose_problem(task, measure)
     met = [worst_broken(problem, problem.values(one.point)) <= MET for one in (found.best, *found.ties)]
     if met[0] or found.best.violation > MET:
@@ -178,10 +179,21 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
 def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
     """From where a search ended, at a scale or at smaller ones, where narrower strips keep what is asked."""
     for share in _NARROWER:
-        tried = _go_on(found, task.scaled_by(share), measure)
+        tried = _eased_on(found, task.scaled_by(share), measure)
         if tried.best.violation <= MET:
             break
     return tried
+
+
+def _eased_on(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """From where a search ended; where that does not keep the margin, by way of most of it."""
+    straight, margin = _go_on(found, task, measure), task.limits.margin
+    if straight.best.violation <= MET or margin is None or margin <= 0:
+        return straight
+    eased = _go_on(straight, task.with_margin(_EASED * margin), measure)
+    if eased.best.violation > MET:
+        return straight
+    return min(straight, _go_on(eased, task, measure), key=lambda one: _rank(one.best))
 
 
 def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
