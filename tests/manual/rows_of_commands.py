@@ -142,6 +142,11 @@ def _cutting_options(row, folder):
             assert abs(height(asked) - height(plain) - kerf) < 0.02
         elif option.startswith("--holding"):
             assert len(layers(asked)["CUT_OUTER"]) > len(layers(plain)["CUT_OUTER"])
+        elif option in ("--no-step", "--no-pictures"):
+            left = {path.suffix for path in plain.parent.iterdir()} - {
+                path.suffix for path in asked.parent.iterdir()
+            }
+            assert left == {".step" if option == "--no-step" else ".png"}
         else:
             assert option == "--paper A4"
             assert (folder / out / "arch.pdf").read_bytes().startswith(b"%PDF")

@@ -281,13 +281,20 @@ class _HighsProgram:
         )
 
     def solve(self) -> FloatArray | None:
-        self.highs.run()
-        status = self.highs.getModelStatus()
+        status = self._run()
+        if status != _local.optimal and status not in _local.infeasible:
+            # where stiffnesses are 1e8 apart, rounding that a warm start carries along is lost by a fresh one
+            self.highs.clearSolver()
+            status = self._run()
         if status == _local.optimal:
             return np.array(self.highs.getSolution().col_value)
         if status in _local.infeasible:
             return None
         raise _stopped()
+
+    def _run(self) -> Any:
+        self.highs.run()
+        return self.highs.getModelStatus()
 
 
 class _ScipyProgram:
