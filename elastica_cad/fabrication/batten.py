@@ -114,7 +114,7 @@ class BattenSpec:
         except NotConvergedError:
             if self.lying is not None:  # what the weight does is told
                 raise
-            raise self._too_thin(0.5 - self.place, 1 - 2.4 * self.camber**2, "less") from None
+            raise self._too_thin(0.5 - self.place, self._even_chord, "less") from None
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
             raise self._too_thin(taper, chord, f"{thin:.3g} mm")
@@ -136,6 +136,11 @@ class BattenSpec:
             f"{nearest} % of the chord, or allow less"
         )
 
+    @property
+    def _even_chord(self) -> float:
+        """About the chord, over the length, of an even batten with this camber: of half a sine."""
+        return 1 - 2.4 * self.camber**2
+
     def _place_of(self, taper: float, chord: float) -> float:
         """Where this taper brings a camber of that depth, which grows with the root of what the chord is short."""
         for _ in range(MOST_STEPS):
@@ -147,8 +152,8 @@ class BattenSpec:
 
     def _taper(self) -> tuple[float, float]:
         """Logarithm of end over start size, and chord over length, by Newton's method on finite differences."""
-        # an even sine of this camber, and what taper does to its place, to begin with
-        x = np.array([6.0 * (0.5 - self.place), 1 - 2.4 * self.camber**2])
+        # what taper does to the place of an even batten's camber, to begin with
+        x = np.array([6.0 * (0.5 - self.place), self._even_chord])
 
         def missed(x: FloatArray) -> FloatArray:
             found = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))

@@ -286,11 +286,9 @@ class StripSpec(EqualByValue):
         """The law with the weight that pulls in the plane."""
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
-        if law is None and felt is None and self.makes_up_for_curl and self._asks_for_margin:
-            return self._width_law  # whose stability is that of a plate
-        if law is None and felt is not None and self.makes_up_for_curl:
-            law = self._width_law
-            share = (self.material.elasto_gravity_length / felt.length) ** 3
+        if law is None and self.makes_up_for_curl and (felt is not None or self._asks_for_margin):
+            law = self._width_law  # its weight is that of the sheet, its stability that of a plate
+            share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):
             changes = self.limits is not None or self.keep is not None
             widths = {"max_width": self.max_width, "min_width": self.min_width}

@@ -95,7 +95,8 @@ class Travel:
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
-        return (self._rod, *self.rods(STATIONS + 1)[1:])
+        """Where a shape on the way is found from: the first is the design as it begins to bend."""
+        return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
         """The shapes at even places of the way, both its ends among them, each found from the one before."""
@@ -110,8 +111,7 @@ class Travel:
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
             raise InputError(f"position is {told} mm: the travel goes from 0 to {self.length:.4g} mm")
-        station = round(share * STATIONS)
-        near = self._stations[station] if station else self.strip.rod_to_bend
+        near = self._stations[round(share * STATIONS)]
         return bend(near, end=self._rod.position[-1] + share * self._way)
 
     def write_glb(

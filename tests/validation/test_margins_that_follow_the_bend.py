@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from numpy.polynomial import legendre
 from scipy.linalg import null_space
 
 from elastica_cad.fabrication.strip_spec import make_strip
@@ -12,6 +11,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import stability
+from tests.validation.test_blanks_that_curl import moment
 
 pytestmark = pytest.mark.core
 
@@ -19,19 +19,6 @@ ACRYLIC = Sheet("acrylic", 1.0, 3000.0, 1190.0, max_strain=0.2, poisson_ratio=0.
 RUBBER = Sheet("rubber", 2.0, 9000.0, 680.0, max_strain=0.2, poisson_ratio=0.49)
 DEEP_S = PlaneCurve.spline([(0, 0), (50, 110), (100, 10), (150, -90), (200, 20)], degree=4)
 S = PlaneCurve.spline([(0, 0), (50, 60), (100, 10), (150, -40), (200, 20)], degree=4)
-Y, WEIGHTS = legendre.leggauss(60)
-V, CURL = (np.array([legendre.legval(Y, legendre.legder(row, k)) for row in np.eye(28)[::2]]) for k in (0, 2))
-
-
-def moment(kappa, rest, width, sheet):
-    """dU/dkappa, N mm, of a plate bent to `rest` free of stress: its deflection across it is of least energy."""
-    E, h, nu = sheet.youngs_modulus, sheet.thickness, sheet.poisson_ratio
-    D, b = E * h**3 / 12 / (1 - nu**2), kappa - rest
-    v, curl, weight = V, CURL * (2 / width) ** 2, WEIGHTS * width / 2
-    bending, stretching = D * (curl * weight) @ curl.T, E * h * (v * weight) @ v.T
-    coupling = D * nu * curl @ weight
-    a = np.linalg.lstsq(bending + kappa**2 * stretching, -b * coupling, rcond=1e-13)[0]
-    return D * width * b + coupling @ a + kappa * a @ stretching @ a
 
 
 def own_margin(rod, width, sheet):
@@ -41,9 +28,10 @@ def own_margin(rod, width, sheet):
     node = np.full(n + 1, edge)
     node[[0, -1]] /= 2
     rest = np.broadcast_to(rod.natural_curvature, rod.s.shape)
+    plate = {"h": sheet.thickness, "E": sheet.youngs_modulus, "nu": sheet.poisson_ratio}
     felt = np.array(
         [
-            (moment(k + step, r, w, sheet) - moment(k - step, r, w, sheet)) / (2 * step * B)
+            (moment(k + step, r, w, **plate) - moment(k - step, r, w, **plate)) / (2 * step * B)
             for k, r, w in zip(rod.curvature, rest, width, strict=True)
         ]
     )

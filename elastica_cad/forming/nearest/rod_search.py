@@ -171,6 +171,7 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
             break
         wider = _narrowed(kept, other, measure)
         if kept.task.keeps_scale and wider.best.violation > MET:
+            kept = kept._replace(steps=wider.steps)
             break
         kept = wider
     return kept
@@ -182,6 +183,7 @@ def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
         tried = _eased_on(found, task.scaled_by(share), measure)
         if tried.best.violation <= MET:
             break
+        found = found._replace(steps=tried.steps)
     return tried
 
 
@@ -192,8 +194,9 @@ def _eased_on(found: Search, task: NearestTask, measure: Measure) -> Search:
         return straight
     eased = _go_on(straight, task.with_margin(_EASED * margin), measure)
     if eased.best.violation > MET:
-        return straight
-    return min(straight, _go_on(eased, task, measure), key=lambda one: _rank(one.best))
+        return straight._replace(steps=eased.steps)
+    again = _go_on(eased, task, measure)
+    return min(straight, again, key=lambda one: _rank(one.best))._replace(steps=again.steps)
 
 
 def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:

@@ -17,9 +17,7 @@ _ROUNDING_SHARE = 1e-14  # of the largest number: what turning a curve to anothe
 _SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
 _UNSETTLED = 1e-7  # of the domain, after Newton's last step: it goes round in circles
 _SEARCHES = 20  # each leaves a quarter of the span, or less
-_TABLES = (
-    256  # splines whose tables are kept: parts are compared loop by loop, and each loop with several others
-)
+_TABLES = 256  # splines whose tables are kept: each loop of a part is compared with several others
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:

@@ -191,7 +191,7 @@ class WidthLaw:
     def strains(
         self,
         curvature: ArrayLike,
-        parameter: ArrayLike,  # noqa: ARG002
+        parameter: ArrayLike,  # noqa: ARG002 - laws are asked with it, and here the strain does not depend on it
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:

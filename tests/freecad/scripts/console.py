@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
 import Part
-from drawn_splines import spline
+from drawn_splines import spline, strip_with_flat_part
 
 OUT = Path(os.environ["ELASTICA_TEST_OUT"])
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
@@ -57,21 +57,16 @@ def work():
     import numpy
     import scipy
     from freecad.elastica_wb.export.cutting_files import write_cutting_files
-    from freecad.elastica_wb.features import flat, strip
 
     import elastica_cad
 
     answers["versions"] = [numpy.__version__, scipy.__version__, App.Version()[:3]]
     answers["core"] = elastica_cad.__file__
+    document = App.newDocument("Console")
+    sketch, feature = strip_with_flat_part(document, ARCH)
     answers["kernels"] = [
         name for name in sys.modules if name.split(".")[0] in ("OCP", "build123d", "cadquery")
     ]
-    document = App.newDocument("Console")
-    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
-    sketch.addGeometry(spline(ARCH), False)
-    feature = strip.create(document, sketch)
-    flat.create(document, feature)
-    document.recompute()
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     answers["volume"], answers["ratio"] = feature.Shape.Volume, feature.Ratio
     times = []

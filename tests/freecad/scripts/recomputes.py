@@ -10,7 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
-from drawn_splines import spline
+from drawn_splines import spline, strip_with_flat_part
 
 OUT = Path(os.environ["ELASTICA_TEST_OUT"])
 CURVES = {
@@ -23,14 +23,8 @@ answers = {"recomputes": {}}
 
 def recomputes(points):
     """Seconds of the processor, without those of the sketch."""
-    from freecad.elastica_wb.features import flat, strip
-
     document = App.newDocument("Recomputes")
-    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
-    sketch.addGeometry(spline(points), False)
-    feature = strip.create(document, sketch)
-    flat.create(document, feature)
-    document.recompute()
+    sketch, feature = strip_with_flat_part(document, points)
     took = []
     for k in range(TIMES):
         moved = [points[0], points[1], (points[2][0] + 0.1 * (k + 1), points[2][1]), *points[3:]]
