@@ -1,7 +1,8 @@
-# Two commands do all the set-up: `make demo` and `make test`. Both can be run again, and work offline once installed.
+# `make demo` and `make test` do all the set-up. Both can be run again, and work offline once installed.
 SHELL := /bin/bash
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV := .venv
+OLDEST := .venv-oldest
 BIN := $(VENV)/bin
 OUT ?= out
 
@@ -13,10 +14,10 @@ define install
 	else cat $(1)/pip.log; exit 1; fi
 endef
 
-# What the compiled kernels are made of: an environment is brought up to date where one of these is newer.
-KERNELS := $(wildcard elastica_cad/_native/*.[ch])
+# What the compiled library is made of: an environment is brought up to date where one of these is newer.
+SOURCES := $(wildcard elastica_cad/_native/*.[ch])
 
-.PHONY: demo docs test lint test-core test-kernels test-freecad test-programs freecad benchmark campaign campaign-trust clean
+.PHONY: demo docs test lint programs test-main test-windows test-oldest freecad benchmark clean
 
 demo: $(VENV)/demo-installed
 	$(BIN)/elastica strip examples/arch/arch.dxf --sheet birch-plywood-0.8 --max-width 40 \
@@ -26,14 +27,26 @@ demo: $(VENV)/demo-installed
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
 
-# Programs and environments are installed first, by one apt and one pip at a time, which build the kernels anew; then two processes of one thread each keep two cores busy.
+# The everyday suite. Programs and environments are installed first; then two jobs keep two cores busy: FreeCAD and the
+# other programs, which wait much, beside all that is Python alone.
 test: export OPENBLAS_NUM_THREADS = 1
-test: lint
+test: programs $(VENV)/test-installed $(OLDEST)/installed
+	$(MAKE) --keep-going --jobs=2 --output-sync=target test-windows test-main
+
+programs:
 	tests/freecad/setup.sh
-	tests/programs/setup.sh
-	$(MAKE) .venv-core/installed .venv-build123d/installed .venv-cadquery/installed
-	$(MAKE) --keep-going --jobs=2 test-freecad test-core test-kernels test-programs
-	$(BIN)/python -m pytest -n 2 --ignore=tests/freecad --ignore=tests/benchmarks --ignore=tests/programs
+	tests/smoke/setup.sh
+
+test-main: lint test-oldest
+	$(BIN)/python -m pytest -n 2 --durations=30 --ignore=tests/freecad --ignore=tests/smoke --ignore=tests/benchmarks
+
+# FreeCAD's own Python modules are loaded into this process, so it is one of its own.
+test-windows: $(VENV)/test-installed
+	$(BIN)/python -m pytest --durations=30 tests/freecad tests/smoke
+
+# The lower bounds of every dependency in pyproject.toml, numpy 1.24 and scipy 1.10 among them, as Debian's FreeCAD has them.
+test-oldest: $(OLDEST)/installed
+	PYTHONPATH=. $(OLDEST)/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" tests/oldest
 
 lint: $(VENV)/test-installed
 	$(BIN)/ruff check .
@@ -41,63 +54,78 @@ lint: $(VENV)/test-installed
 	$(BIN)/mypy elastica_cad
 	$(BIN)/lint-imports
 
-# The core on the oldest libraries that a Debian FreeCAD brings: numpy 1.24, scipy 1.10, no highspy, no ezdxf. The test
-# modules that say `pytestmark = pytest.mark.core` run there, without compiled kernels; the others are not even imported.
-test-core: .venv-core/installed
-	ELASTICA_PURE=1 PYTHONPATH=. .venv-core/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" -m core \
-		tests/house tests/unit tests/properties tests/validation
+# Campaigns: `make campaign-NAME`; CONTRIBUTING.md says what each proves. docs/trust.md keeps the last result.
+MINUTES ?= 60
+SEED ?= $(shell date +%y%m%d)
+RECORD = PYTHONPATH=. $(BIN)/python -m tests.campaign.record
+SUITE = $(BIN)/python -m pytest -m campaign
+TRUST = $(BIN)/python -m tests.campaign.trust
 
-# Kernels: .venv has build123d and CadQuery together (OCP 7.9); here the newest of each, alone.
-test-kernels: .venv-build123d/installed .venv-cadquery/installed
-	ELASTICA_KERNELS=build123d PYTHONPATH=. .venv-build123d/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
-	ELASTICA_KERNELS=cadquery PYTHONPATH=. .venv-cadquery/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
+campaign-windows: programs $(VENV)/test-installed
+	$(RECORD) windows $(SUITE) tests/freecad
 
-# FreeCAD 0.20 as Debian 12 has it; with RELEASE=trixie or RELEASE=sid (needs root) 1.0 or 1.1 in a folder of its own.
-test-freecad: $(VENV)/test-installed
-	tests/freecad/setup.sh
-	$(if $(RELEASE),tests/freecad/release.sh $(RELEASE),$(BIN)/python -m pytest tests/freecad)
+# FreeCAD 1.0 and 1.1 in folders of their own (needs root), and the newest build123d and CadQuery, each alone.
+campaign-releases: $(VENV)/test-installed .venv-build123d/installed .venv-cadquery/installed
+	-$(RECORD) "releases: FreeCAD 1.0" tests/freecad/release.sh trixie
+	-$(RECORD) "releases: FreeCAD 1.1" tests/freecad/release.sh sid
+	-ELASTICA_KERNELS=build123d $(RECORD) "releases: newest build123d" .venv-build123d/bin/python -m pytest \
+		-o addopts="-q --import-mode=importlib" tests/cad
+	ELASTICA_KERNELS=cadquery $(RECORD) "releases: newest CadQuery" .venv-cadquery/bin/python -m pytest \
+		-o addopts="-q --import-mode=importlib" tests/cad
+
+campaign-oldest: $(VENV)/test-installed $(OLDEST)/installed
+	ELASTICA_PURE=1 $(RECORD) oldest $(OLDEST)/bin/python -m pytest \
+		-o addopts="-q --import-mode=importlib --strict-markers" -m core tests/house tests/unit tests/properties tests/validation
+
+campaign-banks: $(VENV)/test-installed
+	$(RECORD) banks $(SUITE) -n 2 tests/unit tests/properties tests/validation tests/contract elastica_cad
+
+campaign-bodies: programs $(VENV)/test-installed
+	$(RECORD) bodies $(SUITE) -n 2 tests/cad
+
+campaign-galleries: $(VENV)/test-installed
+	$(RECORD) galleries $(SUITE) -n 2 tests/examples
+
+campaign-manual: programs $(VENV)/test-installed
+	$(RECORD) manual $(SUITE) -n 2 tests/manual
+
+campaign-programs: programs $(VENV)/test-installed
+	$(RECORD) programs $(SUITE) tests/smoke
+
+campaign-elements: programs .venv-campaign/installed
+	$(RECORD) elements .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign
+
+campaign-solids: programs .venv-campaign/installed
+	$(RECORD) solids .venv-campaign/bin/python tests/campaign/solids.py --out $(OUT)/campaign --minutes $(MINUTES)
+
+campaign-mutants: $(VENV)/test-installed
+	$(RECORD) mutants $(TRUST).mutants --count 400 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+
+campaign-fuzz: $(VENV)/test-installed
+	-$(RECORD) "fuzz: files" $(TRUST).files --cases 100000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+	-$(RECORD) "fuzz: commands" $(TRUST).commands --runs 3000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+	-$(RECORD) "fuzz: compiled code" $(TRUST).kernels --cases 20000
+	-$(RECORD) "fuzz: limits that are met" $(TRUST).met_checks --solves 10000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+	-$(RECORD) "fuzz: cutting files" $(TRUST).written --strips 1000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+	$(RECORD) "fuzz: designs" $(TRUST).designs --designs 2000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+
+campaign-kills: $(VENV)/test-installed
+	$(RECORD) kills $(TRUST).faults --out $(OUT)/campaign
+
+campaign-soak: $(VENV)/test-installed
+	$(RECORD) soak $(TRUST).soak --minutes $(MINUTES) --out $(OUT)/campaign
 
 # FreeCAD with the workbench as it lies here and an example open (0.20 takes options after the file only).
 freecad:
 	tests/freecad/setup.sh
 	freecad freecad_workbench/example.py -M "$(CURDIR)"
 
-# Our files in Inkscape, LibreCAD, OpenSCAD, Poppler and CalculiX, as Debian has them.
-test-programs: $(VENV)/test-installed
-	tests/programs/setup.sh
-	$(BIN)/python -m pytest tests/programs
-
 # Ratios of times in one run, on a machine that does nothing else; docs/explanation/speed.md is written anew.
-benchmark: $(VENV)/benchmark-installed
+benchmark: programs $(VENV)/benchmark-installed
 	@mkdir -p $(OUT)
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib" \
 		--benchmark-json=$(OUT)/benchmark.json
 	$(BIN)/python docs/speed_tables.py $(OUT)/benchmark.json
-
-# Strips bent by finite elements, then what three kernels do to the bodies of thirty curves in five styles: hours;
-# CAMPAIGN="--styles plain" asks less of the kernels. Then files and commands that are broken on purpose, verdicts checked
-# otherwise, kills and full disks, mutants and a soak, each within MINUTES; docs/trust.md is written anew at the end.
-CAMPAIGN ?=
-MINUTES ?= 60
-TRUST = PYTHONPATH=. $(BIN)/python -m tests.campaign.trust
-campaign: .venv-campaign/installed
-	tests/programs/setup.sh
-	PYTHONPATH=. .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign
-	PYTHONPATH=. .venv-campaign/bin/python tests/campaign/typing_mistakes.py
-	PYTHONPATH=. .venv-campaign/bin/python tests/campaign/solids.py --out $(OUT)/campaign $(CAMPAIGN)
-	$(MAKE) campaign-trust
-
-campaign-trust: $(VENV)/test-installed
-	-$(TRUST).files --cases 100000 --minutes $(MINUTES) --out $(OUT)/campaign
-	-$(TRUST).commands --runs 3000 --minutes $(MINUTES) --out $(OUT)/campaign
-	-$(TRUST).kernels --cases 20000
-	-$(TRUST).met_checks --solves 10000 --minutes $(MINUTES) --out $(OUT)/campaign
-	-$(TRUST).written --strips 1000 --minutes $(MINUTES) --out $(OUT)/campaign
-	-$(TRUST).designs --designs 2000 --minutes $(MINUTES) --out $(OUT)/campaign
-	-$(TRUST).faults --out $(OUT)/campaign
-	-$(TRUST).soak --minutes $(MINUTES) --out $(OUT)/campaign
-	-$(TRUST).mutants --count 400 --minutes $(MINUTES) --out $(OUT)/campaign
-	$(TRUST).ledger --claims --out $(OUT)/campaign
 
 $(VENV)/created:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -106,13 +134,13 @@ $(VENV)/created:
 		{ echo "Python cannot make virtual environments here: install its venv module (Debian: apt install python3-venv)"; exit 1; }
 	@touch $@
 
-$(VENV)/demo-installed: $(VENV)/created pyproject.toml $(KERNELS)
+$(VENV)/demo-installed: $(VENV)/created pyproject.toml $(SOURCES)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)mesh]")
 
-$(VENV)/docs-installed: $(VENV)/created pyproject.toml $(KERNELS)
+$(VENV)/docs-installed: $(VENV)/created pyproject.toml $(SOURCES)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)docs]")
 
-$(VENV)/test-installed: $(VENV)/created pyproject.toml $(KERNELS)
+$(VENV)/test-installed: $(VENV)/created pyproject.toml $(SOURCES)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)dev]" "build123d==0.12.0" "cadquery==2.8.0")
 	@touch $(VENV)/demo-installed
 
@@ -120,9 +148,9 @@ $(VENV)/benchmark-installed: $(VENV)/test-installed
 	$(call install,$(VENV),--editable ".[benchmark]")
 
 ALONE := $(PYTHON) -m venv
-.venv-core/installed: $(VENV)/created
-	@$(ALONE) .venv-core
-	$(call install,.venv-core,"numpy==1.24.*" "scipy==1.10.*" "pytest>=8" "hypothesis>=6.100")
+$(OLDEST)/installed: $(VENV)/created pyproject.toml tests/oldest/requirements.txt
+	@$(ALONE) $(OLDEST)
+	$(call install,$(OLDEST),--requirement tests/oldest/requirements.txt)
 
 .venv-campaign/installed: $(VENV)/created
 	@$(ALONE) .venv-campaign
@@ -133,4 +161,4 @@ ALONE := $(PYTHON) -m venv
 	$(call install,.venv-$*,--editable ".[plot$(COMMA)$*]" "pytest>=8" "hypothesis>=6.100")
 
 clean:
-	rm -rf $(VENV) .venv-core .venv-build123d .venv-cadquery .venv-campaign $(OUT)
+	rm -rf $(VENV) .venv-* $(OUT)

@@ -35,7 +35,7 @@ MEANT = {
 
 HEAD = """# What kernels do with the bodies
 
-`make campaign` writes this page (`tests/campaign/solids.py`): what users of build123d, CadQuery and FreeCAD do to
+`make campaign-solids` writes this page: what users of build123d, CadQuery and FreeCAD do to
 the bodies of strips, thirty curves in five styles. "29/30": 29 succeed of 30 that were asked; the others of thirty
 were not asked yet. A body that comes out must be valid, and of the right volume where that is known; an operation
 that takes the processor longer than 10 s (shells 20 s, meshes and checks 60 s) has failed.

@@ -8,7 +8,7 @@ root=${ELASTICA_ROOTS:-$HOME/.cache/elastica-cad}/$release
 mirror=${ELASTICA_MIRROR:-}
 packages="freecad xvfb xauth xdotool openbox imagemagick python3-scipy python3-numpy python3-ezdxf python3-pytest"
 
-[ "$(id -u)" = 0 ] || { echo "debootstrap needs root: sudo make test-freecad RELEASE=$release"; exit 1; }
+[ "$(id -u)" = 0 ] || { echo "debootstrap needs root: sudo tests/freecad/release.sh $release"; exit 1; }
 command -v debootstrap >/dev/null || apt-get install -y -qq --no-install-recommends debootstrap >/dev/null
 
 leave() { for place in project dev proc; do mountpoint -q "$root/$place" && umount "$root/$place"; done; true; }

@@ -40,6 +40,7 @@ def test_without_the_workbench(tmp_path):
     assert found["volumes"]["Flat"] == pytest.approx(3659.1, rel=1e-3)
 
 
+@pytest.mark.campaign
 def test_what_the_readme_types(tmp_path):
     page = launching.ROOT / "freecad_workbench" / "README.md"
     found = launching.run_console("readme.py", tmp_path, ELASTICA_TEST_PAGE=str(page))
@@ -47,6 +48,7 @@ def test_what_the_readme_types(tmp_path):
     assert found["width"] == 40
 
 
+@pytest.mark.campaign
 def test_files_of_earlier_versions_in_a_window(tmp_path):
     data = Path(__file__).parent / "data"
     found = launching.run_window("reopen.py", tmp_path, ELASTICA_TEST_FILES=str(data))
@@ -72,8 +74,7 @@ def test_files_of_earlier_versions_in_a_window(tmp_path):
     assert len(kinds) == 6
 
 
-def test_dragging_in_the_sketcher(tmp_path):
-    found = launching.run_window("drag.py", tmp_path)
+def check_drag(found, folder):
     assert found["usable"]
     assert found["overlay at start"]["comb"] > 100
     assert found["overlay at start"]["line"] == 2
@@ -97,11 +98,12 @@ def test_dragging_in_the_sketcher(tmp_path):
     assert "crosses the curve" in found["sentence of a bad curve"]
     assert found["steps from the open sketch"] == ["Nearest curve to sketch", "Strip from sketch"]
     assert found["left by Cancel"] == [4, 4]
-    assert (tmp_path / "dragging.png").stat().st_size > 10_000
+    assert (folder / "dragging.png").stat().st_size > 10_000
 
 
-def test_every_command(tmp_path):
+def test_a_drag_and_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
+    check_drag(found, tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
     assert len(found["known"]) == 18
     ours = {keys for name, keys in found["shortcuts"].items() if name.startswith("Elastica")}
@@ -167,6 +169,7 @@ def test_every_command(tmp_path):
     assert found["usable with nothing"] is False
 
 
+@pytest.mark.campaign
 def test_in_german(tmp_path):
     found = launching.run_window("language.py", tmp_path, language="German")
     assert found["menu"]["Elastica_Strip"] == "Streifen aus Skizze"
@@ -182,6 +185,7 @@ def test_in_german(tmp_path):
     assert found["preferences"] == "birch-plywood-0.8"
 
 
+@pytest.mark.campaign
 def test_in_inches(tmp_path):
     found = launching.run_window("inches.py", tmp_path)
     assert found["preferences"] == ["R2000", pytest.approx(0.2)]
@@ -204,6 +208,7 @@ def test_in_inches(tmp_path):
     assert "in wide" in found["advice"]
 
 
+@pytest.mark.campaign
 def test_a_maker_at_work(tmp_path):
     found = launching.run_window("at_work.py", tmp_path)
     assert found["tracebacks"] == 0
@@ -249,6 +254,7 @@ def test_a_maker_at_work(tmp_path):
     assert found["export too far"].endswith("File name too long; choose another folder")
 
 
+@pytest.mark.campaign
 def test_a_project_that_grows_and_changes(tmp_path):
     found = launching.run_window("growing.py", tmp_path)
     assert found["tracebacks"] == 0
@@ -273,6 +279,7 @@ def test_a_project_that_grows_and_changes(tmp_path):
     assert found["other in sight"]
 
 
+@pytest.mark.campaign
 def test_a_hostile_user(tmp_path):
     found = launching.run_window("hostile.py", tmp_path)
     assert found["trouble"] == []
@@ -317,6 +324,7 @@ def check_first_use(found):
     assert found["comb of FreeCAD"], "FreeCAD's own comb is as it was"
 
 
+@pytest.mark.campaign
 def test_first_use_by_mouse_and_keyboard(tmp_path):
     found = launching.run_window("first_use.py", tmp_path)
     check_first_use(found)
@@ -329,6 +337,7 @@ def test_first_use_in_german_and_in_the_dark(tmp_path):
     assert found["verdict"] == "geht"
 
 
+@pytest.mark.campaign
 def test_every_button_in_every_state(tmp_path):
     found = launching.run_window("states.py", tmp_path)
     assert found["trouble"] == []
@@ -347,6 +356,7 @@ def test_every_button_in_every_state(tmp_path):
     assert found["undo of a curve"] == [["Strip003"], True]
 
 
+@pytest.mark.campaign
 def test_what_a_hand_does(tmp_path):
     found = launching.run_window("hand.py", tmp_path)
     kinds = ["Strip", "Model", "Flat", "Fixtures", "BasePlate", "Nest", "Bent", "Nearest", "Section"]
@@ -367,6 +377,7 @@ def test_what_a_hand_does(tmp_path):
     assert found["folder opened"] == str(tmp_path / "files")
 
 
+@pytest.mark.campaign
 def test_a_curve_of_given_length_between_clamps(tmp_path):
     found = launching.run_window("between.py", tmp_path)
     assert not found["grey"]
@@ -404,6 +415,7 @@ def test_a_curve_of_given_length_between_clamps(tmp_path):
     assert found["closed with its document"]
 
 
+@pytest.mark.campaign
 def test_a_workshop_that_measures_links_and_renames(tmp_path):
     found = launching.run_window("workshop.py", tmp_path)
     assert not found["grey for a link"]
@@ -423,6 +435,7 @@ def test_a_workshop_that_measures_links_and_renames(tmp_path):
     assert found["told at last"] == ["Cone", "Cone"]
 
 
+@pytest.mark.campaign
 def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
     found = launching.run_window("meeting.py", tmp_path)
     assert found["slotted"] == [1, True]
@@ -442,6 +455,7 @@ def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
     assert not opened
 
 
+@pytest.mark.campaign
 def test_macros_do_what_the_hand_did(tmp_path):
     """The recorder is on while buttons are pressed and boxes filled; the macro is played in a new document."""
     found = launching.run_window("macro.py", tmp_path)
@@ -469,6 +483,7 @@ def test_macros_do_what_the_hand_did(tmp_path):
     assert len(reshaped["steps"]) == 5, "as many steps to undo as by hand"
 
 
+@pytest.mark.campaign
 def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
     found = launching.run_window("copies.py", tmp_path)
     assert found["followed"].startswith("Strip is followed by Cut, which these files leave out: make it in")

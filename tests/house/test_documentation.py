@@ -3,7 +3,6 @@
 import re
 import tomllib
 from importlib import import_module
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import pytest
@@ -82,25 +81,6 @@ def test_no_equation_is_left_out():
         assert wanted in named
 
 
-def test_the_plan_shows_the_house_as_it_is(plan):
-    shown = set(re.findall(r">([^<>]+)</text>", read("docs/plan.svg")))
-    rooms = {room for floor, _ in plan.FLOORS for room in plan.rooms(floor) if floor.endswith(plan.ROOMY)}
-    assert rooms - shown == set(), "draw it again: python docs/plan.py"
-    assert {str(number) for number in plan.WAY} - shown == set(), (
-        "a station of the way has no room of its name"
-    )
-
-
 def test_the_citation_is_of_this_version():
     version = tomllib.loads(read("pyproject.toml"))["project"]["version"]
     assert f"\nversion: {version}\n" in read("CITATION.cff")
-
-
-def test_the_reference_of_design_files_names_no_count_that_is_none():
-    """`points` of `keep` was said to be "None numbers in brackets"."""
-    spec = spec_from_file_location("generated_pages", ROOT / "docs" / "generated_pages.py")
-    pages = module_from_spec(spec)
-    spec.loader.exec_module(pages)
-    page = pages.design_files()
-    assert "| `points` | numbers in brackets | places along the drawn curve" in page
-    assert "None" not in page

@@ -1,8 +1,6 @@
 """How the modules import each other: from every statement, at the top, inside functions and for types."""
 
 import ast
-import tomllib
-from collections import Counter, defaultdict
 from pathlib import Path
 
 import pytest
@@ -10,11 +8,6 @@ import pytest
 pytestmark = pytest.mark.core
 
 ROOT = Path(__file__).resolve().parents[2]
-MOST_IN_A_FOLDER = 13
-
-
-def floor(name):
-    return name.split(".")[1]
 
 
 def test_circles_and_dots_are_understood(plan):
@@ -44,31 +37,6 @@ def test_no_room_reaches_itself(plan):
     inside = [f"elastica_cad.{f.name}" for f in plan.ROOTS["elastica_cad"].iterdir() if f.is_dir()]
     found = {floor: plan.circles(plan.rooms(floor)) for floor in (*plan.ROOTS, *inside)}
     assert {floor: circles for floor, circles in found.items() if circles} == {}
-
-
-def test_a_folder_fits_a_screen(modules):
-    counts = Counter(file.parent for file in modules.values() if file.name != "__init__.py")
-    crowded = {str(k.relative_to(ROOT)): n for k, n in counts.items() if n > MOST_IN_A_FOLDER}
-    assert crowded == {}
-
-
-def test_a_name_is_on_one_floor_only(modules):
-    homes = defaultdict(set)
-    for name, file in modules.items():
-        if name.startswith("elastica_cad.") and file.name != "__init__.py":
-            homes[name.rpartition(".")[2]].add(name)
-    assert [found for found in homes.values() if len({floor(name) for name in found}) > 1] == []
-
-
-def test_the_papers_own_routes_are_used_by_nobody(imports):
-    package = "elastica_cad.published"
-    users = {
-        name: target
-        for name, targets in imports.items()
-        for target in targets
-        if target.startswith(package) and not name.startswith(package)
-    }
-    assert users == {}
 
 
 def test_imports_go_to_the_module_that_defines(modules, imports):
@@ -103,15 +71,3 @@ def test_an_underscore_says_what_is_private(plan, modules):
         if not node.name.startswith("_") and node.name not in asked
     ]
     assert idle == []
-
-
-def test_every_floor_with_rooms_has_a_contract(plan):
-    """The layers contract names the sub-packages of each floor, so that no arrow runs back up inside it."""
-    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"]
-    layered = {container for contract in contracts for container in contract.get("containers", ())}
-    floors = {
-        "elastica_cad." + folder.name
-        for folder in plan.ROOTS["elastica_cad"].iterdir()
-        if folder.is_dir() and any(folder.glob("*/*.py"))
-    }
-    assert floors <= layered

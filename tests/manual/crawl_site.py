@@ -1,4 +1,4 @@
-"""Walks a built site in Chromium as a reader does: python crawl_site.py FOLDER [--pictures FOLDER].
+"""Walks a built site in Chromium as a reader does: python crawl_site.py FOLDER [--page PAGE] [--pictures FOLDER].
 
 Every page is opened at a desk's and at a phone's width. Told are links and pictures that lead nowhere, pages wider
 than a phone, what the browser complains about, and what axe finds against WCAG 2.1 A and AA.
@@ -42,18 +42,19 @@ def main() -> None:
     """Exit with what is wrong, a line each."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("site", type=Path)
+    parser.add_argument("--page", default="", help="look at this page alone")
     parser.add_argument("--pictures", type=Path)
     asked = parser.parse_args()
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(asked.site)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    pages, wrong = crawl(f"http://127.0.0.1:{server.server_port}/", asked.pictures)
+    pages, wrong = crawl(f"http://127.0.0.1:{server.server_port}/", asked.pictures, asked.page)
     server.shutdown()
     print(f"{len(pages)} pages")
     sys.exit("\n".join(wrong) or None)
 
 
-def crawl(home: str, pictures: Path | None) -> tuple[list[str], list[str]]:
-    """Every page that links lead to from the first, and what is wrong with them."""
+def crawl(home: str, pictures: Path | None, only: str = "") -> tuple[list[str], list[str]]:
+    """Every page that links lead to from the first, or one page alone, and what is wrong with them."""
     options = webdriver.ChromeOptions()
     for flag in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"):
         options.add_argument(flag)
@@ -62,7 +63,7 @@ def crawl(home: str, pictures: Path | None) -> tuple[list[str], list[str]]:
     browser.set_script_timeout(SLOWEST_S)
     browser.command_executor.client_config.timeout = SLOWEST_S
     axe = files("axe_core_python").joinpath("axe.min.js").read_text(encoding="utf-8")
-    waiting, pages, wrong, targets = [f"{home}index.html"], [], [], set()
+    waiting, pages, wrong, targets = [home + (only or "index.html")], [], [], set()
     try:
         while waiting:
             page = waiting.pop()
@@ -88,7 +89,7 @@ def crawl(home: str, pictures: Path | None) -> tuple[list[str], list[str]]:
                     continue
                 file, anchor = urldefrag(link)
                 targets.add((name, file, anchor))
-                if file.endswith(".html") and file not in pages and file not in waiting:
+                if not only and file.endswith(".html") and file not in pages and file not in waiting:
                     waiting.append(file)
         for name, file, anchor in sorted(targets, key=lambda one: one[1:]):
             if file.endswith(".html") and anchor:

@@ -154,7 +154,7 @@ def _cutting_options(row, folder):
 
 @asks(f"{HOW_TO}/cutting.md", "program", "what it takes")
 def _programs(row, _):
-    tests = "tests/programs/test_files_in_other_programs.py"
+    tests = "tests/smoke/test_files_in_other_programs.py"
     proved_by(
         {
             "Inkscape": f"{tests}::test_inkscape_draws_closed_loops_on_the_layers",
@@ -162,7 +162,7 @@ def _programs(row, _):
             "OpenSCAD": f"{tests}::test_openscad_extrudes_the_dxf",
             "FreeCAD": f"{tests}::test_freecad_reads_drawings_and_solids",
             "PDF viewers": f"{tests}::test_poppler_measures_the_paper_template",
-            "Chromium": "tests/programs/test_manual_in_a_browser.py::test_the_page_of_a_kit_shows_its_files",
+            "Chromium": "tests/smoke/test_manual_in_a_browser.py::test_the_page_of_a_kit_shows_its_files",
         }[row[0]]
     )
 

@@ -12,6 +12,8 @@ import pytest
 from elastica_cad.cli.commands import elastica
 from tests.manual.found_in_pages import PAGES, ROOT
 
+pytestmark = pytest.mark.campaign
+
 DOCS = ROOT / "docs"
 TOOLS = DOCS / "freecad_tools" / "pictures"
 DRAWS_TOOLS = (ROOT / "tests" / "freecad" / "scripts" / "manual_pictures.py").read_text(encoding="utf-8")

@@ -30,6 +30,7 @@ RUN_ELSEWHERE = {
     ("docs/code_cad.md", "rst"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
     ("docs/code_cad.md", "text"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
 }
+pytestmark = pytest.mark.campaign
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 HOME = "https://github.com/elastica-cad/elastica_cad"
 
@@ -53,13 +54,12 @@ def test_a_row_is_true(table, row, tmp_path):
 
 
 def test_pages_of_campaigns_are_what_was_measured():
-    from tests.campaign import solid_table
+    from tests.campaign import record, solid_table
     from tests.campaign.finite_elements import table
-    from tests.campaign.trust import ledger
 
     assert table.PAGE.read_text(encoding="utf-8") == table.written(table.kept())
     assert solid_table.PAGE.read_text(encoding="utf-8") == solid_table.written(solid_table.kept())
-    assert ledger.PAGE.read_text(encoding="utf-8") == ledger.page(json.loads(ledger.KEPT.read_text()))
+    assert record.PAGE.read_text(encoding="utf-8") == record.page(json.loads(record.KEPT.read_text()))
 
 
 def test_answers_of_kernels_take_the_place_of_older_ones(tmp_path, monkeypatch):

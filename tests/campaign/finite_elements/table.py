@@ -20,7 +20,7 @@ ASKED_MEDIAN, ASKED_WORST = 3e-4, 1e-3
 
 HEAD = """# Strips bent by finite elements
 
-`make campaign` writes this page (`tests/campaign/finite_elements`). The cut files (DXF) of each strip are read,
+`make campaign-elements` writes this page. The cut files (DXF) of each strip are read,
 meshed by gmsh and bent by CalculiX in space: bricks of twenty nodes (C3D20R), one through the thickness of each
 sheet, large displacements. The tabs are held in the drawn pose; all else is free. Numbers are the largest distance
 of the middle line (the mean over the section) from the drawn curve, as a share of the length.

@@ -1,6 +1,7 @@
 """Cut files bent in CalculiX: what leaves the laser, held as designed, takes the drawn curve.
 
-The whole campaign is `make campaign`; `tests/programs/setup.sh` installs ccx from Debian.
+One strip is bent in the everyday suite, the others in `make campaign-programs`.
+The whole campaign is `make campaign-elements`; `tests/smoke/setup.sh` installs ccx from Debian.
 """
 
 from dataclasses import replace
@@ -17,11 +18,13 @@ from tests.campaign.finite_elements.strips_in_pockets import held_in_pockets
 from tests.campaign.finite_elements.tapered import TAPERED, bend_tapered
 
 
+@pytest.mark.campaign
 def test_a_rectangle_bends_into_the_elastica_of_elliptic_functions(tmp_path):
     bent = bend_cut_strip(uniform_strip(), tmp_path, size=10.0, curve=elastica(0.8, -1.2, 1.6))
     assert bent.deviation < 5e-5 * LENGTH
 
 
+@pytest.mark.campaign
 def test_a_clamped_strip_swings_as_a_beam(tmp_path):
     """The square of the lowest frequency is 22.373^2 E h^2 / (12 rho L^4)."""
     strip = uniform_strip()
@@ -31,7 +34,9 @@ def test_a_clamped_strip_swings_as_a_beam(tmp_path):
     assert found == pytest.approx(22.373285**2 * E * h**2 / (12 * rho * LENGTH**4), rel=1e-3)
 
 
-@pytest.mark.parametrize(("poisson_ratio", "share"), [(0.0, 5e-5), (0.3, 3e-4)])
+@pytest.mark.parametrize(
+    ("poisson_ratio", "share"), [pytest.param(0.0, 5e-5, marks=pytest.mark.campaign), (0.3, 3e-4)]
+)
 def test_a_strip_takes_the_drawn_curve_but_for_its_curl(poisson_ratio, share, tmp_path):
     curve = ec.PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4)
     sheet = replace(ec.Sheet.named("birch-plywood-0.8"), poisson_ratio=poisson_ratio)
@@ -42,6 +47,7 @@ def test_a_strip_takes_the_drawn_curve_but_for_its_curl(poisson_ratio, share, tm
     assert np.ptp(bent.body.nodes[:, 0]) == pytest.approx(strip.rod.length + 20.0, abs=1e-6)  # both tabs
 
 
+@pytest.mark.campaign
 def test_a_strip_of_the_wrong_width_strays_as_far_as_its_rod(tmp_path):
     """A rectangle in place of the strip: off by a hundredth of its length, in both theories alike."""
     curve = ec.PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4)
@@ -53,6 +59,7 @@ def test_a_strip_of_the_wrong_width_strays_as_far_as_its_rod(tmp_path):
     assert found == pytest.approx(np.hypot(*strayed.T).max(), rel=0.01)
 
 
+@pytest.mark.campaign
 def test_a_laminate_whose_borders_curl_strays_as_far_as_it_says(tmp_path):
     (case,) = (one for one in CASES if one.group == "laminated, nu 0.3" and one.curve == "S")
     strip = case.spec.make()
@@ -61,6 +68,7 @@ def test_a_laminate_whose_borders_curl_strays_as_far_as_it_says(tmp_path):
     assert found > 4e-3 * strip.rod.length
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("k", "stays"), [(0.7, True), (0.9, False)])
 def test_a_narrow_strip_pushed_together_leaves_its_plane_when_it_nearly_loops(k, stays, tmp_path):
     strip = uniform_strip(width=5.0, poisson_ratio=0.3)
@@ -68,6 +76,7 @@ def test_a_narrow_strip_pushed_together_leaves_its_plane_when_it_nearly_loops(k,
     assert (bent.eigenvalues[bent.sideways].min() > 0) == stays
 
 
+@pytest.mark.campaign
 def test_pockets_with_play_move_a_strip_as_far_as_it_says(tmp_path):
     curve = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)], degree=4)
     sheet = replace(ec.Sheet.named("birch-plywood-0.8"), poisson_ratio=0.0)
@@ -77,6 +86,7 @@ def test_pockets_with_play_move_a_strip_as_far_as_it_says(tmp_path):
     assert found.strayed > 0.5
 
 
+@pytest.mark.campaign
 def test_a_tapered_strip_takes_the_drawn_curve(tmp_path):
     """Its side view, meshed coarsely; the bank of five is the campaign's."""
     name = "tall ellipse, nu 0"

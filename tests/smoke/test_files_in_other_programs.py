@@ -1,6 +1,6 @@
 """Our files opened by programs nobody here wrote: their size to 0.01 mm, their layers, their closed loops.
 
-`tests/programs/setup.sh` installs Inkscape, LibreCAD, OpenSCAD and Poppler from Debian,
+`tests/smoke/setup.sh` installs Inkscape, LibreCAD, OpenSCAD and Poppler from Debian,
 `tests/freecad/setup.sh` FreeCAD.
 """
 
@@ -58,29 +58,41 @@ open({file!r} + ".freecad.json", "w").write(json.dumps(found))
 """
 
 
+OPTIONS = {
+    "exact": [], "arc": ["--curves", "arc"], "lines": ["--curves", "polyline", *FINE],
+    "old": ["--dxf-version", "R12", *FINE], "paper": ["--paper", "A3"],
+}  # fmt: skip
+"""How the command writes one strip: exact, as arcs, as lines, for old machines, with a paper template."""
+
+VARIANT = pytest.mark.campaign
+"""One file each way is opened in the everyday suite, the other variants in `make campaign-programs`."""
+
+
 @pytest.fixture(scope="module")
 def cut(tmp_path_factory):
-    """One strip as the command writes it: exact, as arcs, for old machines; and the strip itself."""
+    """The folder with the drawn curve, and the strip itself; `written` adds files."""
     folder = tmp_path_factory.mktemp("cut")
     curve = ec.PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4)
     ec.formats.write_curves([curve], folder / "bow.dxf")
-    asked = ["--sheet", "birch-plywood-0.8", "--max-width", "30", "--label", "BOW"]
-    asked += ["--start-tab", "length = 12, holes = [{at = 6, diameter = 3}]"]
-    for name, options in {
-        "exact": [], "arc": ["--curves", "arc"], "lines": ["--curves", "polyline", *FINE],
-        "old": ["--dxf-version", "R12", *FINE], "paper": ["--paper", "A3"],
-    }.items():  # fmt: skip
-        run(
-            sys.executable, "-m", "elastica_cad", "strip", "bow.dxf", *asked, *options, "-o", name, cwd=folder
-        )
     sheet = ec.Sheet.named("birch-plywood-0.8")
     (drawn,) = ec.read_curves(folder / "bow.dxf")
     ends = ec.Tab(12.0, holes=(ec.Hole(6.0, 3.0),)), ec.Tab(10.0)
     return folder, ec.Strip(ec.optimal_rod(drawn), sheet, max_width=30.0, label="BOW", ends=ends)
 
 
-def cutting_file(kind):
-    return f"{kind}/bow-mm.dxf" if kind == "old" else f"{kind}/bow.dxf"  # R12 holds no unit
+def written(folder, kind):
+    """The files of the strip as the command writes them, made once for each kind."""
+    if not (folder / kind).exists():
+        asked = ["--sheet", "birch-plywood-0.8", "--max-width", "30", "--label", "BOW"]
+        asked += ["--start-tab", "length = 12, holes = [{at = 6, diameter = 3}]", *OPTIONS[kind], "-o", kind]
+        asked += [] if kind == "exact" else ["--no-step", "--no-pictures"]
+        run(sys.executable, "-m", "elastica_cad", "strip", "bow.dxf", *asked, cwd=folder)
+    return folder / kind
+
+
+def cutting_file(folder, kind):
+    name = "bow-mm.dxf" if kind == "old" else "bow.dxf"  # R12 holds no unit
+    return (written(folder, kind) / name).relative_to(folder).as_posix()
 
 
 def outline_size(strip):
@@ -90,6 +102,7 @@ def outline_size(strip):
 
 def test_inkscape_measures_the_svg(cut):
     folder, strip = cut
+    written(folder, "exact")
     said = run("inkscape", "--query-all", "exact/bow.svg", cwd=folder)
     rows = {row.split(",")[0]: np.array(row.split(",")[1:], float) for row in said.splitlines() if "," in row}
     assert set(rows) >= LAYERS
@@ -98,8 +111,10 @@ def test_inkscape_measures_the_svg(cut):
     np.testing.assert_allclose(measured, outline_size(strip), atol=SIZE_MM)
 
 
+@VARIANT
 def test_inkscape_draws_closed_loops_on_the_layers(cut):
     folder, _ = cut
+    written(folder, "exact")
     words = ("exact/bow.svg", "--export-plain-svg", "--export-filename=plain.svg")
     run("inkscape", *words, cwd=folder)
     root = ElementTree.parse(folder / "plain.svg").getroot()
@@ -112,8 +127,7 @@ def test_inkscape_draws_closed_loops_on_the_layers(cut):
 
 def test_freecad_reads_drawings_and_solids(cut):
     folder, strip = cut
-    pytest.importorskip("OCP")
-    file = str(folder / "exact" / "bow")
+    file = str(written(folder, "exact") / "bow")
     (folder / "read.py").write_text(IN_FREECAD.format(file=file))
     run("freecadcmd", "-u", str(folder / "user.cfg"), str(folder / "read.py"), cwd=folder, seconds=300)
     found = json.loads((folder / "exact" / "bow.freecad.json").read_text())
@@ -134,11 +148,13 @@ def stroke_width(file):
     return float(re.search(r'stroke-width[=:]"?([0-9.]+)', text)[1])
 
 
-@pytest.mark.parametrize("kind", ["lines", "old"])
+@pytest.mark.parametrize("kind", ["lines", pytest.param("old", marks=VARIANT)])
 def test_openscad_extrudes_the_dxf(cut, kind):
     folder, strip = cut
     # $fn: pieces of a whole turn, also of arcs of 10 m radius
-    (folder / f"{kind}.scad").write_text(f'$fn = 20000; import("{cutting_file(kind)}", layer="CUT_OUTER");')
+    (folder / f"{kind}.scad").write_text(
+        f'$fn = 20000; import("{cutting_file(folder, kind)}", layer="CUT_OUTER");'
+    )
     run("openscad", "-o", f"{kind}.svg", f"{kind}.scad", cwd=folder)
     root = ElementTree.parse(folder / f"{kind}.svg").getroot()
     (path,) = root.findall("{http://www.w3.org/2000/svg}path")
@@ -158,10 +174,12 @@ def distances(points, corners):
     return np.linalg.norm(from_corner - share[..., None] * side, axis=-1).min(axis=1)
 
 
-@pytest.mark.parametrize("kind", ["exact", "arc", "lines", "old"])
+@pytest.mark.parametrize(
+    "kind", ["exact", *(pytest.param(one, marks=VARIANT) for one in ("arc", "lines", "old"))]
+)
 def test_librecad_prints_each_layer_at_full_size_in_closed_loops(cut, kind):
     folder, strip = cut
-    printed = {layer: librecad_lines(folder, cutting_file(kind), layer) for layer in LAYERS}
+    printed = {layer: librecad_lines(folder, cutting_file(folder, kind), layer) for layer in LAYERS}
     for layer, size in {"CUT_OUTER": outline_size(strip), "CUT_INNER": (3, 3)}.items():
         np.testing.assert_allclose(np.ptp(np.concatenate(printed[layer]), axis=0), size, atol=SIZE_MM)
         assert [is_closed(chain) for chain in joined(printed[layer])] == [True]
@@ -210,10 +228,11 @@ def joined(lines):
 def test_poppler_measures_the_paper_template(cut):
     folder, strip = cut
     color = (194 / 255, 69 / 255, 45 / 255)
-    lines = np.concatenate(printed_lines(folder / "paper" / "bow.pdf", color))
+    lines = np.concatenate(printed_lines(written(folder, "paper") / "bow.pdf", color))
     np.testing.assert_allclose(np.ptp(lines, axis=0), outline_size(strip), atol=SIZE_MM)
 
 
+@VARIANT
 def test_tiles_join_at_their_marks(cut):
     """Neighbouring pages overlap by 10 mm, and together they hold the whole drawing."""
     folder, strip = cut
@@ -242,8 +261,9 @@ def printed_lines(pdf, color=None):
     return found
 
 
+@VARIANT
 def test_layers_stand_in_the_dxf_for_every_reader(cut):
     folder, _ = cut
     for kind in ("exact", "arc", "lines", "old"):
-        document = ezdxf.readfile(folder / cutting_file(kind))
+        document = ezdxf.readfile(folder / cutting_file(folder, kind))
         assert {entity.dxf.layer for entity in document.modelspace()} == LAYERS

@@ -1,0 +1,69 @@
+"""Runs a campaign and keeps what came out: python -m tests.campaign.record NAME COMMAND [WORD ...]
+
+The last line that the command prints is its result. It is kept with date and commit in `results.json`, and
+docs/trust.md is written anew. The exit code is that of the command.
+"""
+
+import json
+import subprocess
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+KEPT = Path(__file__).with_name("results.json")
+PAGE = ROOT / "docs" / "trust.md"
+
+HEAD = """# Trust: what the campaigns found
+
+`make test` is run for every change. Campaigns take longer: they are run when what they guard has changed, and
+before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) says what each proves. This page is written with each run
+and keeps the last result, failures as they came out. Strips bent by finite elements have
+[a page of their own](finite_elements.md), and so have [bodies in three CAD kernels](kernels.md).
+
+| campaign | date | commit | result |
+| --- | --- | --- | --- |
+"""
+
+
+def page(kept: dict[str, dict[str, str]]) -> str:
+    """The results as Markdown, one row a campaign."""
+    rows = (
+        f"| {name} | {last['date']} | {last['commit']} | {last['result'].replace('|', '/')} |\n"
+        for name, last in sorted(kept.items())
+    )
+    return HEAD + "".join(rows)
+
+
+def run(words: list[str]) -> tuple[int, str]:
+    """Exit code and last line of a command, whose output is shown as it comes."""
+    last = ""
+    with subprocess.Popen(
+        words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    ) as process:
+        assert process.stdout is not None
+        for line in process.stdout:
+            print(line, end="", flush=True)
+            last = line.strip("= \n") or last
+    return process.returncode, last
+
+
+def main(name: str, *words: str) -> int:
+    """Run, keep, and give back the command's exit code."""
+    code, result = run(list(words))
+    told = subprocess.run(
+        ["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    kept = json.loads(KEPT.read_text(encoding="utf-8"))
+    kept[name] = {
+        "date": datetime.now(UTC).date().isoformat(),
+        "commit": told.stdout.strip(),
+        "result": result if code == 0 else f"FAILED ({code}): {result}",
+    }
+    KEPT.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    PAGE.write_text(page(kept), encoding="utf-8")
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
