@@ -78,7 +78,7 @@ campaign-oldest: $(VENV)/test-installed $(OLDEST)/installed
 		-o addopts="-q --import-mode=importlib --strict-markers" -m core tests/house tests/unit tests/properties tests/validation
 
 campaign-banks: $(VENV)/test-installed
-	$(RECORD) banks $(SUITE) -n 2 tests/unit tests/properties tests/validation tests/contract elastica_cad
+	$(RECORD) banks $(SUITE) -n 2 tests/unit tests/properties tests/validation tests/contract tests/house
 
 campaign-bodies: programs $(VENV)/test-installed
 	$(RECORD) bodies $(SUITE) -n 2 tests/cad

@@ -120,6 +120,7 @@ def test_a_slicer_finds_a_closed_body_that_stands_on_its_bed(strip, measure, tmp
     assert all((j, i) in ways for i, j in ways)
 
 
+@pytest.mark.campaign
 def test_a_long_number_is_engraved_whole(strip, measure):
     number = "STRIP 17 OF THE PAVILION, BENT BY HAND: " * 2
     body = occt.make_solid(EndFixture.of(strip, number=number.strip()).solid)

@@ -31,6 +31,7 @@ class TestBuild123d:
 
         return BentStrip(CURVE, SHEET, **ONE_SIDED)
 
+    @pytest.mark.campaign
     @pytest.mark.parametrize("name", [*PLANES, "leaning"])
     def test_bodies_of_an_image_are_images(self, rib, name):
         import build123d as bd
@@ -111,6 +112,7 @@ class TestCadQuery:
 
         return bent_strip(CURVE, SHEET, **ONE_SIDED)
 
+    @pytest.mark.campaign
     @pytest.mark.parametrize("plane", PLANES)
     def test_bodies_of_an_image_are_images(self, rib, plane):
         image = rib.mirror(plane)
@@ -137,6 +139,7 @@ class TestCadQuery:
             rib.bent(end=plane.toWorldCoords((20, 0, 0)))
         assert {one.filename for one in told} == {__file__}
 
+    @pytest.mark.campaign
     def test_bent_strips_stand_at_every_point_of_the_stack(self):
         import cadquery as cq
 

@@ -32,6 +32,7 @@ def campaign(request):
     return found
 
 
+@pytest.mark.campaign
 @pytest.mark.build123d
 def test_build123d(bodies, campaign):
     runner = campaign[1].Build123d(bodies)
@@ -41,6 +42,7 @@ def test_build123d(bodies, campaign):
         assert size > 0, name
 
 
+@pytest.mark.campaign
 @pytest.mark.cadquery
 def test_cadquery(bodies, campaign):
     runner = campaign[1].CadQuery(bodies)

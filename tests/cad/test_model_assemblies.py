@@ -117,6 +117,7 @@ def test_cadquery_assembly(model):
         assert np.cos(child.loc.toTuple()[1]) == pytest.approx(np.cos(angles), abs=1e-5)
 
 
+@pytest.mark.campaign
 @pytest.mark.cadquery
 def test_sheets_of_laminates_in_cadquery(tmp_path):
     import cadquery as cq
@@ -178,6 +179,7 @@ class TestWhatHoldsTheStrips:
         with pytest.raises(InputError, match=r"a tuple is no model: give ec\.Model"):
             require_model(crown.placed)
 
+    @pytest.mark.campaign
     def test_step(self, crown, holders, tmp_path, measure):
         from OCP.STEPControl import STEPControl_Reader
 
@@ -206,6 +208,7 @@ class TestWhatHoldsTheStrips:
         mate = strip.joints["start"].location
         assert [*block.joints["tab"].location.position] == pytest.approx([*mate.position], abs=1e-9)
 
+    @pytest.mark.campaign
     @pytest.mark.cadquery
     def test_cadquery(self, crown, holders):
         from elastica_cad.cadquery import model_assembly

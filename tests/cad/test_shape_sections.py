@@ -51,6 +51,7 @@ def test_several_lines_and_misses_are_told(bodies):
         shape_sections(bodies[0], ring.frame)
 
 
+@pytest.mark.campaign
 def test_cuts_through_freeform_faces_have_few_points():
     """A loft, whose sections the kernel would else trace as polylines of ten thousand points."""
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire

@@ -111,6 +111,7 @@ class TestBuild123d:
 
 @pytest.mark.cadquery
 class TestCadQuery:
+    @pytest.mark.campaign
     def test_turned(self):
         import cadquery as cq
 

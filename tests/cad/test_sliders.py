@@ -55,6 +55,7 @@ def enclosed(points, triangles):
     return (a * np.cross(b, c)).sum() / 6
 
 
+@pytest.mark.campaign
 def test_an_animation_shows_the_strip_on_its_way(arch_strip, measure, tilted, tmp_path):
     travel = Travel(arch_strip, tilted, END)
     travel.write_glb(tmp_path / "arch.glb", frames=7, seconds=3.0)

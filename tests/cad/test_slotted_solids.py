@@ -54,6 +54,7 @@ def arch_and_wall(angle, sheet="birch-plywood-0.8"):
     return Model([arch, wall])
 
 
+@pytest.mark.campaign
 def test_exact_slots_let_the_other_strip_through(measure):
     """At 45 degrees: whole strips collide, slots of the paper's width still do, exact ones do not."""
     model = arch_and_wall(np.radians(45))
@@ -62,6 +63,7 @@ def test_exact_slots_let_the_other_strip_through(measure):
     assert common_volume(model.interlock(clearance=0.1), measure) < 1e-6
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("degrees", [45, 60])
 def test_a_thick_strip_passes_one_that_is_bent_across_the_slot(degrees, measure):
     """3 mm through a radius of 80 mm: over half the slot's width the arch falls away by 0.15 mm and shifts it."""
@@ -74,6 +76,7 @@ def test_a_thick_strip_passes_one_that_is_bent_across_the_slot(degrees, measure)
     assert 0 < slotted.strips[0].slots[0].widths.max() - flat < 0.35
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("first", [0, 4, 9])
 def test_neighbours_of_the_pavilion_do_not_collide(first, pavilion, measure):
     """With two, three and one bent slots between them, down to ten degrees: the two bent strips share nothing."""

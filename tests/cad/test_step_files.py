@@ -40,6 +40,7 @@ def test_header_units_names_colours(arch_strip, tmp_path):
     assert len(entities(path, "MANIFOLD_SOLID_BREP")) == 2
 
 
+@pytest.mark.campaign
 def test_same_bytes_every_time(plain, tmp_path):
     """Also with several colours, which the kernel writes in the order of addresses in memory."""
     colors = [(1, 0, 0), (0, 0, 1), (1, 0, 0), (0.2, 0.3, 0.4)]
@@ -59,6 +60,7 @@ def test_same_bytes_every_time(plain, tmp_path):
     assert {int(n) for n in re.findall(r"#(\d+)", content)} == set(numbers)
 
 
+@pytest.mark.campaign
 def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, measure):
     """Wires are parted by us there, also where holes touch the joint to a tab, and OpenCASCADE is not asked to."""
     curve = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])

@@ -21,6 +21,7 @@ def torus(tmp_path):
     return tmp_path / "ring.step"
 
 
+@pytest.mark.campaign
 def test_a_body_becomes_strips(torus, tmp_path):
     made = run(
         "sections",

@@ -4,10 +4,13 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 FILE = ROOT / "tests" / "cad" / "typing" / "mistakes.py"
 
 
+@pytest.mark.campaign
 def test_mypy_finds_the_mistakes_it_can():
     """Two of them need the types of build123d itself, which mypy does not follow here."""
     lines = FILE.read_text().splitlines()

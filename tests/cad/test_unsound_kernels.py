@@ -46,6 +46,7 @@ def installed(folder, **packages):
         (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
 
 
+@pytest.mark.campaign
 def test_two_kernels_in_one_environment(folder):
     installed(folder, cadquery_ocp="7.8.1.1", cadquery_ocp_novtk="8.0.1.1")
     strip = run(folder, "strip", "arch.svg", "--sheet", "birch-plywood-0.8", "--max-width", "30", "-o", "out")
@@ -59,6 +60,7 @@ def test_two_kernels_in_one_environment(folder):
     assert not list(folder.glob("*/**/*.step"))
 
 
+@pytest.mark.campaign
 def test_a_library_of_the_system_that_is_missing(folder):
     (folder / "site" / "OCP" / "__init__.py").write_text(
         'raise ImportError("libGL.so.1: cannot open shared object file: No such file or directory")\n'

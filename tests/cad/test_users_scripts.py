@@ -96,6 +96,7 @@ class TestBuild123d:
         stretched = rib.transform_geometry(bd.Matrix([[1, 0, 0, 0], [0, 2, 0, 0], [0, 0, 1, 0]]))
         assert not hasattr(stretched, "strip")
 
+    @pytest.mark.campaign
     def test_made_anew_elsewhere_its_other_bodies_follow(self, rib):
         """`transformed` and `transform=True` make a shape anew instead of placing it."""
         import build123d as bd
@@ -246,6 +247,7 @@ class TestCadQuery:
         on_vectors = elastica(cq.Vector(0, 0), cq.Vector(10, 0), 50)
         assert on_vectors.Length() == pytest.approx(50, rel=1e-6)
 
+    @pytest.mark.campaign
     def test_a_label_of_any_letters_is_engraved(self):
         """A fixture's own number is in letters that the alphabet has."""
         from elastica_cad.cadquery import bent_strip
@@ -256,6 +258,7 @@ class TestCadQuery:
         assert block.Volume() < rib.fixture("end", number="").Volume()
 
 
+@pytest.mark.campaign
 def test_a_skin_is_there_soon_after_its_library(project_root):
     """What solves, holds and animates strips is imported when it is asked for."""
     library = os.environ.get("ELASTICA_KERNELS", "build123d").split(",")[0]

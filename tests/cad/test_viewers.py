@@ -55,6 +55,7 @@ class TestBuild123d:
             page = shape._repr_html_()
             assert ("<script>" in page) if has_vtk else repr(shape) == page
 
+    @pytest.mark.campaign
     def test_colours_names_and_joints_of_all_that_is_shown(self, model):
         """ocp_vscode walks children, and asks each for label, colour and the symbols of its joints."""
         *single, whole = self.shown(model)
@@ -85,6 +86,7 @@ class TestCadQuery:
                 shape.Volume(), rel=0.02
             )
 
+    @pytest.mark.campaign
     def test_what_web_pages_are_made_of(self, model):
         import cadquery as cq
         from cadquery.occ_impl.assembly import toJSON
@@ -98,6 +100,7 @@ class TestCadQuery:
         parts = toJSON(model_assembly(model))
         assert sum(np.allclose(part["color"], (0.85, 0.70, 0.48, 1), atol=0.01) for part in parts) == 3
 
+    @pytest.mark.campaign
     @pytest.mark.build123d  # which brings IPython
     def test_jupyter(self, model):
         from elastica_cad.cadquery import model_assembly
@@ -105,6 +108,7 @@ class TestCadQuery:
         for shown in (self.shown()[0], model_assembly(model)):
             assert "render" in shown._repr_javascript_()
 
+    @pytest.mark.campaign
     def test_cq_editor(self, model):
         """`show_object` puts shapes into one compound, and turns an assembly into a document of OpenCASCADE."""
         import cadquery as cq

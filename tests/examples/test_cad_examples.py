@@ -59,6 +59,7 @@ def test_both_dialects_make_the_same_strip(name, run):
     assert other.area == pytest.approx(one.area, rel=1e-7)
 
 
+@pytest.mark.campaign
 def test_lamp_fits_together(run):
     """Ten strips and two rings that do not touch, tabs in the rings' slots."""
     lamp = run("lamp_build123d")[0]["lamp"]
@@ -74,6 +75,7 @@ def test_lamp_fits_together(run):
     assert pytest.approx((-10, 270), abs=1e-4) == (box.min.Z, box.max.Z)
 
 
+@pytest.mark.campaign
 def test_arch_is_bolted_down(run):
     """No part enters another; bolts stand in the holes and are drilled out of the feet."""
     parts = run("arch_build123d")[0]["assembly"].children

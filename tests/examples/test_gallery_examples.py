@@ -69,6 +69,7 @@ MODELS = {
 }
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", MODELS)
 def test_counts_and_sizes(name, built):
     model, (count, different, size, ratio) = built(name), MODELS[name]
@@ -80,6 +81,7 @@ def test_counts_and_sizes(name, built):
         assert np.ptp(places, axis=0) == pytest.approx(size, rel=0.25)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", MODELS)
 def test_strips_keep_their_shape(name, built):
     """In balance, stable with what they carry, within what the sheet bears, and as cut within 0.1 mm of the design.
@@ -98,6 +100,7 @@ def test_strips_keep_their_shape(name, built):
         assert strip.max_strain <= strip.strain_limit * (1 + 1e-6)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", sorted({*MODELS} - {"lamp", "pavilion"}))
 def test_drawings_are_sound(name, built, check_drawing):
     """The first and the last part; those of the Pavilion in its own tests."""
@@ -108,6 +111,7 @@ def test_drawings_are_sound(name, built, check_drawing):
             check_drawing(drawing)
 
 
+@pytest.mark.campaign
 def test_a_drawing_of_hundreds_of_diamonds_is_sound(built, check_drawing):
     for drawing in built("lamp").strips[0].drawings():
         assert len(drawing.on(CUT_OUTER)) == 1
@@ -118,6 +122,7 @@ def test_a_drawing_of_hundreds_of_diamonds_is_sound(built, check_drawing):
 NEIGHBOURS = {"lantern": 4, "flower_pot": 16, "shell": 21, "horse": 40, "lamp": 32, "carpet": 15, "facade": 8}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", NEIGHBOURS)
 def test_bent_strips_do_not_collide(name, built, collisions):
     """As they are really cut, tabs and all: at least their thickness apart."""
@@ -146,6 +151,7 @@ def test_windings_of_the_spiral_keep_apart(built, collisions):
     assert collisions.self_clearance(band, 15.0) > 2
 
 
+@pytest.mark.campaign
 def test_the_pavilion_collides_in_its_slots_only(built, collisions):
     """In the shape that mates hold each other in: sheets cross where one of them is slotted, and nowhere else."""
     model = built("pavilion")
@@ -228,6 +234,7 @@ def test_every_tab_finds_its_slot_in_a_ring(name, deep, built):
                 assert np.all((placed > 0) & (placed < slot.size))
 
 
+@pytest.mark.campaign
 def test_the_carpet_hovers(built):
     """Bent as it is cut, under its own weight: between two inflections it comes near the ground, not onto it."""
     for placed in built("carpet").placed:
@@ -249,6 +256,7 @@ def test_the_lamp_stays_under_its_strain_limit(built):
         assert strip.max_strain <= 0.9 * birch.max_strain
 
 
+@pytest.mark.campaign
 def test_the_flower_pot_on_the_published_surface(example, reference_data):
     file = reference_data / "hafner" / "flower-pot" / "flower-pot.obj"
     model = example("flower_pot")["build"](
@@ -351,6 +359,7 @@ def test_the_six_published_surfaces_of_revolution(example, reference_data):
         assert len(surface.model(label).strips[0].rod.curve.inflections) == record["inflections"]
 
 
+@pytest.mark.campaign
 def test_surfaces_of_revolution_can_be_made(example, collisions):
     """No gaps, no overlaps, strains that card bears; what is cut takes the meridian."""
     names = example("revolution")
@@ -396,6 +405,7 @@ def test_the_table_comes_from_a_run(project_root):
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", [name for name in MODELS if name != "facade"])
 def test_the_table_is_of_the_models_as_they_are(name, built, project_root):
     """Sheets, counts, samples, size, ratios and deviation as made; seconds are those of the run that wrote it."""

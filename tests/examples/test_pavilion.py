@@ -70,6 +70,7 @@ def test_rows_are_filled_to_80_percent(model, design):
     assert len(nests) == -(-31 // int((400 - MARGIN) // (45 + MARGIN)))
 
 
+@pytest.mark.campaign
 def test_every_file_is_sound(folder, check_drawing_file):
     drawings = [path for path in folder.rglob("*") if path.suffix in (".dxf", ".svg")]
     assert len(drawings) == 2 * (31 + 2 + 2 + 4 + 2)  # two plates, nested on a sheet each
@@ -90,6 +91,7 @@ def test_the_cut_list_names_every_file(folder):
     assert sum(len(sheet["pieces"]) for sheet in report["sheets"]) == 35
 
 
+@pytest.mark.campaign
 def test_both_plates_of_the_base_have_a_slot_for_every_tab_and_let_none_rock(model, design):
     plates, _ = design.kit.holders[0].made(model)
     assert [plate.name for plate in plates] == ["base", "base-lower"]

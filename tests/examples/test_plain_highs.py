@@ -12,6 +12,7 @@ def plain(project_root):
     return runpy.run_path(str(project_root / "examples" / "plain_highs.py"))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("gravity", [None, ec.Gravity(90.0), ec.Gravity(150.0, (0.6, -0.8))])
 def test_same_ratios(plain, gravity):
     limits = ec.Limits(ratio=2.5, margin=5.0)

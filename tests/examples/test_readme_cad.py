@@ -31,6 +31,7 @@ def test_readme_in_plain_python(project_root, capsys, monkeypatch, tmp_path):
     assert (tmp_path / "arch.dxf").stat().st_size > 1000
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("kernel", ["build123d", "cadquery"])
 def test_page_for_scripts(kernel, project_root, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)

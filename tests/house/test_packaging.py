@@ -8,6 +8,8 @@ import sys
 import tarfile
 import zipfile
 
+import pytest
+
 DATA = (
     "cli/templates/arch.toml",
     "py.typed",
@@ -36,6 +38,7 @@ def test_no_packages_in_tests_and_examples(project_root):
     assert found == []
 
 
+@pytest.mark.campaign
 def test_the_source_archive_holds_what_the_readme_names(project_root, tmp_path):
     tracked = subprocess.run(
         ["git", "ls-files"], cwd=project_root, capture_output=True, text=True, check=True
@@ -97,6 +100,7 @@ def test_wheel_holds_the_package_only(project_root, tmp_path):
     assert not [name for name in names if name.endswith((".c", ".h"))]
 
 
+@pytest.mark.campaign
 def test_wheel_needs_no_compiler_where_it_is_installed(project_root, tmp_path):
     """One wheel for Python 3.11 and later holds the kernels, compiled."""
     wheel = built(project_root, tmp_path)
@@ -104,6 +108,7 @@ def test_wheel_needs_no_compiler_where_it_is_installed(project_root, tmp_path):
     assert kernels_of(wheel, tmp_path / "installed") == ("True", "True")
 
 
+@pytest.mark.campaign
 def test_wheel_is_built_without_a_compiler(project_root, tmp_path):
     """What Python does more slowly is left to it."""
     wheel = built(project_root, tmp_path, CC="/no/compiler/here")

@@ -190,6 +190,7 @@ def sound():
     return found
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("unit", UNITS)
 def test_one_verdict_at_every_number_of_decimals(tmp_path, sound, unit):
     undecided = set()

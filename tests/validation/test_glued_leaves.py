@@ -158,6 +158,7 @@ def test_known_ends_are_found_again():
     assert np.array(ends) / rod.length == pytest.approx(told, abs=2e-3)
 
 
+@pytest.mark.campaign
 def test_fifty_stacks_rest_where_they_should():
     """Arches and waves of two to four leaves, every second one heavy, by shooting through the leaves."""
     found = []
@@ -193,6 +194,7 @@ LIMITED = {
 }
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("asked", LIMITED)
 @pytest.mark.parametrize(
     ("curve", "leaves"), [(ARCH, 4), (LEANING, 8), (WAVE, 3)], ids=["arch", "leaning", "wave"]

@@ -23,6 +23,7 @@ WAVE = PlaneCurve.spline([(0, 0), (120, 180), (270, 210), (420, -30), (570, 30),
 ARCH = PlaneCurve.ellipse((0, 0), (250, 150), start=0, end=np.pi)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("law", LAWS)
 def test_fifty_designs_rest_where_they_should(law):
     found = np.array([errors(design) for design in designs() if design.law == law])
@@ -42,6 +43,7 @@ def test_fifty_laminates_rest_where_they_should():
     assert force < 5e-4
 
 
+@pytest.mark.campaign
 def test_fifty_perforated_strips_rest_where_they_should():
     """By what is left between the holes as they are cut."""
     found = np.array([judged(*strip) for strip in perforated()])

@@ -59,6 +59,7 @@ def test_bent_strips_drawn_again_are_strips(tmp_path, pieces, decimals):
         assert again.residual < 1e-8
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("pieces", "decimals", "refused"), [(5, 3, 5), (8, 3, 1), (12, 2, 0), (16, 3, 0)])
 def test_strips_between_pins_drawn_again_are_strips(tmp_path, pieces, decimals, refused):
     """A pen leaves some bend in their ends, and evening out the curvature would leave more."""

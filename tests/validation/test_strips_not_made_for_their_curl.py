@@ -57,6 +57,7 @@ def made_of(curve, sheet, width, *, laminate):
     return make_strip(drawn(curve), sheet, max_width=widest, compensate=False, anyway=True, **asked)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("sheet", "width", "laminate"),
     [(PLY, 20.0, False), (PLY, 60.0, False), (BARE, 24.0, True), (PLY, 12.0, True), (PLY, 24.0, True)],

@@ -128,6 +128,7 @@ def test_the_load_that_makes_it_snap(wide_strips):
     assert found.at["load"] == pytest.approx(limit, rel=AGREES)
 
 
+@pytest.mark.campaign
 def test_the_way_on_which_it_gives(wide_strips):
     """An S whose end is pushed towards its start turns over."""
     made = made_of("S", *STRIPS["stubborn"])
