@@ -42,6 +42,7 @@ def test_the_triangles_are_taken_as_they_are_and_close(name):
     assert solid.Volume == pytest.approx(shape.Volume, rel=2e-3)  # positive: seen from outside all along
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", CURVES)
 def test_no_triangle_is_farther_off_than_is_said(name):
     record = bent(name)

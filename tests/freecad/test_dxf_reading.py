@@ -53,6 +53,7 @@ def without_layers():
     wishes.RemBool("dxfUseDraftVisGroups")
 
 
+@pytest.mark.campaign
 @pytest.mark.usefixtures("without_layers")
 @pytest.mark.parametrize("curves", ["spline", "arc", "polyline"])
 def test_same_length_and_area(strip, curves, tmp_path):

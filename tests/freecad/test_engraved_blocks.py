@@ -11,6 +11,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "text",
     [

@@ -67,6 +67,7 @@ def test_a_formula_that_is_taken_away_leaves_what_was_chosen(made, formula):
     assert [told(made), made.Style] == ["", "Plain"]
 
 
+@pytest.mark.campaign
 def test_every_list_of_choices_outlives_its_formula(document, made):
     everything = [
         made,

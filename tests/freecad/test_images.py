@@ -58,11 +58,13 @@ def test_an_image_is_cut_and_held_as_the_strip_that_it_shows(document, slotted):
     assert_same(held(image), image.Shape.Solids)
 
 
+@pytest.mark.campaign
 def test_an_image_of_an_image_is_the_strip_elsewhere(slotted):
     twice = image_of(image_of(slotted), normal=(0, 0, 1))
     assert_same(held(twice), twice.Shape.Solids)
 
 
+@pytest.mark.campaign
 def test_images_of_models_and_of_what_stands_in_containers(document, slotted):
     room = document.addObject("App::Part", "Room")
     room.Placement = ELSEWHERE
@@ -76,6 +78,7 @@ def test_images_of_models_and_of_what_stands_in_containers(document, slotted):
     assert_same(held(image), image.Shape.Solids)
 
 
+@pytest.mark.campaign
 def test_a_compound_stands_for_what_it_holds(document, slotted):
     image = image_of(slotted)
     both = document.addObject("Part::Compound", "Both")
@@ -101,6 +104,7 @@ PATTERNS = {
 }
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("kind", PATTERNS)
 def test_a_pattern_in_a_body_is_refused(document, drawn, kind):
     """Its copies are one solid with the strip, or none: it was cut once, and nothing said so."""
@@ -129,6 +133,7 @@ def test_a_pattern_in_a_body_is_refused(document, drawn, kind):
     assert counts(made) == [1], "the strip alone"
 
 
+@pytest.mark.campaign
 def test_a_body_that_begins_with_a_strip_is_that_strip(document, slotted):
     body = document.addObject("PartDesign::Body", "Body")
     body.BaseFeature = slotted

@@ -10,6 +10,7 @@ launching = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(launching)
 
 
+@pytest.mark.campaign
 def test_what_goes_wrong_is_in_sight_and_is_undone(tmp_path):
     found = launching.run_window("mishaps.py", tmp_path)
     lying = {"Strip flat", "Strip001 flat"}
@@ -27,6 +28,7 @@ def test_what_goes_wrong_is_in_sight_and_is_undone(tmp_path):
     assert "polyline of 3 straight pieces" in found["polygon"]
 
 
+@pytest.mark.campaign
 def test_a_point_is_a_comma_where_numbers_are_written_with_one(tmp_path):
     """FreeCAD takes it for one of thousands: 12.5 mm were 125 mm, and shown as 12.5."""
     found = launching.run_window("decimals.py", tmp_path, language="German")
@@ -37,6 +39,7 @@ def test_a_point_is_a_comma_where_numbers_are_written_with_one(tmp_path):
     assert found["angle"] == 0.5
 
 
+@pytest.mark.campaign
 def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     found = launching.run_window("lost.py", tmp_path)
     assert found["tracebacks"] == 0

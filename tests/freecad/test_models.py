@@ -50,6 +50,7 @@ def standing(document, drawn):
     return strips_of(document, sketches)
 
 
+@pytest.mark.campaign
 def test_interlocked_strips_touch_nowhere(document, crossing):
     made = model.create(document, crossing)
     document.recompute()
@@ -115,6 +116,7 @@ def in_sight(things):
     return [one.Visibility for one in things]
 
 
+@pytest.mark.campaign
 def test_what_is_made_from_a_strip_is_hidden_while_that_is_in_error(
     document, standing, drawn, spline_geometry
 ):
@@ -441,6 +443,7 @@ def test_flat_parts_get_the_slots_of_their_model(document, crossing):
     assert "does not belong" in part.getStatusString()
 
 
+@pytest.mark.campaign
 def test_holders_of_links_and_arrays(document, crossing):
     link = document.addObject("App::Link", "Link")
     link.LinkedObject = crossing[0]
@@ -507,6 +510,7 @@ def test_models_and_plates_are_counted_where_they_are_linked(document, standing,
     assert "A_birch-plywood-0.8_0.8mm_x3.svg" in {file.name for file in files}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("kind", ["Link", "array", "Part"])
 def test_holders_stand_where_models_are_shown(document, standing, kind):
     """Blocks and a plate of what shows a model are those of the model, moved as FreeCAD moves what is shown."""
@@ -552,6 +556,7 @@ def test_several_models_are_held(document, standing):
     assert len(blocks.Shape.Solids) == 4
 
 
+@pytest.mark.campaign
 def test_a_model_that_was_moved_is_held_where_it_stands(document, standing):
     made = model.create(document, standing, interlock=False)
     made.Placement.Base = App.Vector(0, 0, 300)
@@ -563,6 +568,7 @@ def test_a_model_that_was_moved_is_held_where_it_stands(document, standing):
     assert held.ZMin < box.ZMin < held.ZMax < box.ZMax
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("labels", "engraved"), [(("Träger/1", "Größe"), ["Trager/1", "Grosse"]), (("拱", "桥"), None)]
 )

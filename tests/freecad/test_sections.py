@@ -66,6 +66,7 @@ def test_parallel_planes_through_a_surface(document, shell):
     assert made.State == ["Up-to-date"], made.getStatusString()
 
 
+@pytest.mark.campaign
 def test_half_planes_about_the_axis_of_a_mesh(document, ball):
     curves, remarks = curves_of(cut(ball, Family("about an axis", 4, "Z", through=(0, 0, 0))))
     assert remarks == []
@@ -132,6 +133,7 @@ def test_closed_sections_are_split_or_named(document, ball):
             assert abs(middle[side]) == pytest.approx(found.curve.length / np.pi, rel=1e-2)
 
 
+@pytest.mark.campaign
 def test_closed_sections_alone_are_told_once(document, ball):
     ball.Placement.Base = App.Vector(0.004, 7.3, 0)
     made = curves.section(document, [ball])

@@ -116,6 +116,7 @@ def known(language):
     }
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("language", ["de", "zh-CN"])
 def test_no_sentence_lacks_a_translation(language):
     found = known(language)

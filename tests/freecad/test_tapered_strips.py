@@ -47,6 +47,7 @@ def test_a_law_that_cannot_be_read_is_shown_how(document, drawn):
     assert feature.State == ["Up-to-date"], feature.getStatusString()
 
 
+@pytest.mark.campaign
 def test_leaves_are_a_compound_of_bodies(document, drawn):
     leaf = 'kind = "leaves", leaves = 4, width = 12'
     feature = strip.create(document, drawn(POINTS, 4))

@@ -12,6 +12,7 @@ launching = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(launching)
 
 
+@pytest.mark.campaign
 def test_what_is_easily_overlooked_is_told(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
     bend = "end it beforehand to a radius of 250 mm all along, the way it stands bent at "

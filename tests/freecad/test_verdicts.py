@@ -164,6 +164,7 @@ def about_an_axis(twin, axes):
     twin.Axis, twin.Angle, twin.Occurrences = (axes["Y_Axis"], [""]), 360, 4
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("kind", "arrange", "count"),
     [("Mirrored", mirrored, 2), ("LinearPattern", in_a_row, 3), ("PolarPattern", about_an_axis, 4)],

@@ -84,6 +84,7 @@ def test_reversed_curves(curve):
     np.testing.assert_allclose(mirrored, curve.arc_length(first), atol=1e-6 * curve.length)
 
 
+@pytest.mark.campaign
 @EXAMPLES
 @given(curves(), st.lists(st.floats(-0.3, 0.3), min_size=6, max_size=6))
 def test_projective_images_keep_zeros_and_crossings(curve, numbers):

@@ -32,6 +32,7 @@ def pen_curves(draw, least=2, most=4):
     return knots, np.array(points)
 
 
+@pytest.mark.campaign
 @settings(max_examples=40, deadline=None)
 @given(drawn=pen_curves(), tolerance=st.sampled_from([0.02, 0.1, 1.0]))
 def test_fair_curves_stay_within_the_tolerance_and_keep_their_ends(drawn, tolerance):
@@ -51,6 +52,7 @@ def test_fair_curves_stay_within_the_tolerance_and_keep_their_ends(drawn, tolera
     assert ends == pytest.approx(drawn[1][[0, -1]], abs=1e-9)
 
 
+@pytest.mark.campaign
 @settings(max_examples=25, deadline=None)
 @given(drawn=pen_curves(most=3), degrees=st.floats(-180, 180), scale=st.floats(0.1, 30))
 def test_fairing_follows_turns_and_scales(drawn, degrees, scale):

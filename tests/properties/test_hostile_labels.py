@@ -57,6 +57,7 @@ def kit_of_one(label, name, sheet, folder):
         return None if "\n" not in str(refusal) else str(refusal)
 
 
+@pytest.mark.campaign
 @settings(max_examples=60, deadline=None)
 @given(texts.map(engravable), texts, texts)
 @example("=1+1", "<script>alert(1)</script>", "=cmd")

@@ -70,6 +70,7 @@ def test_a_turned_plane_turns_gravity(heavy):
     close(same_shape(turned, heavy) @ [[0, -1], [1, 0]], heavy)
 
 
+@pytest.mark.campaign
 @settings(max_examples=6, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_a_looser_ratio_is_never_farther(seed):

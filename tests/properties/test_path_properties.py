@@ -1,6 +1,7 @@
 """Paths, offsets and conversions must not care where, how large or which way round things are drawn."""
 
 import numpy as np
+import pytest
 import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -78,6 +79,7 @@ def smooth_loops(draw):
     return Path([Spline(PlaneCurve(np.arange(len(points) + 4.0), points, 3))], closed=True)
 
 
+@pytest.mark.campaign
 @few
 @given(smooth_loops(), st.floats(-1.5, 1.5))
 def test_smooth_loops_obey_steiners_formula(loop, d):
@@ -86,6 +88,7 @@ def test_smooth_loops_obey_steiners_formula(loop, d):
     assert len(moved.segments) == (1 if d else len(loop.segments))
 
 
+@pytest.mark.campaign
 @few
 @given(smooth_loops(), st.floats(1e-3, 0.3))
 def test_conversions_keep_area_and_length(loop, tolerance):

@@ -55,6 +55,7 @@ def test_similar_handles_give_a_map_that_is_affine(before, shift, turn, scale):
     np.testing.assert_allclose(matrix, [[c, -s, shift[0]], [s, c, shift[1]], [0, 0, 1]], atol=1e-9 * 100)
 
 
+@pytest.mark.campaign
 @SOME
 @given(st.lists(st.tuples(st.floats(-40, 40), st.floats(-40, 40)), min_size=4, max_size=4))
 def test_inflections_stay_on_a_line_in_the_same_order(moves):

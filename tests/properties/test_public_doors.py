@@ -88,6 +88,7 @@ def calls_with(function, arguments, name, odd):
     function(*positional, **keywords)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("floor", FLOORS)
 def test_one_sentence_whatever_is_given(floor, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

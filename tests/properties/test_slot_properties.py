@@ -1,6 +1,7 @@
 """Slots anywhere on any strip, against shapely's difference of polygons."""
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon
@@ -38,6 +39,7 @@ def polygon(path):
     return Polygon(path.points(EXACT))
 
 
+@pytest.mark.campaign
 @settings(max_examples=25, deadline=None)
 @given(widths, slots)
 def test_the_outline_is_the_whole_one_less_the_slots(stiffness, cuts):

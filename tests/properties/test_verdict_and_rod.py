@@ -54,6 +54,7 @@ def test_a_dip_that_no_strip_can_take_is_refused_and_a_shallower_one_taken():
     assert agreed(graph(0, 0, 0, 1e-4, 0, 1))
 
 
+@pytest.mark.campaign
 @settings(max_examples=3, deadline=None)
 @given(st.integers(0, 10**6))
 def test_on_the_border_between_a_curve_that_can_be_bent_and_one_that_cannot(seed):

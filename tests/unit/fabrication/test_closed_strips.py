@@ -127,6 +127,7 @@ def test_curves_that_bend_one_way_close(name):
     assert self_contact(strip) is None
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", ["circle", "ellipse", "squarish"])
 def test_the_lap_straightens_the_joint_as_told(name):
     """Against the equation integrated with the lap's own ends."""

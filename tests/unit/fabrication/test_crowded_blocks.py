@@ -53,6 +53,7 @@ def share_a_point(first, second):
     return found.status == 0
 
 
+@pytest.mark.campaign
 def test_blocks_anywhere_in_space():
     rng = np.random.default_rng(3)
     made = strip("A")

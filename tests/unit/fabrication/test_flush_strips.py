@@ -72,6 +72,7 @@ PLACES = {
 }
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("place", PLACES)
 def test_strips_that_lie_in_each_other_are_told_and_others_are_not(place):
     placed = [arch("A"), arch("B", **PLACES[place])]
@@ -80,6 +81,7 @@ def test_strips_that_lie_in_each_other_are_told_and_others_are_not(place):
     assert len(told) == (deepest > 0.05)
 
 
+@pytest.mark.campaign
 def test_places_at_random():
     """Within 2 degrees and some millimetres of each other; nearly all that is told or not is told by points."""
     rng = np.random.default_rng(11)
@@ -104,6 +106,7 @@ def test_what_is_told():
     assert told.endswith(" mm (and 1 more pair): place them apart, or make them narrower there")
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("count", [3, 5, 12, 180])
 @pytest.mark.parametrize("thickness", [0.4, 6.0])
 def test_strips_about_an_axis_lie_edge_to_edge(count, thickness):

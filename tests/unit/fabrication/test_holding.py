@@ -163,6 +163,7 @@ def test_a_tab_that_its_holder_has_no_room_for_is_told_by_how_much(rod):
     assert abs(end.shift) < 0.2
 
 
+@pytest.mark.campaign
 def test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it(strip):
     length = strip.rod.length
     blocks = [EndFixture.of(strip, end) for end in ("start", "end")]
@@ -199,6 +200,7 @@ def inclined(strip):
     return [Placed(strip, (0, 0, -strip.rod.position[0, 1]), (1, 0, 0), (0, 0, 1))]
 
 
+@pytest.mark.campaign
 def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     """Ends that lean inward: what the strip does to its tabs turns them upright, where a slot is widest."""
     bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
@@ -383,6 +385,7 @@ def test_a_tab_too_short_for_the_lower_plate_is_refused_with_its_length(strip):
     assert len(plate_pair(inclined(longer), MDF, gap=10)) == 2
 
 
+@pytest.mark.campaign
 def test_two_rings_hold_a_surface_of_revolution_at_its_angle():
     profile = meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
     single = revolve(profile, 16, sheet="card-200gsm", rings="hdf-1.5")
@@ -447,6 +450,7 @@ def leaning_row():
     return [Placed(strip, (0, 45.0 * i, 0), (1, 0, 0), (0, 0, 1)) for i, strip in enumerate(strips)]
 
 
+@pytest.mark.campaign
 def test_plates_of_ends_come_in_pairs_too():
     placed = leaning_row()
     single, pair = (end_plates(placed, MDF, together=True, gap=gap) for gap in (None, 10.0))

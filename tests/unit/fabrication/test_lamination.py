@@ -245,6 +245,7 @@ def test_a_backing_may_be_named():
         Laminated(width=20.0, backing="pon-0.5")
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("backing", [PLY, PLY.with_thickness(1.5)], ids=["as thick", "thicker"])
 @pytest.mark.parametrize("ratio", [None, 1.5])
 def test_a_near_laminate_bears_its_bend_in_both_layers(backing, ratio):

@@ -67,6 +67,7 @@ def test_limits_of_another_thickness_are_refused():
     assert make_strip(ARCH, thin, max_width=20, limits=Limits(sheet=other)).rod.ratio > 1
 
 
+@pytest.mark.campaign
 def test_limits_that_no_rod_meets():
     """A strip this straight cannot span an arch whose ends must keep their steep tangents: say what would help."""
     limits, keep = Limits(curvature=1e-3), Keep(ends=True, tangents=True)

@@ -45,6 +45,7 @@ def ligament_sum(strip, s):
     return shapely.length(shapely.intersection(shapely.linestrings(ends), polygon(strip)))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "style",
     [
@@ -69,6 +70,7 @@ def test_ligaments_sum_up_to_the_stiffness(rod, style):
     assert not strip.layout.warnings
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "ends",
     [
@@ -107,6 +109,7 @@ def test_rounded_tips_leave_about_as_much_as_is_reckoned_without_them(rod, radiu
     assert reckoned == pytest.approx(at_tips, rel=0.3)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("style", [{"corner_radius": 0.1}, {"sides": "arc"}])
 def test_widths_are_compensated_alike_where_holes_are_not_drawn_at_every_step(monkeypatch, style):
     arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
@@ -220,6 +223,7 @@ def test_slots_cut_holes_short_and_are_felt(rod):
     assert 1e-3 < strip.deviation_as_built < 0.5
 
 
+@pytest.mark.campaign
 def test_cutting_files(rod, check_drawing):
     tab = ec.Tab(12.0, holes=(Hole(6.0, 3.0),))
     style = Perforated(width=wavy, columns=1, rows=1)
@@ -343,6 +347,7 @@ def test_a_label_stands_on_a_tab_that_is_there(rod, lengths, where):
     assert np.abs((low + high)[1]) < 0.3
 
 
+@pytest.mark.campaign
 def test_a_radius_that_leaves_too_much_at_the_tips_is_told_with_the_share_that_is_there(rod):
     style = Perforated(width=30.0, columns=1, rows=6, corner_radius=0.6)
     strip = ec.Strip(rod, CARD, max_width=14.0, style=style, ends=(ec.Tab(12.0),) * 2)

@@ -120,6 +120,7 @@ def test_bolts_go_through_both(globe):
     assert cap.piece.area == pytest.approx(np.pi * cap.radii[1] ** 2 - 12 * np.pi)
 
 
+@pytest.mark.campaign
 def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
     ec.save_model(vase, tmp_path / "vase", step=False, pictures=False)
     names = {path.name for path in (tmp_path / "vase").rglob("*")}
@@ -134,6 +135,7 @@ def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
     assert report["pieces"] == 22
 
 
+@pytest.mark.campaign
 def test_the_smallest_ring_beside_a_pole_is_told():
     """That one works, a millimetre less does not."""
     for asked in (None, 3, 8, 15):
@@ -190,6 +192,7 @@ def test_rings_stay_with_their_strips(vase):
             changed()
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
@@ -214,6 +217,7 @@ def test_rings_that_cannot_be(options, sentence):
         ec.revolve(meridian, 12, sheet=CARD, ends=options["ends"], rings=MDF)
 
 
+@pytest.mark.campaign
 def test_slots_far_wider_than_their_tabs_are_made_anyway_only(tmp_path):
     """Card that leaves its ring at 16 degrees needs slots of 11 mm through 3 mm of board."""
     flat = ec.meridian_through([POINTS[0], *POINTS[2:]])

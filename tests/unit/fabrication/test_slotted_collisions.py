@@ -44,6 +44,7 @@ def test_how_deep_they_run(seed, slotted_pairs):
     assert depth == pytest.approx(max(slotted_pairs.shared(a, b), slotted_pairs.shared(b, a)), rel=0.12)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("clearance", [0.0, 0.1, 0.5])
 @pytest.mark.parametrize("seed", APART)
 def test_what_lies_in_its_slots_is_not_told(seed, clearance, slotted_pairs):

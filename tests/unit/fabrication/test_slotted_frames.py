@@ -77,6 +77,7 @@ def test_tongues_fill_their_slots(frame):
             assert np.sort(reach)[:3] == pytest.approx([6.0, 6.0, 6.0 + SHOULDER_MM])
 
 
+@pytest.mark.campaign
 def test_slots_keep_apart_and_inside(frame, check_drawing):
     for rail in frame.rails:
         slots = [shapely.Polygon(slot.corners) for slot in rail.slots]
@@ -91,6 +92,7 @@ def test_slots_keep_apart_and_inside(frame, check_drawing):
             assert outline.buffer(1e-3).covers(shapely.LineString(item.path.points(1e-2)))
 
 
+@pytest.mark.campaign
 def test_nothing_collides(model, frame):
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
     from OCP.BRepGProp import BRepGProp

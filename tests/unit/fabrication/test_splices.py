@@ -63,6 +63,7 @@ def test_what_the_plates_do_is_bent_forward(arch):
     assert f"move the shape by {joined.deviation:.2g} mm" in str(joined)
 
 
+@pytest.mark.campaign
 def test_plates_do_not_weigh_what_they_are_stiff():
     """An arch under its own weight, eight times as stiff within its plates and no heavier, shot by scipy."""
     shop = ec.Shop(stock=(2200, 1500), lap=120.0)
@@ -110,6 +111,7 @@ def test_plates_move_a_strip_as_finite_elements_have_it():
         assert joined.held_deviation / 300 == pytest.approx(rows[name]["strayed"], rel=0.02)
 
 
+@pytest.mark.campaign
 def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
     """`elastica strip --lap`: one figure in the sentence and the report; --compensate makes up for it."""
     (tmp_path / "arch.csv").write_text("0,0\n200,700\n1000,1050\n2100,800\n2600,0\n")
@@ -256,6 +258,7 @@ def test_tapered_strips_are_refused_with_the_reason():
         splice(strip, 2200.0, 80.0)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("style", ["perforated", "laminated"])
 def test_the_door_takes_laps_for_every_style(style, tmp_path, check_drawing_file):
     """As typed: the refusal's own command makes the strip, and each sheet's file holds its pieces."""
@@ -295,6 +298,7 @@ def test_only_where_it_is_needed(arch):
     assert any(text.startswith("cut in 2 pieces") for text in made.warnings)
 
 
+@pytest.mark.campaign
 def test_the_commands_cut_and_nest_pieces(tmp_path, check_drawing_file):
     """The refusal tells the command with --lap; a kit nests the pieces on sheets of the stock."""
     ec.write_curves([ARCH], tmp_path / "arch.dxf")

@@ -204,6 +204,7 @@ def test_tapers_that_differ_are_no_equal_parts():
     assert [part.count for part in parts] == [1, 1]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("ratio", [None, 3.0, 8.0])
 @pytest.mark.parametrize("gravity", [None, True], ids=["light", "heavy"])
 @pytest.mark.parametrize(

@@ -54,6 +54,7 @@ def drawing(degree=3):
     )
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("version", "curves"),
     [
@@ -161,6 +162,7 @@ def test_svg_arcs_and_beziers_are_exact(tmp_path):
     assert turned.count("A5 5 0 0 1 ") == 2
 
 
+@pytest.mark.campaign
 def test_same_drawing_same_bytes_in_another_process(tmp_path):
     code = (
         "import sys, hashlib, numpy as np\n"
@@ -192,6 +194,7 @@ def test_ezdxf_is_left_as_it_was():
     assert not before
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("suffix", ["dxf", "svg"])
 def test_kerf_is_taken_on_writing(check_drawing_file, tmp_path, suffix):
     plain = check_drawing_file(write_drawing(drawing(), tmp_path / f"a.{suffix}"))
@@ -205,6 +208,7 @@ def test_kerf_is_taken_on_writing(check_drawing_file, tmp_path, suffix):
     assert all(a.length == pytest.approx(b.length, abs=1e-5) for a, b in engraved)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("curves", ["arc", "polyline"])
 @pytest.mark.parametrize("tolerance", [0.2, 0.01])
 def test_tolerance_is_kept_in_the_file(check_drawing_file, tmp_path, curves, tolerance):

@@ -387,6 +387,7 @@ def test_damaged_number_is_not_guessed(drawing, tmp_path, capfd):
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.campaign
 def test_a_file_cut_short_anywhere_is_refused_in_words_or_read(drawing, tmp_path, capfd):
     drawing(lambda space, _: space.add_arc((0, 0), 50, 10, 120))
     path = tmp_path / "drawn.dxf"

@@ -133,6 +133,7 @@ def test_counts_and_sizes_in_text_files(tmp_path, text, words):
     refused(tmp_path / "a.txt", words)
 
 
+@pytest.mark.campaign
 def test_counts_and_sizes_in_json_and_csv(tmp_path):
     good = curves_json([PlaneCurve.arc((0, 0), 50, 0, 2)])
     for bad in (
@@ -220,6 +221,7 @@ ODD = [
 ]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("kind", ["dxf", "svg", "json", "csv", "txt"])
 def test_mutated_files_give_curves_or_one_sentence(tmp_path, kind):
     """Numbers swapped for odd ones, lines dropped or doubled, bytes overwritten: seeded, the same every time."""

@@ -78,6 +78,7 @@ def paths(draw):
     return " ".join(words)
 
 
+@pytest.mark.campaign
 @settings(max_examples=80, deadline=None)
 @given(text=paths())
 @example(text="M 0.562 0.0 q 5.0 1.0 0.0 0.0")

@@ -43,6 +43,7 @@ def drawing(folder, points, decimals, unit="mm", relative=False):
     return path
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("unit", UNITS)
 @pytest.mark.parametrize(("points", "inflections"), [(ARCH, 0), (WAVE, 1), (HOOK, 0)])
 @pytest.mark.parametrize("degrees", [0, 17])

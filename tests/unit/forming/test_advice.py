@@ -107,6 +107,7 @@ def test_other_limits_and_what_is_kept():
     assert f"costs {near.distance - free.distance:.3g} mm" in sentence(near, "The keep-out regions")
 
 
+@pytest.mark.campaign
 def test_supports_are_told_where_the_wish_has_no_strip():
     near = nearest_rod(WAVE, Limits(width=(10, 20)))
     assert near.advice[0].startswith("The ratio of the widths costs")
@@ -117,6 +118,7 @@ def test_supports_are_told_where_the_wish_has_no_strip():
     assert all(check_equilibrium(piece).realizable for piece in found.pieces)
 
 
+@pytest.mark.campaign
 def test_ways_out_of_limits_that_exclude_each_other():
     keep = Keep(tangents=True, length=True)
     near = nearest_rod(WAVE, Limits(ratio=1.05, margin=30.0), keep)
@@ -166,6 +168,7 @@ def test_the_command_line_passes_advice_on(tmp_path):
     assert next(advise(nearest_rod(ARCH, Limits(ratio=1.2)))) in done.stdout
 
 
+@pytest.mark.campaign
 def test_refused_limits_are_told_with_advice(tmp_path):
     drawn = tmp_path / "arch.json"
     drawn.write_text(curves_json([ARCH]), encoding="utf-8")
@@ -188,6 +191,7 @@ def test_a_refusal_looks_for_advice_when_it_is_read_and_keeps_it_between_process
     assert str(pickle.loads(pickle.dumps(told))) == str(told)
 
 
+@pytest.mark.campaign
 def test_what_is_missed_is_told_in_millimetres_and_degrees():
     """An arch of 120 mm that may hardly bend, with its ends, tangents and length kept."""
     arch = PlaneCurve.spline([(0, 0), (30, 60), (90, 60), (120, 0)], degree=3)

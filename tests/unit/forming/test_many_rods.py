@@ -52,6 +52,7 @@ def test_one_by_one_as_alone():
         np.testing.assert_array_equal(near.rod.position, nearest_rod(curve, Limits(ratio=1.3)).rod.position)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "pool",
     [lambda: ThreadPoolExecutor(2), lambda: ProcessPoolExecutor(2, mp_context=get_context("spawn"))],
@@ -141,6 +142,7 @@ def test_a_stream_answers_as_a_list_does():
         np.testing.assert_array_equal(near.rod.position, alone[i].rod.position)
 
 
+@pytest.mark.campaign
 def test_a_stream_keeps_nothing_of_what_it_gave():
     """Neither curve nor answer is held once the next ones are asked for."""
     gone = []

@@ -69,6 +69,7 @@ def test_a_seam_that_rounding_left_open_is_sewn():
     assert section.line.length == pytest.approx(2 * np.pi * np.sqrt(2500 - 17.3**2), rel=2e-3)
 
 
+@pytest.mark.campaign
 def test_points_lie_on_plane_and_edges():
     rng = np.random.default_rng(3)
     vertices, faces = sphere()

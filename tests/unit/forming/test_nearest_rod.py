@@ -70,6 +70,7 @@ def test_ratio_ends_and_balance(curve, measure):
     np.testing.assert_allclose(rod.stiffness, rod.profile(rod.s), rtol=1e-12)
 
 
+@pytest.mark.campaign
 def test_largest_distance_of_a_rod_that_crosses_the_wish():
     wish = PlaneCurve.spline([(0, 0), (40, 60), (90, 60), (130, 0)], degree=3)
     near = nearest_rod(wish, Limits(margin=0, curvature=0.01), Keep(ends=(True, False)), measure="max")
@@ -222,6 +223,7 @@ def test_the_inflection_line_is_kept():
     assert np.abs(off).max() < 1e-3
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("start", "end", "gravity"),
     [

@@ -92,6 +92,7 @@ def test_what_follows_a_step_holds_what_is_held():
     assert follow_step(here, 1e4 * step, all_equalities(here), 1e-9, 1.0) is None
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("seed", [58, 73, 101, 102])
 def test_wishes_beyond_all_rods_end_quietly(seed):
     """Steep random curves: no warning, a rod in balance, an honest status."""

@@ -32,6 +32,7 @@ def s_curve(degree=4):
     return PlaneCurve.spline([(0, 0), (30, 60), (55, -70), (90, 50), (120, 10), (150, 0)], degree)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("tolerance", [0.5, 0.02, 1e-3])
 def test_arcs_stay_within_the_tolerance_and_are_tangent(tolerance):
     path = Path([Spline(s_curve())])
@@ -74,6 +75,7 @@ def test_straight_splines_become_lines():
     assert all(isinstance(s, Line) for s in as_arcs(path, 0.01).segments)
 
 
+@pytest.mark.campaign
 def test_a_corner_inside_a_spline_survives():
     points = [(0, 0), (3, 1), (7, -1), (10, 0), (10, 4), (11, 7), (10, 10)]
     path = Path([Spline(PlaneCurve([0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2], points, 3))])

@@ -67,6 +67,7 @@ def test_circle_is_exact(d):
     assert np.all(arc.center == (7, -3))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("d", [0.075, -0.075, 0.4, -0.4])
 def test_strip_offset_lies_at_its_distance_everywhere(d):
     path = strip()
@@ -86,6 +87,7 @@ def test_tighter_tolerance_is_kept():
     assert off.max() < 1.2e-6
 
 
+@pytest.mark.campaign
 def test_smooth_loop_grows_by_steiners_formula():
     loop = Path([Spline(PlaneCurve.ellipse((0, 0), (30, 18)))], closed=True)
     for d in (1.0, -1.0, 5.0):

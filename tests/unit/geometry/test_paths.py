@@ -296,6 +296,7 @@ def test_lines_beside_a_path_leave_no_part_of_it(ends):
         clip_across(Path.rectangle(40, 10), *ends)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("tolerance", [0.1, 0.01])
 def test_chords_follow_hairpins_and_other_sharp_splines(tolerance):
     """A hairpin reaches far beyond the chord of its ends, which lies on the line of that chord all the way."""

@@ -140,6 +140,7 @@ def test_snap_is_told():
     assert turned.position[100, 1] < 0
 
 
+@pytest.mark.campaign
 def test_a_hardening_rod_snaps_on_any_number_of_nodes():
     """The jump begins with a kink at a clamp, all the stiffer the finer the nodes."""
     law = PolynomialLaw(0.085, 0.1, curvature_scale=0.05)

@@ -97,6 +97,7 @@ def test_plastic_excess_stays_as_natural_curvature(arch):
     assert perturb_rod(arch, Imperfection(yield_curvature=limit, thickness=0.5)).natural_curvature == 0.0
 
 
+@pytest.mark.campaign
 def test_study_is_the_same_for_the_same_seed_and_any_executor(heavy_arch):
     sheet = Sheet.named("card-200gsm")
     options = {"sheet": sheet, "max_width": 30.0, "samples": 20, "seed": 5}

@@ -18,6 +18,7 @@ def program(rows, offset):
     return exchange
 
 
+@pytest.mark.campaign
 @given(st.integers(0, 2**32 - 1), st.integers(5, 150), st.integers(1, 4), st.booleans(), st.booleans())
 @settings(max_examples=150, deadline=None)
 def test_the_optimum_is_that_of_the_library(seed, count, unknowns, dead_weight, bounded):

@@ -69,6 +69,7 @@ def wait_until(true, seconds=30):
     assert true()
 
 
+@pytest.mark.campaign
 def test_a_page_painted_beside_is_the_page_painted_here(painter, kit, tmp_path):
     write_strip(kit, tmp_path / "here")
     write_strip(kit, tmp_path / "beside", painter=painter)
@@ -103,6 +104,7 @@ def test_where_it_is_killed_one_paints_for_oneself(handed, painter, kit, tmp_pat
     assert len(list((tmp_path / "out").iterdir())) == len(kit.files)
 
 
+@pytest.mark.campaign
 def test_a_page_that_cannot_be_painted_leaves_no_file(painter, kit, tmp_path, monkeypatch):
     """What is wrong with it is told here, as where nobody paints beside."""
     monkeypatch.setitem(kit.__dict__, "page", Broken())
@@ -148,6 +150,7 @@ def test_it_ends_with_the_block_and_with_whoever_began_it(tmp_path):
         wait_until(lambda: not is_there(pid))
 
 
+@pytest.mark.campaign
 @pytest.mark.skipif(ONE_CORE, reason="nothing is painted beside")
 @pytest.mark.parametrize("after_s", [0.05, 0.3, 0.6, 0.9])
 def test_ctrl_c_ends_both(after_s, tmp_path):
@@ -172,6 +175,7 @@ def test_ctrl_c_ends_both(after_s, tmp_path):
     wait_until(lambda: not any(map(is_there, begun)))
 
 
+@pytest.mark.campaign
 def test_on_a_full_disk_there_is_a_sentence_and_no_file(tmp_path):
     (tmp_path / "bow.txt").write_text(BOW)
     most = 60_000  # bytes of a file: less than the picture has

@@ -53,6 +53,7 @@ def contents(folder):
     return {file.relative_to(folder): file.read_bytes() for file in folder.rglob("*.*")}
 
 
+@pytest.mark.campaign
 def test_a_kit_is_the_same_with_pictures_painted_beside_and_here(model, tmp_path, monkeypatch):
     told, threshold = {}, gc.get_threshold()
     for place, processors in (("beside", 2), ("here", 1)):

@@ -67,6 +67,7 @@ def test_sheet_of_a_strip(name):
     assert_readable(plot.strip_sheet(made(name), wish=wish))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("picture", [
     lambda: plot.rod(made("S").rod),
     lambda: plot.rod(Rod.straight(100.0)),
