@@ -227,6 +227,7 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
     assert float(thick["thickness_inch"]) == pytest.approx(0.3125, rel=1e-4)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

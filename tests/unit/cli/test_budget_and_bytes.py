@@ -51,6 +51,7 @@ def test_what_takes_more_memory_than_it_may(tmp_path):
     assert "this takes more than 20 MB of memory" in done.stderr
 
 
+@pytest.mark.campaign
 def test_what_is_done_is_kept(tmp_path):
     """Many strips of one drawing: those that were written before the end stay, whole."""
     waves = "\n".join(f"2 4\n{x} 0\n{x + 40} 60\n{x + 90} 60\n{x + 130} 0" for x in range(0, 200 * 400, 200))

@@ -103,6 +103,7 @@ def test_a_name_with_spaces_is_told_as_it_is_typed(tmp_path, monkeypatch):
     assert run("sheets", words[1]).exit_code == 0
 
 
+@pytest.mark.campaign
 def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, monkeypatch):
     """No list has it: a coupon, a reading, a file; then all commands take it, and by name from the library."""
     library = tmp_path / "library"

@@ -31,6 +31,7 @@ def elastica(*words, stdin=None):
     return subprocess.run(command, capture_output=True, input=stdin, check=False)
 
 
+@pytest.mark.campaign
 def test_every_curve_is_judged_for_itself(drawing):
     done = elastica("check", drawing)
     said, told = done.stdout.decode(), done.stderr.decode()
@@ -64,6 +65,7 @@ def test_a_drawing_comes_through_a_pipe(drawing):
     assert elastica("check", "-", stdin=points).returncode == 0
 
 
+@pytest.mark.campaign
 def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     out = tmp_path / "out"
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "-o", out)
@@ -186,6 +188,7 @@ def test_a_likely_size_is_taken_without_a_word(arch_in, insunits, factor):
     assert done.stderr == b""
 
 
+@pytest.mark.campaign
 def test_a_design_tells_of_an_unlikely_size_once(arch_in, tmp_path):
     arch_in(6)
     design = tmp_path / "arches.toml"

@@ -73,6 +73,7 @@ def test_a_command_prints_one_record_with_the_documented_keys(folder, name):
     assert bool(written) == (name not in ("check", "sheets"))
 
 
+@pytest.mark.campaign
 def test_a_refusal_is_a_record_too(folder):
     done = typed("strip", "bow.txt", "--sheet", "no such sheet", "--json", cwd=folder)
     record = json.loads(done.stdout)
@@ -81,6 +82,7 @@ def test_a_refusal_is_a_record_too(folder):
     assert record["error"] == done.stderr.strip()
 
 
+@pytest.mark.campaign
 def test_quiet_says_nothing_and_verbose_every_step(folder):
     quiet = typed("strip", "bow.txt", *SHEET, "--max-width", 20, "-q", "-o", "a", cwd=folder)
     assert (quiet.returncode, quiet.stdout, quiet.stderr) == (0, "", "")
@@ -90,6 +92,7 @@ def test_quiet_says_nothing_and_verbose_every_step(folder):
     assert re.search(r"s  wrote \S+ \(1 of \d+\)$", wordy.stderr, re.MULTILINE)
 
 
+@pytest.mark.campaign
 def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
     words = ("--units", "inch", "--max-width", "40", "-o", "out")
     made = typed("strip", "arch.dxf", "--sheet", "card-200gsm", *words, cwd=folder)
@@ -97,6 +100,7 @@ def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
     assert "look at its unit" in made.stderr
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "words",
     [
@@ -115,6 +119,7 @@ def test_lengths_may_be_inches(folder, words):
     assert report["width"]["largest"] == pytest.approx(38.1)
 
 
+@pytest.mark.campaign
 def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
     """A slot meant 2 inches along, of 0.05 inch, came out at 2 mm and 0.05 mm wide without a word."""
     words = ("strip", "bow.txt", *SHEET, "--max-width", "1", "--units", "inch", "--json")
@@ -131,6 +136,7 @@ def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
     assert (folder / "b" / "bow.svg").read_text() == (folder / "c" / "bow.svg").read_text()
 
 
+@pytest.mark.campaign
 def test_lengths_without_sense_are_refused(folder):
     done = typed("strip", "bow.txt", *SHEET, "--max-width", "3parsec", cwd=folder)
     assert done.returncode == 2
@@ -139,11 +145,13 @@ def test_lengths_without_sense_are_refused(folder):
     )
 
 
+@pytest.mark.campaign
 def test_hints_name_the_program_that_runs(folder):
     done = typed("new", "lamp", "-o", "out", cwd=folder)
     assert f"next: {sys.executable} -m elastica_cad model" in done.stdout
 
 
+@pytest.mark.campaign
 def test_a_shell_completes_commands_and_options(folder):
     asked = {"_ELASTICA_COMPLETE": "bash_complete", "COMP_WORDS": "elastica re", "COMP_CWORD": "1"}
     done = subprocess.run(
@@ -162,6 +170,7 @@ def wait_for(found, process, seconds=60):
     return answer
 
 
+@pytest.mark.campaign
 def test_watching_remakes_what_changes_and_survives_mistakes(folder):
     words = ("strip", "bow.txt", *SHEET, "--max-width", 20, "-o", "out", "--watch")
     file, log = folder / "out" / "bow.json", folder / "said.txt"
@@ -194,6 +203,7 @@ def test_watching_remakes_what_changes_and_survives_mistakes(folder):
     assert "Traceback" not in log.read_text()
 
 
+@pytest.mark.campaign
 def test_a_model_is_made_again_when_a_drawing_changes_that_it_names(folder):
     (folder / "one.toml").write_text(
         'schema = 1\nsheet = "birch-plywood-0.8"\nmax_width = 20\n[[strips]]\nlabel = "A"\ncurve = "bow.txt"\n'
@@ -211,6 +221,7 @@ def test_a_model_is_made_again_when_a_drawing_changes_that_it_names(folder):
             process.wait()
 
 
+@pytest.mark.campaign
 def test_what_does_not_change_cannot_be_watched(folder):
     done = subprocess.run(
         command("check", "-", "--watch"), input=b"0 0\n", cwd=folder, capture_output=True, check=False
@@ -222,6 +233,7 @@ def test_what_does_not_change_cannot_be_watched(folder):
 LONG = "n" * 300
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "words",
     [

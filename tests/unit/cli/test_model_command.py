@@ -55,6 +55,7 @@ def design(tmp_path):
     return path
 
 
+@pytest.mark.campaign
 def test_a_model_becomes_one_folder(design, tmp_path):
     out = tmp_path / "out"
     result = run("model", design, "-o", out)
@@ -170,6 +171,7 @@ def test_a_design_that_cannot_be_bent_exits_with_1(design):
     assert result.stderr.startswith("Not realizable: K1: ")
 
 
+@pytest.mark.campaign
 def test_file_names_suit_every_system(design, tmp_path):
     own = '[sheets."felt 1/2"]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 300\nmax_strain = 0.1\n'
     text = (
@@ -249,6 +251,7 @@ def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path
     assert note.removeprefix("Note: ") in report["reports"]
 
 
+@pytest.mark.campaign
 def test_widths_make_up_for_slots_when_asked(crossed, tmp_path):
     found = {}
     for asked in ("false", "true"):
@@ -282,6 +285,7 @@ def test_the_sheets_alone(crossed, tmp_path):
     assert not report["held"]
 
 
+@pytest.mark.campaign
 def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
     """Open cuts on the outer layer."""
     import ezdxf
@@ -303,6 +307,7 @@ def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
     assert run("strip", drawn, *sizes, "--holding", -1, "-o", tmp_path).exit_code == 2
 
 
+@pytest.mark.campaign
 def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
     """A base slot as wide as a finger; and a slot of a neighbour that leaves a strip a neck."""
     design.write_text(DESIGN.replace("height = 10", "height = 10\nslot_width = 9"))
@@ -359,6 +364,7 @@ def test_feet_of_copies_are_one_part_of_the_cut_list(design, tmp_path):
     assert set(feet.values()) == {2}
 
 
+@pytest.mark.campaign
 def test_the_start_page_shows_and_links_every_file(design, tmp_path):
     out = tmp_path / "out"
     assert run("model", design, "-o", out, "--no-step").exit_code == 0
@@ -410,6 +416,7 @@ def test_a_nested_sheet_has_a_border_and_tells_its_share(design, tmp_path):
     assert "SHEET" not in part.layers
 
 
+@pytest.mark.campaign
 def test_the_assembly_sheet_names_every_end(design, tmp_path):
     out = tmp_path / "out"
     assert run("model", design, "-o", out, "--no-step").exit_code == 0
@@ -420,6 +427,7 @@ def test_the_assembly_sheet_names_every_end(design, tmp_path):
     assert content.count(b"/Type /Page ") == 3
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("option", ["--parts", "--no-parts"])
 def test_the_assembly_sheet_names_files_that_are_there(option, design, tmp_path, monkeypatch):
     """Without single parts it named files of these."""
@@ -436,6 +444,7 @@ def test_the_assembly_sheet_names_files_that_are_there(option, design, tmp_path,
     assert [file for file in shown if not (out / file).is_file()] == []
 
 
+@pytest.mark.campaign
 def test_the_model_is_written_for_screens(design, tmp_path):
     pytest.importorskip("OCP")
     import trimesh
@@ -515,6 +524,7 @@ limits = { ratio = 10 }
 """
 
 
+@pytest.mark.campaign
 def test_glued_leaves_beside_strips_that_are_held(tmp_path):
     path = tmp_path / "mast.toml"
     path.write_text(LEAVES + '[fixtures]\nstrips = ["BAT"]\n')

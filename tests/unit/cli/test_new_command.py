@@ -17,6 +17,7 @@ def typed(*words, cwd):
     )
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("kind", KINDS)
 def test_written_and_made(kind, tmp_path):
     wrote = typed("new", kind, cwd=tmp_path)
@@ -57,6 +58,7 @@ def test_nothing_is_overwritten_unasked(tmp_path):
     assert (tmp_path / "arch.toml").read_text() == "mine"
 
 
+@pytest.mark.campaign
 def test_the_schema_comes_beside_and_alone(tmp_path):
     for kind in ("arch", "lamp"):  # the same schema serves both
         done = typed("new", kind, cwd=tmp_path)
@@ -69,6 +71,7 @@ def test_the_schema_comes_beside_and_alone(tmp_path):
     assert keys["max_width"]["description"].endswith("mm")
 
 
+@pytest.mark.campaign
 def test_the_kit_of_sections_stands(tmp_path):
     """No tab rocks in its rings, and the strips as made follow the surface by hundredths of a millimetre."""
     assert typed("new", "sections", cwd=tmp_path).returncode == 0

@@ -53,6 +53,7 @@ def test_the_verdict_is_told_before_the_search_for_a_cure_which_ctrl_c_ends(zigz
     assert code == 2
 
 
+@pytest.mark.campaign
 def test_a_search_that_takes_longer_than_it_may_leaves_the_verdict(zigzag):
     words = "strip zigzag.csv --sheet pom-0.5 --max-width 20 --seconds 3 --json"
     refused = typed(words.split(), zigzag)
@@ -62,6 +63,7 @@ def test_a_search_that_takes_longer_than_it_may_leaves_the_verdict(zigzag):
     assert json.loads(refused.stdout)["error"] == refused.stderr.rstrip("\n")
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", CURVES)
 def test_the_command_that_is_told_works(name, tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES[name], degree=4)], tmp_path / f"{name}.dxf")
@@ -78,6 +80,7 @@ def test_the_command_that_is_told_works(name, tmp_path):
     assert "max_strain" in report
 
 
+@pytest.mark.campaign
 def test_a_wider_strip_is_told_where_the_sheet_asks_for_one(tmp_path):
     """No nearer curve helps 2 mm of a sheet that needs 3: the width typed is outweighed by the one that is told."""
     write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
@@ -92,6 +95,7 @@ def test_a_wider_strip_is_told_where_the_sheet_asks_for_one(tmp_path):
     assert made.returncode == 0, made.stderr
 
 
+@pytest.mark.campaign
 def test_a_neck_is_written_anyway_and_said(tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
     words = [
@@ -111,6 +115,7 @@ def test_a_neck_is_written_anyway_and_said(tmp_path):
     assert "made anyway" in (tmp_path / "out" / "tall.json").read_text()
 
 
+@pytest.mark.campaign
 def test_the_margin_comes_with_a_word(tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
     made = typed(
@@ -119,6 +124,7 @@ def test_the_margin_comes_with_a_word(tmp_path):
     assert re.search(r"stable, margin [0-9.]+ \((low|ample)\): it stays", made.stdout)
 
 
+@pytest.mark.campaign
 def test_a_long_thin_arch_is_refused(tmp_path):
     arch = [(0, 0), (1500, 1900), (3500, 2000), (6000, 0)]
     write_curves([ec.PlaneCurve.spline(arch, degree=3)], tmp_path / "long.dxf")
@@ -212,6 +218,7 @@ def desk(tmp_path_factory):
     return folder
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("words", "told"), REFUSED)
 def test_every_command_ends_a_refusal_with_one_that_works(words, told, desk, tmp_path):
     before = sorted(desk.iterdir())
@@ -225,6 +232,7 @@ def test_every_command_ends_a_refusal_with_one_that_works(words, told, desk, tmp
     assert made.returncode == 0, made.stderr
 
 
+@pytest.mark.campaign
 def test_a_drawing_is_kept_and_another_folder_told(desk, tmp_path):
     drawing = tmp_path / "tall.dxf"
     drawing.write_bytes((desk / "tall.dxf").read_bytes())
@@ -236,6 +244,7 @@ def test_a_drawing_is_kept_and_another_folder_told(desk, tmp_path):
     assert (tmp_path / "out" / "tall.dxf").exists()
 
 
+@pytest.mark.campaign
 def test_every_bad_curve_of_a_file_ends_with_its_own_command_and_the_good_one_is_made(desk, tmp_path):
     many = desk / "many.svg"
     good = '<path d="M 10 150 C 40 120 70 120 100 150"/>'
@@ -279,6 +288,7 @@ SLIPS = {
 }
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_slip_in_a_design_ends_with_what_to_write_and_the_command_to_run_again(slip, tmp_path):
     right, wrong, told = SLIPS[slip]
@@ -305,6 +315,7 @@ def test_a_slip_in_a_design_ends_with_what_to_write_and_the_command_to_run_again
     assert made.returncode == 0, made.stderr
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("asked", "write"),
     [("", "nest.sheet_size = [1250, 1250]"), ("nest = { sheet_size = [900, 600] }\n", "shop.lap = 80")],
@@ -324,6 +335,7 @@ def test_a_strip_longer_than_its_sheet_ends_with_a_line_that_makes_room(asked, w
     assert made.returncode == 0, made.stderr
 
 
+@pytest.mark.campaign
 def test_all_slips_of_a_design_are_told_and_mended_in_one_go(tmp_path):
     arch = "curve = { spline = [[0, 0], [50, 50], [100, 0]], degree = 2 }"
     lines = [
@@ -348,6 +360,7 @@ def test_all_slips_of_a_design_are_told_and_mended_in_one_go(tmp_path):
     assert made.returncode == 0, made.stderr
 
 
+@pytest.mark.campaign
 def test_all_strips_of_a_design_that_cannot_be_made_are_named(desk, tmp_path):
     design = desk / "several.toml"
     strip = '[[strips]]\nlabel = "K{}"\ncurve = "{}"\n'
@@ -378,6 +391,7 @@ def test_margins_of_bent_strips_come_with_a_word(tmp_path):
     assert re.search(r"stable, margin [0-9.]+ \((low|ample)\)", made.stdout)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("out", ["taken", "taken/below"])
 def test_a_file_where_files_should_go_is_told_and_no_command_that_fails_as_well(out, desk, tmp_path):
     """Trials write elsewhere: `--nearest` was told to work, into the same file."""
@@ -418,6 +432,7 @@ def test_an_absurd_width_is_told_at_once(width, told, desk):
     assert told in refused.stderr
 
 
+@pytest.mark.campaign
 def test_a_strip_wider_than_the_stock_is_told_a_smaller_width(tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
     refused = typed(
@@ -442,6 +457,7 @@ def test_an_option_without_its_value_is_one_sentence(words, tmp_path):
     assert words.split()[-1 if "20" not in words else 1] in refused.stderr
 
 
+@pytest.mark.campaign
 def test_a_misspelt_key_of_a_tab_keeps_its_tab(tmp_path):
     arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
     write_curves([arch], tmp_path / "arch.dxf")
@@ -489,6 +505,7 @@ def test_no_command_is_told_where_parts_would_share_a_file(tmp_path):
         assert made.returncode == 0, made.stderr
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("command", ["check", "strip"])
 def test_of_several_files_the_first_is_named(command, tmp_path):
     """A pattern such as *.dxf comes as several words."""
@@ -527,6 +544,7 @@ label = "B"
 """
 
 
+@pytest.mark.campaign
 def test_limits_that_two_strips_miss_are_told_before_what_would_help_the_first(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
     slow = (
@@ -539,6 +557,7 @@ def test_limits_that_two_strips_miss_are_told_before_what_would_help_the_first(t
     assert code == 1
 
 
+@pytest.mark.campaign
 def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
     counted = (
@@ -558,6 +577,7 @@ def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
     assert "Without the curvature limit all limits are met" in advice
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("words", "ending", "widest"),
     [
@@ -583,6 +603,7 @@ def test_a_command_in_inches_is_told_lengths_that_are_read_as_they_are_meant(wor
     assert strip["smoothing"] is None or strip["smoothing"]["moved"] < 0.1
 
 
+@pytest.mark.campaign
 def test_ends_in_inches_are_told_where_the_strip_reaches(tmp_path):
     refused = typed(["bend", "--straight", "10", "--to", "12", "0", "--units", "inch"], tmp_path)
     (command,) = re.findall(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr)
@@ -607,6 +628,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     assert f"Error: {told}" in refused.stderr
 
 
+@pytest.mark.campaign
 def test_a_file_of_quite_another_name_is_not_offered_for_a_lost_one(tmp_path):
     """Another curve would be cut; a slip of the finger and another ending are mended."""
     ec.write_curves([ec.PlaneCurve.spline(CURVES["tall"])], tmp_path / "arch.svg")

@@ -129,6 +129,7 @@ def test_the_drawing_itself_is_never_overwritten(drawn):
     assert drawn.read_bytes() == before
 
 
+@pytest.mark.campaign
 def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_path):
     result = elastica(
         "strip", impossible, "--sheet", "card-200gsm", "--max-width", 40, "-o", tmp_path / "out"
@@ -140,6 +141,7 @@ def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_
     assert elastica("check", impossible).returncode == 1
 
 
+@pytest.mark.campaign
 def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     path = tmp_path / "tight.json"
     path.write_text(curves_json([ec.PlaneCurve.arc((0, 0), 20.0, 0.0, 2.0)]))
@@ -161,6 +163,7 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     assert elastica(*arguments, "--force", "--strict").returncode == 1
 
 
+@pytest.mark.campaign
 def test_the_layer_that_is_strained_most_is_told_and_is_strict(tmp_path):
     """Of two sheets the thicker one bears less: 0.8 % is within the base's 0.87 %, beyond the backing's 0.74 %."""
     arch = np.array([(0, 0), (30, 120), (150, 190), (270, 120), (300, 0)]) * 1.36
@@ -174,6 +177,7 @@ def test_the_layer_that_is_strained_most_is_told_and_is_strict(tmp_path):
     assert float(told[3]) < float(told[1]) < 100 * ec.Sheet.named("birch-plywood-0.8").max_strain
 
 
+@pytest.mark.campaign
 def test_kerf_widens_the_part_by_the_kerf_in_all(drawn, tmp_path):
     import ezdxf
     from ezdxf import bbox
@@ -234,6 +238,7 @@ def test_bad_files_get_one_sentence_that_names_them(name, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.campaign
 def test_the_curve_at_fault_is_named_by_its_number(tmp_path):
     path = tmp_path / "several.json"
     arc = ec.PlaneCurve.arc((0, 0), 100.0, 0.0, 2.0)
@@ -247,6 +252,7 @@ def test_the_curve_at_fault_is_named_by_its_number(tmp_path):
     assert "curve 2 of 2" in elastica("strip", path, "--curve", 2, *options).stderr
 
 
+@pytest.mark.campaign
 def test_names_of_any_language(tmp_path):
     folder = tmp_path / "Träger und Bögen"
     folder.mkdir()
@@ -291,6 +297,7 @@ def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
         assert not (tmp_path / "out").exists(), arguments
 
 
+@pytest.mark.campaign
 def test_folder_that_nobody_may_write(drawn):
     """Not even root may make files in /proc."""
     result = elastica("strip", drawn, "--sheet", "card-200gsm", "--max-width", 20, "-o", "/proc/strips")
@@ -299,6 +306,7 @@ def test_folder_that_nobody_may_write(drawn):
     assert "Traceback" not in result.stderr
 
 
+@pytest.mark.campaign
 def test_output_folder_that_is_a_file(drawn, tmp_path):
     (tmp_path / "file").write_text("x")
     result = elastica("strip", drawn, "--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path / "file")
@@ -331,6 +339,7 @@ def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, we
     assert float(re.search(r"as made and held the strip strays ([\d.]+) mm", made_up)[1]) == left
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("law", "quantity", "words"),
     [
@@ -392,6 +401,7 @@ def test_a_pen_curve_between_pins(tmp_path):
         assert report["ratio"] == pytest.approx((1 + (np.pi * height / length) ** 2) ** 1.5, rel=0.1)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("options", "message"),
     [
