@@ -76,6 +76,7 @@ def test_what_is_done_is_kept(tmp_path):
     assert not list(tmp_path.rglob(".*"))
 
 
+@pytest.mark.campaign
 def test_the_same_bytes_in_every_run(tmp_path):
     """Handles, dates, ids, pictures, bodies, page: nothing tells when or with which seed they were written."""
     (tmp_path / "bow.txt").write_text(BOW)

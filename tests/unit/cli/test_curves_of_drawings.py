@@ -77,6 +77,7 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     assert b"1 of 3 curves made no strip" in done.stderr
 
 
+@pytest.mark.campaign
 def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path):
     ratios = {}
     for smooth in (None, 0, 1.5):

@@ -84,6 +84,7 @@ def test_the_kit_of_sections_stands(tmp_path):
     assert re.search(r"strays 0\.0\d+ mm from its design", made.stdout)
 
 
+@pytest.mark.campaign
 def test_the_pavilion_stands_as_drawn(tmp_path):
     """Wide tabs between two plates and widths made up for: no strip strays by a thousandth of its length."""
     assert typed("new", "pavilion", cwd=tmp_path).returncode == 0

@@ -265,6 +265,7 @@ def test_every_bad_curve_of_a_file_ends_with_its_own_command_and_the_good_one_is
     many.unlink()
 
 
+@pytest.mark.campaign
 def test_pieces_between_corners_carry_the_number_of_the_joint(desk, tmp_path):
     words = "strip corner.svg --split-corners --sheet card-200gsm --max-width 12 --json"
     made = typed([*words.split(), "-o", str(tmp_path)], desk)
@@ -375,6 +376,7 @@ def test_all_strips_of_a_design_that_cannot_be_made_are_named(desk, tmp_path):
     assert "--nearest" in refused.stderr
 
 
+@pytest.mark.campaign
 def test_a_reshaped_curve_that_cannot_be_bent_ends_with_a_strip_near_it(tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES["wave"], degree=4)], tmp_path / "wave.dxf")
     refused = typed(["reshape", "wave.dxf", "--top-right", "265", "190"], tmp_path)

@@ -77,6 +77,7 @@ def test_what_is_tried_before_a_refusal_builds_no_body(drawn, monkeypatch):
     assert [(files.step, files.pictures) for files in tried] == [(False, False)]
 
 
+@pytest.mark.campaign
 def test_the_bent_strip_is_written_for_screens(drawn, tmp_path):
     pytest.importorskip("OCP")
     import trimesh
@@ -315,6 +316,7 @@ def test_output_folder_that_is_a_file(drawn, tmp_path):
     assert "Traceback" not in result.stderr
 
 
+@pytest.mark.campaign
 def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
     path = tmp_path / "arch.json"
     path.write_text(curves_json([ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])]))
@@ -326,6 +328,7 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
     assert "makes up for that" not in made_up
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("weight", [(), ("--gravity",)], ids=["light", "heavy"])
 def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, weight):
     path = tmp_path / "hoop.json"
@@ -378,6 +381,7 @@ def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, 
     assert re.search(words, picture.get_suptitle())
 
 
+@pytest.mark.campaign
 def test_a_pen_curve_between_pins(tmp_path):
     """A half wave as a drawing program saves it, with three decimals, between ends that are free to turn."""
     length, height, pieces = 300.0, 80.0, 8
