@@ -4,8 +4,6 @@ import gc
 import os
 import sys
 import warnings
-from collections.abc import Sequence
-from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
 from elastica_cad._process import RARE_COLLECTIONS
@@ -14,13 +12,14 @@ from elastica_cad.errors import how_to_install
 if TYPE_CHECKING:
     import click
 
-    from elastica_cad.plot.page_process import PageProcess
-
 __all__ = ["main"]
+
+INTERRUPTED = 130
+"""Exit code after Ctrl-C, as shells have it: 128 and the number of the signal."""
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Run the command line; exit code 0 is done, 1 not realizable, 2 bad input.
+    """Run the command line; exit code 0 is done, 1 not realizable, 2 bad input, 130 ended by Ctrl-C.
 
     Examples
     --------
@@ -28,23 +27,51 @@ def main(arguments: list[str] | None = None) -> None:
     Traceback (most recent call last):
     SystemExit: 0
     """
-    if arguments is not None:
-        _command().main(args=arguments, prog_name="elastica")
-    if not sys.warnoptions:
-        warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
-    # its matrices are small: threads cost more than they help, and on one the bytes are those of every machine
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    # a command is short: looking for cycles among what imports made is a tenth of its time
-    gc.disable()
-    with _painter(sys.argv[1:]) as painter:
-        elastica = _command()
+    if arguments is None:
+        if not sys.warnoptions:
+            warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
+        # its matrices are small: threads cost more than they help, and on one the bytes are those of every machine
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+        # a command is short: looking for cycles among what imports made is a tenth of its time
+        gc.disable()
+    try:
+        code = _run(arguments)
+    except KeyboardInterrupt:
+        code = INTERRUPTED
+    finally:
+        if arguments is None:
+            gc.freeze()  # the process ends: it need not look through all it loaded for cycles once more
+    sys.exit(code)
+
+
+def _run(arguments: list[str] | None) -> int:
+    """The exit code of the command line."""
+    elastica = _command()
+    import click
+
+    if arguments is None:
         gc.freeze()
         gc.set_threshold(*RARE_COLLECTIONS)
         gc.enable()
-        try:
-            elastica.main(prog_name="elastica", obj=painter)
-        finally:
-            gc.freeze()  # the process ends: it need not look through all it loaded for cycles once more
+    try:
+        code = elastica.main(args=arguments, prog_name="elastica", standalone_mode=False)
+    except click.ClickException as problem:
+        problem.show()
+        return problem.exit_code
+    except click.Abort:  # what click makes of Ctrl-C
+        return INTERRUPTED
+    except OSError as problem:
+        if problem.filename is not None:  # of a file, not of standard output
+            raise
+        return _unprinted(problem)
+    return code if isinstance(code, int) else 0
+
+
+def _unprinted(problem: OSError) -> int:
+    """The exit code where standard output takes no more, as on a full disk; what it still holds is dropped."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
+    return 2
 
 
 def _command() -> "click.Group":
@@ -56,12 +83,3 @@ def _command() -> "click.Group":
     from elastica_cad.cli.commands import elastica
 
     return elastica
-
-
-def _painter(words: Sequence[str]) -> AbstractContextManager["PageProcess | None"]:
-    """What paints the picture of `elastica strip` meanwhile, begun before all else is loaded."""
-    if words[:1] != ["strip"] or {"-h", "--help", "--no-pictures"} & set(words):
-        return nullcontext()
-    from elastica_cad.plot.page_process import page_process
-
-    return page_process()

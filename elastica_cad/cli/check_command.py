@@ -16,7 +16,7 @@ from elastica_cad.cli.asking.asked_curves import (
 )
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
-from elastica_cad.cli.running.typed_command import MOST_CURES, cure_later, searched, with_cure
+from elastica_cad.cli.running.typed_command import MOST_CURES, cure_later, with_cure
 from elastica_cad.cli.running.voice import answer, say_with_cure, voice, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.reports.check_report import report_check
@@ -65,7 +65,7 @@ def check(
         look: Callable[[], str] = str  # for no cure
         if not good and not one.drawn.problem and cured < MOST_CURES:
             asked_for = one.whole.curve, supports, natural_curvature, smooth, one.which
-            look = partial(searched, partial(_cure, *asked_for))
+            look = partial(_cure, *asked_for)
         said = " ".join((found["advice"], *found.get("notes", ())))
         if "problem" in found:
             cure = look()

@@ -9,8 +9,7 @@ import click
 import numpy as np
 
 from elastica_cad.cli.asking.lengths import UNITS, Length
-from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
-from elastica_cad.cli.running.typed_command import BUDGET, TYPED, is_cured
+from elastica_cad.cli.running.typed_command import TYPED, is_cured
 from elastica_cad.cli.running.voice import voice, warn
 from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.errors import ElasticaError, InputError, NotMetError
@@ -100,7 +99,7 @@ class _Sentences(click.Group):
         try:
             return super().invoke(ctx)
         except ElasticaError as problem:
-            if not (is_cured(problem) or isinstance(problem, OutOfBudgetError)):
+            if not is_cured(problem):
                 problem.look_for_cure = partial(self._cure, ctx, str(problem))
             ctx.exit(_refuse(problem))
         except click.UsageError as problem:
@@ -164,10 +163,6 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         _speaking("-v", "--verbose", help="Print every step with its seconds, and all notes."),
         click.Option(["--units"], type=click.Choice(list(UNITS)), default="mm", show_default=True, is_eager=True,
                      help="Of lengths in options; one may name its own: 1.5in."),
-        click.Option(["--seconds"], type=click.FloatRange(0, min_open=True), default=USUAL_S, show_default=True,
-                     metavar="S", help="End with a sentence when it takes longer."),
-        click.Option(["--memory"], type=click.FloatRange(0, min_open=True), default=USUAL_MIB, show_default=True,
-                     metavar="MB", help="End with a sentence when it takes more."),
     ]  # fmt: skip
     if any(isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params):
         text = "Run again whenever a file that was read is saved, until Ctrl-C."
@@ -176,17 +171,16 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     def behind(**chosen: Any) -> None:
         watched = chosen.pop("watch", False)
         in_mm = [] if chosen.pop("units") == "mm" else _told_in_mm()
-        budget = chosen.pop("seconds"), chosen.pop("memory")
         _refuse_odd_numbers(chosen)
         if not huge:
             _refuse_huge_numbers(chosen)
         if not watched:
-            _once(run, chosen, budget, in_mm)
+            _once(run, chosen, in_mm)
             return
 
         def make() -> None:
             try:
-                _once(run, chosen, budget, in_mm)
+                _once(run, chosen, in_mm)
             except click.exceptions.Exit:
                 pass
             except ElasticaError as problem:
@@ -262,20 +256,16 @@ def _told_in_mm() -> list[str]:
     return told
 
 
-def _once(run: Any, chosen: dict[str, Any], budget: tuple[float, float], in_mm: list[str]) -> None:
-    """The command's own work within its budget, and its record at the end, whatever its exit code."""
+def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
+    """The command's own work, and its record at the end, whatever its exit code."""
     voice().begin()
-    context = click.get_current_context()
-    context.meta[BUDGET] = budget
     for told in in_mm:
         warn(told)
     try:
-        with spend(*budget, beside=lambda: context.obj and context.obj.pid):
-            run(**chosen)
-    except OutOfBudgetError as problem:
-        kept = len(voice().files)
-        raise OutOfBudgetError(
-            f"{problem} ({kept} files that were done are kept)" if kept else str(problem)
+        run(**chosen)
+    except MemoryError:
+        raise ElasticaError(
+            "there is not enough memory for this: ask for less at a time, such as fewer strips or samples"
         ) from None
     except click.exceptions.Exit:
         voice().conclude()

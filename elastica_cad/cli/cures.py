@@ -18,7 +18,7 @@ import numpy as np
 from elastica_cad.cli.asking.lengths import Length
 from elastica_cad.cli.asking.options import given_of, option_name
 from elastica_cad.cli.running.design_mends import mends
-from elastica_cad.cli.running.typed_command import TRYING, command_line, length_among
+from elastica_cad.cli.running.typed_command import TRYING, command_line, length_among, while_short
 from elastica_cad.errors import ElasticaError
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.design_files.reshaping import CORNERS, box_around_curves
@@ -130,7 +130,7 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
         return ""
     for mended, result in _mended(group, tuple(words), said):
         return f"This works: {mended}, then `{command_line(*words)}`{result}."
-    for changed in islice(dict.fromkeys(_changes(group, tuple(words), said)), MOST_TRIALS):
+    for changed in while_short(islice(dict.fromkeys(_changes(group, tuple(words), said)), MOST_TRIALS)):
         gave, _ = _run(group, changed)
         if gave is not None:
             return f"This works: `{command_line(*changed)}`{gave}."
@@ -160,7 +160,7 @@ def _mends_in_turn(
     The changed text is tried in a folder that shows all that stands beside the file.
     """
     beside = [one for one in path.absolute().parent.iterdir() if one.name != path.name]
-    for changed, mend in mends(text, said, [one.name for one in beside]):
+    for changed, mend in while_short(mends(text, said, [one.name for one in beside])):
         if next(trials) > MOST_MENDS:
             return
         with TemporaryDirectory() as folder:

@@ -109,9 +109,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             spec = spec_from_options(asked.curve, asked.name, chosen)
             kit = _made(asked, spec, _files(chosen), explain)
             say_step(f"writing the files of {asked.name}")
-            written = write_strip(
-                kit, chosen["output"], force=chosen["force"], kept=asked.path, painter=ctx.obj
-            )
+            written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
             _tell(kit, written)
             reports.append(kit.report)
             wrong += chosen["strict"] and any(layer.exceeded for layer in kit.strip.strains)

@@ -1,29 +1,99 @@
 """Damaged files on which OpenCASCADE breaks down: a copy of the program tries them first."""
 
+import faulthandler
 import os
+import signal
+import sys
+import warnings
 from collections.abc import Callable
+from contextlib import suppress
 
-from elastica_cad._process import await_copy, begin_copy
 from elastica_cad.errors import InputError
 
-LONGEST_S = 120.0
-"""Of a trial: no drawing of curves takes so long."""
+LEAST_S, S_PER_MB = 5, 5
+"""What a trial may take of the processor: ten times what sound files take."""
+
+BUSY = 10
+"""How many times as long by the clock, on a machine that has other things to do."""
+
+PR_SET_PDEATHSIG = 1
+"""Of Linux: the signal that a process gets when its parent ends."""
 
 
-def try_in_a_copy(task: Callable[[], object]) -> None:
+def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
     """Run a task in a copy of this process, where the system makes copies; what it raises is left to the real run.
+
+    The copy limits itself, so that it ends whatever becomes of this process; on Linux it ends with it.
+
+    Parameters
+    ----------
+    task : callable
+    size : int
+        Of the file that it reads, bytes.
 
     Raises
     ------
     InputError
-        The copy was ended by the system, or ran too long.
+        The system ended the copy, or it ran too long.
     """
     if not hasattr(os, "fork"):
         return
-    status = await_copy(begin_copy(task), LONGEST_S)
-    if status is None:
-        raise InputError(
-            f"OpenCASCADE has not read this file within {LONGEST_S:g} s: export its curves alone"
-        )
-    if os.WIFSIGNALED(status):
-        raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")
+    seconds = LEAST_S + S_PER_MB * size // 2**20
+    reads, writes = os.pipe()
+    parent, copy = os.getpid(), _fork()
+    if not copy:
+        with suppress(BaseException):
+            _limit(parent, seconds)
+            _be_silent()
+            with suppress(Exception):
+                task()
+            os.write(writes, b"1")
+        os._exit(0)
+    os.close(writes)
+    status = 0
+    try:
+        done = os.read(reads, 1)  # nothing, once the copy has ended without a word
+    except BaseException:  # Ctrl-C
+        os.kill(copy, signal.SIGKILL)
+        raise
+    finally:
+        os.close(reads)
+        with suppress(ChildProcessError):  # somebody else has waited for it
+            status = os.waitpid(copy, 0)[1]
+    if done:
+        return
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):
+        raise InputError(f"OpenCASCADE has not read this file within {seconds} s: export its curves alone")
+    raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")
+
+
+def _fork() -> int:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # of threads: the copy runs none but this one
+        return os.fork()
+
+
+def _limit(parent: int, seconds: int) -> None:
+    """End this copy with its parent where the system can, and in any case after a while, also in compiled loops."""
+    import resource
+
+    most = resource.getrlimit(resource.RLIMIT_CPU)[1]
+    seconds = seconds if most == resource.RLIM_INFINITY else min(seconds, most)
+    signal.signal(signal.SIGXCPU, signal.SIG_DFL)
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, most))
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    signal.alarm(BUSY * seconds)
+    if sys.platform == "linux":
+        import ctypes
+
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:  # it has ended already
+            os._exit(1)
+
+
+def _be_silent() -> None:
+    """Nothing is printed, and no crash is told."""
+    faulthandler.disable()
+    silence = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silence, 1)
+    os.dup2(silence, 2)

@@ -228,7 +228,7 @@ def read_step_shape(path: Path) -> Shape:
         A file that OpenCASCADE cannot read.
     """
     kernel()
-    try_in_a_copy(lambda: _read_shape(path))
+    try_in_a_copy(lambda: _read_shape(path), path.stat().st_size)
     return _read_shape(path)
 
 

@@ -24,7 +24,6 @@ from elastica_cad.formats.file_access.file_transaction import check_folder, writ
 from elastica_cad.formats.file_access.text_files import write_json, write_text
 from elastica_cad.formats.reports.start_page import compose_start_page
 from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
-from elastica_cad.kit.painted_beside import painted_beside
 from elastica_cad.mechanics.material.sheet import Sheet
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
@@ -34,9 +33,6 @@ START_PAGE = "index.html"
 
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Kinds of files that workshops make parts of."""
-
-PAINTED = (".pdf", ".png")
-"""Kinds of files that matplotlib makes."""
 
 
 @dataclass(frozen=True)
@@ -109,15 +105,10 @@ def write_kit(
     step, pictures = step and not step_trouble(), pictures and find_spec("matplotlib") is not None
     _plan(kit, step=step, pictures=pictures, parts=parts)
     with write_together(folder, kit.files, force=force) as workshop:
-        writers = {name: partial(write, workshop / name) for name, (_, write) in kit.files.items()}
-        painters = {name: write for name, write in writers.items() if name.endswith(PAINTED)}
-        pictures_last = sorted(writers, key=painters.__contains__)  # a copy that paints them is waited for
-        with painted_beside(painters.values()) as are_painted:
-            for name in pictures_last:
-                if name not in painters or not are_painted():
-                    writers[name]()
-                if done is not None:
-                    done(name, len(kit.files))
+        for name, (_, write) in kit.files.items():
+            write(workshop / name)
+            if done is not None:
+                done(name, len(kit.files))
 
 
 def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:

@@ -17,7 +17,6 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.file_access.text_files import write_json
 from elastica_cad.formats.reports.strip_report import report_strip
@@ -27,7 +26,6 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
 if TYPE_CHECKING:
-    from elastica_cad.plot.page_process import PageProcess
     from elastica_cad.plot.strip_page import StripPage
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
@@ -154,16 +152,9 @@ class StripKit:
 
 
 def write_strip(
-    kit: StripKit,
-    folder: Path,
-    *,
-    force: bool = False,
-    kept: Path | None = None,
-    painter: "PageProcess | None" = None,
+    kit: StripKit, folder: Path, *, force: bool = False, kept: Path | None = None
 ) -> tuple[Path, ...]:
     """Write all files of a strip, or after any error none; where they are.
-
-    The picture is painted by `painter` meanwhile, where one is given that has not painted yet.
 
     Raises
     ------
@@ -174,10 +165,8 @@ def write_strip(
     if kept is not None and any(os.path.exists(path) and path.samefile(kept) for path in written):
         raise InputError(f"{kept} holds the drawn curve and is kept: name another folder, e.g. -o out")
     with write_together(folder, kit.files.values(), force=force) as workshop:
-        painted = painter.begin(kit.page) if painter is not None and "png" in kit.files else None
-        for kind in sorted(kit.files, key="png".__eq__):  # what is painted beside is waited for last
-            write = partial(_draw_picture, painted=painted) if kind == "png" else _writer(kit, kind)
-            write(kit, workshop / kit.files[kind])
+        for kind, file in kit.files.items():
+            _writer(kit, kind)(kit, workshop / file)
     return written
 
 
@@ -206,12 +195,7 @@ def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
     return partial({"dxf": _write_dxf, "svg": _write_svg}[kind], layer=number)
 
 
-def _draw_picture(kit: StripKit, path: Path, painted: Callable[[], bytes | None] | None = None) -> None:
-    """Write the picture: what was `painted` beside, or where nothing was, one painted now."""
-    png = None if painted is None else painted()
-    if png is not None:
-        write_atomically(path, png)
-        return
+def _draw_picture(kit: StripKit, path: Path) -> None:
     from elastica_cad.plot.canvas import save_figure
 
     save_figure(kit.page.figure(), path)

@@ -1,7 +1,4 @@
-"""What is shown of a strip on a page, in numbers and words alone, and how that is painted.
-
-The records hold no strip: a process that paints them loads matplotlib and nothing of what makes strips.
-"""
+"""What is shown of a strip on a page, in numbers and words alone, and how that is painted."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

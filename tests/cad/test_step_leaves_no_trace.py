@@ -3,6 +3,8 @@
 import os
 import re
 import signal
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -20,6 +22,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.step_files import read_step_shape, write_strip_step
 
+ROOT = str(Path(__file__).resolve().parents[2])
 DAMAGED = Path(__file__).resolve().parents[1] / "data" / "damaged"
 NAMES = (
     "write.step.schema",
@@ -69,13 +72,43 @@ def test_a_file_on_which_opencascade_breaks_down():
         read_step_shape(DAMAGED / "breaks_opencascade.step")
 
 
-def test_a_copy_that_breaks_down_or_takes_too_long_is_told(monkeypatch):
+def test_a_copy_that_breaks_down_is_told():
     with pytest.raises(InputError, match="OpenCASCADE breaks down on this file"):
         try_in_a_copy(lambda: os.kill(os.getpid(), signal.SIGSEGV))
-    monkeypatch.setattr("elastica_cad.kernel.forked_trial.LONGEST_S", 0.1)
-    with pytest.raises(InputError, match=r"not read this file within 0\.1 s"):
-        try_in_a_copy(lambda: time.sleep(600))
     try_in_a_copy(lambda: 1 / 0)  # the real run raises it
+
+
+@pytest.mark.parametrize("what", ["spins", "hangs"])
+def test_a_copy_that_takes_too_long_is_ended(monkeypatch, what):
+    monkeypatch.setattr("elastica_cad.kernel.forked_trial.LEAST_S", 1)
+    monkeypatch.setattr("elastica_cad.kernel.forked_trial.BUSY", 5 if what == "spins" else 1)
+    with pytest.raises(InputError, match=r"not read this file within 1 s"):
+        try_in_a_copy((lambda: 10**9**9) if what == "spins" else (lambda: time.sleep(600)))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere it ends by its limit of the processor")
+def test_a_copy_ends_with_its_parent(tmp_path):
+    """It spun for ever once its parent was killed: the power below is compiled, and hears no exception."""
+    code = (
+        "import os, pathlib\nfrom elastica_cad.kernel.forked_trial import try_in_a_copy\n"
+        "def spin():\n    pathlib.Path('pid').write_text(str(os.getpid()))\n    os.rename('pid', 'spins')\n"
+        "    10**9**9\n"
+        "try_in_a_copy(spin)"
+    )
+    parent = subprocess.Popen(
+        [sys.executable, "-c", code], cwd=tmp_path, env={**os.environ, "PYTHONPATH": ROOT}
+    )
+    while not (tmp_path / "spins").exists():
+        assert parent.poll() is None
+        time.sleep(0.01)
+    parent.kill()
+    parent.wait()
+    proc = Path("/proc", (tmp_path / "spins").read_text(), "stat")
+    for _ in range(100):
+        if not proc.exists() or proc.read_text().rpartition(")")[2].split()[0] == "Z":
+            return
+        time.sleep(0.01)
+    pytest.fail("the copy is still there")
 
 
 def test_names(arch_strip, tmp_path):

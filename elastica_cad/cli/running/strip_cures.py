@@ -8,7 +8,14 @@ from typing import Any, TypeAlias
 import click
 import numpy as np
 
-from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line, cure_later, typed_length
+from elastica_cad.cli.running.typed_command import (
+    TRYING,
+    TYPED,
+    command_line,
+    cure_later,
+    typed_length,
+    while_short,
+)
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -114,7 +121,7 @@ def _cure_for(spec: StripSpec, which: Sequence[str], whole: PlaneCurve | None) -
     if not (spec.may_change or spec.slots or _slight(spec.curve, spec.smooth)):
         freed = {"limits": Limits(), "keep": Keep()}
         pieces = _in_pieces(spec.curve, which, spec.changed, (((), {}), ((NEAREST,), freed)))
-    for added, fields in _ways(spec):
+    for added, fields in while_short(_ways(spec)):
         answer = _solved(spec.changed, **fields)
         if answer is not None:
             smoothed = spec.changed(**fields).rod_spec.smoothing.moved
@@ -160,7 +167,7 @@ def cure_for_curve(
         return ("--sheet", sheet, "--max-width", typed_length(width), *added)
 
     if slight and file is None:
-        for sheet in TRIED_SHEETS:
+        for sheet in while_short(TRIED_SHEETS):
             answer = _solved(strip, drawn, sheet, smooth=slight)
             if answer is not None and _bears(answer[1]):
                 smoothed = strip(drawn, sheet, smooth=slight).rod_spec.smoothing.moved
@@ -170,7 +177,7 @@ def cure_for_curve(
              for added, more in (((), {}), ((NEAREST,), freed))]  # fmt: skip
     pieces = (np.inf, "") if file else _in_pieces(drawn, which, strip, tries, instead="strip")
     found: list[tuple[NearestRod, Strip]] = []
-    for sheet in TRIED_SHEETS:
+    for sheet in while_short(TRIED_SHEETS):
         answer = _solved(strip, drawn, sheet, **freed)
         if answer is None or not isinstance(answer[0], NearestRod):
             continue
@@ -209,7 +216,7 @@ def _in_pieces(
     """
     pieces = split_at_corners(drawn)
     best: tuple[float, str] = (np.inf, "")
-    for added, fields in tries if 1 < len(pieces) <= MOST_PIECES else ():
+    for added, fields in while_short(tries if 1 < len(pieces) <= MOST_PIECES else ()):
         made: list[Answer] = []
         for piece in pieces:
             answer = _solved(asked, curve=piece, **fields)

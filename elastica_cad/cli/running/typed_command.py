@@ -1,14 +1,17 @@
 """The command as the user typed it, and the cure that is looked for once it is refused."""
 
 import shlex
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterable, Iterator
 from contextvars import ContextVar
+from typing import TypeVar
 
 import click
 
-from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.program import name_program
 from elastica_cad.errors import ElasticaError, NotMetError
+
+T = TypeVar("T")
 
 TRYING: ContextVar[bool] = ContextVar("elastica.trying", default=False)
 """Does a command run to see whether it works? It then looks for no cure of its own."""
@@ -16,11 +19,8 @@ TRYING: ContextVar[bool] = ContextVar("elastica.trying", default=False)
 TYPED = "elastica.typed"
 """Key of the words that the user typed, in click's `meta`."""
 
-BUDGET = "elastica.budget"
-"""Key of the seconds and MB that the command may take."""
-
-LONGEST_SEARCH_S = 60.0
-"""For a command that would work: the user did not ask for this search, so it is short."""
+LONGEST_SEARCH_S = 10.0
+"""For a command that would work: the user did not ask for this search, so nothing more is tried after so long."""
 
 MOST_CURES = 12
 """Curves of a file for which a command is sought; each costs a few solves."""
@@ -48,19 +48,24 @@ def cure_later(problem: ElasticaError, look: Callable[[], str]) -> None:
 
     def look_here() -> str:
         with context.scope(cleanup=False):
-            return searched(look)
+            return look()
 
     problem.look_for_cure = look_here
 
 
-def searched(look: Callable[[], str]) -> str:
-    """The cure that a search comes to within the budget of the running command; else none."""
-    seconds, mib = click.get_current_context().meta.get(BUDGET, (USUAL_S, USUAL_MIB))
-    try:
-        with spend(min(seconds, LONGEST_SEARCH_S), mib):
-            return look()
-    except OutOfBudgetError:
-        return ""
+def while_short(tries: Iterable[T]) -> Iterator[T]:
+    """The things to try, as long as the search has not become long.
+
+    Examples
+    --------
+    >>> list(while_short("ab"))
+    ['a', 'b']
+    """
+    end = time.monotonic() + LONGEST_SEARCH_S
+    for one in tries:
+        if time.monotonic() > end:
+            return
+        yield one
 
 
 def is_cured(problem: ElasticaError) -> bool:

@@ -1,6 +1,5 @@
 """Files that appear whole or not at all."""
 
-import glob
 import os
 from collections.abc import Callable
 from contextlib import suppress
@@ -9,7 +8,6 @@ from typing import BinaryIO
 
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.living_writers import open_held, remove_left_behind
 
 
 def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
@@ -39,7 +37,7 @@ def write_atomically(
 ) -> Path:
     """Write a file under a temporary name beside its place, then rename it: no file is ever half written.
 
-    What a killed program has left beside it of an earlier try is removed.
+    A program that is killed while it writes may leave the file of that temporary name.
 
     Parameters
     ----------
@@ -68,23 +66,24 @@ def write_atomically(
     b'done'
     """
     target = check_target(path, force=force)
-    begins = f".{target.name[:100]}."
-    remove_left_behind(target.parent, f"{glob.escape(begins)}*.part")
-    temporary = target.with_name(f"{begins}{os.urandom(6).hex()}.part")
+    temporary = target.with_name(f".{target.name[:100]}.{os.urandom(6).hex()}.part")
     try:
-        with open_held(temporary) as file:
-            if callable(content):
-                content(file)
-            else:
-                file.write(content)
-            file.close()
-            check_target(path, force=force)  # another may have come first
-            os.replace(temporary, target)
+        with temporary.open("xb") as file:
+            try:
+                if callable(content):
+                    content(file)
+                else:
+                    file.write(content)
+                file.close()
+                check_target(path, force=force)  # another may have come first
+                os.replace(temporary, target)
+            except BaseException:
+                file.close()  # Windows removes no file that is open
+                with suppress(OSError):  # a disk that nobody may write to refuses this too
+                    temporary.unlink()
+                raise
     except OSError as error:
         raise InputError(f"{path} can't be written: {reason(error)}; choose another place") from error
-    finally:
-        with suppress(OSError):  # a disk that nobody may write to refuses this too
-            temporary.unlink(missing_ok=True)
     return target
 
 

@@ -8,14 +8,16 @@ from pathlib import Path
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import check_target, reason
-from elastica_cad.formats.file_access.living_writers import LOCK, open_held, remove_left_behind, take_turn
 
 
 @contextmanager
 def write_together(
     folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """A workshop folder whose files move to `folder` only when the whole block has succeeded.
+    """A temporary folder whose files move to `folder` only when the whole block has succeeded.
+
+    A folder that is not there yet appears in one step. Into one that is there the files move one after the other;
+    after an error, or Ctrl-C, the new ones among those that were moved are taken back.
 
     Parameters
     ----------
@@ -29,7 +31,7 @@ def write_together(
     Yields
     ------
     Path
-        A temporary folder on the same disk; those that killed programs have left there are removed.
+        The temporary folder, on the same disk. A program that is killed may leave it behind.
 
     Raises
     ------
@@ -49,10 +51,9 @@ def write_together(
     with _refusals(folder):
         target, ground = _places(folder, names, force=force)
         workshop = _workshop(ground)
-        remove_left_behind(ground, ".elastica-*")
+        workshop.mkdir()
         try:
-            workshop.mkdir()
-            with open_held(workshop / LOCK), _about_its_own_files(workshop):
+            with _about_its_own_files(workshop):
                 for name in names:
                     Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
                 yield workshop
@@ -125,13 +126,24 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
 
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
-    """All files to their places; while others move theirs there, this waits."""
-    target.mkdir(parents=True, exist_ok=True)
-    with take_turn(target):
-        _check(target, names, force=force)  # another may have come first
+    """All files to their places."""
+    _check(target, names, force=force)  # another may have come first
+    if not target.exists():
+        target.parent.mkdir(parents=True, exist_ok=True)
+        os.rename(workshop, target)
+        return
+    new: list[Path] = []
+    try:
         for name in names:
-            (target / name).parent.mkdir(parents=True, exist_ok=True)
-            os.replace(Path(workshop, name), target / name)
+            path = target / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            was_there = path.exists()
+            os.replace(workshop / name, path)
+            new += [] if was_there else [path]
+    except BaseException:
+        for path in new:
+            path.unlink(missing_ok=True)
+        raise
 
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:

@@ -54,16 +54,6 @@ def test_the_verdict_is_told_before_the_search_for_a_cure_which_ctrl_c_ends(zigz
 
 
 @pytest.mark.campaign
-def test_a_search_that_takes_longer_than_it_may_leaves_the_verdict(zigzag):
-    words = "strip zigzag.csv --sheet pom-0.5 --max-width 20 --seconds 3 --json"
-    refused = typed(words.split(), zigzag)
-    assert refused.returncode == 2
-    assert refused.stderr.startswith("Error: zigzag.csv: the curve has a corner at")
-    assert "takes longer" not in refused.stderr
-    assert json.loads(refused.stdout)["error"] == refused.stderr.rstrip("\n")
-
-
-@pytest.mark.campaign
 @pytest.mark.parametrize("name", CURVES)
 def test_the_command_that_is_told_works(name, tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES[name], degree=4)], tmp_path / f"{name}.dxf")

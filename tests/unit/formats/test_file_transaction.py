@@ -1,12 +1,8 @@
-"""What killed programs leave is removed by the next; what a living one writes is left alone; two take turns."""
+"""Files that appear together or not at all; nothing is removed but what the run itself made."""
 
 import errno
 import os
-import signal
-import subprocess
-import sys
 import time
-from pathlib import Path
 
 import pytest
 
@@ -16,34 +12,6 @@ from elastica_cad.formats.file_access.file_transaction import write_together
 
 pytestmark = pytest.mark.core
 
-ROOT = Path(__file__).resolve().parents[3]
-WRITER = """
-import sys
-from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.formats.file_access.file_transaction import write_together
-def wait(file):
-    file.write(b"half")
-    file.flush()
-    print("writing", flush=True)
-    sys.stdin.read()
-with write_together("out", ["a.txt"]) as workshop:
-    write_atomically(workshop / "a.txt", b"whole")
-    write_atomically("b.txt", wait)
-"""
-
-
-@pytest.fixture
-def writer(tmp_path):
-    """A program in the midst of writing."""
-    process = subprocess.Popen(
-        [sys.executable, "-c", WRITER], cwd=tmp_path, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-    )  # fmt: skip
-    assert process.stdout.readline() == "writing\n"
-    yield process
-    process.kill()
-    process.communicate()
-
 
 def hidden(folder):
     return sorted(path.name for path in folder.rglob(".*"))
@@ -51,39 +19,61 @@ def hidden(folder):
 
 def write_both(folder):
     write_atomically(folder / "b.txt", b"next", force=True)
-    with write_together(folder / "out", ["c.txt"]) as workshop:
+    with write_together(folder / "out", ["c.txt"], force=True) as workshop:
         (workshop / "c.txt").write_text("next")
 
 
-def test_what_a_killed_program_left_goes_with_the_next(tmp_path, writer):
-    writer.send_signal(signal.SIGKILL)
-    writer.wait()
-    assert len(hidden(tmp_path)) == 3  # a folder with its lock, a file
+def test_what_others_call_by_names_like_ours_stays(tmp_path):
+    """Such files and folders were removed once they were a minute old, in the folder written to or its parent."""
+    notes, kit, part = (
+        tmp_path / ".elastica-notes",
+        tmp_path / "out" / ".elastica-1",
+        tmp_path / ".b.txt.0a.part",
+    )
+    for folder in (notes, kit):
+        folder.mkdir(parents=True)
+        (folder / "a.txt").write_text("mine")
+        os.utime(folder, (time.time() - 600,) * 2)
+    part.write_text("mine")
     write_both(tmp_path)
-    assert hidden(tmp_path) == []
-    assert sorted(path.name for path in tmp_path.rglob("*")) == ["b.txt", "c.txt", "out"]
-
-
-def test_a_living_writer_keeps_its_files(tmp_path, writer):
-    before = hidden(tmp_path)
     write_both(tmp_path)
-    assert hidden(tmp_path) == before
-    writer.communicate()
-    assert writer.returncode == 1  # b.txt has come meanwhile, and it may not overwrite
-    assert hidden(tmp_path) == []
-    assert (tmp_path / "b.txt").read_bytes() == b"next"
+    assert all((folder / "a.txt").read_text() == "mine" for folder in (notes, kit))
+    assert hidden(tmp_path) == sorted(path.name for path in (notes, kit, part))
 
 
-def test_a_workshop_whose_lock_is_not_yet_there_is_left_for_a_minute(tmp_path):
-    young, old = tmp_path / ".elastica-1", tmp_path / ".elastica-2"
-    for folder in (young, old):
-        folder.mkdir()
-        (folder / "a.txt").write_text("half")
-    os.utime(old, (time.time() - 600,) * 2)
-    with write_together(tmp_path, ["c.txt"]) as workshop:
-        (workshop / "c.txt").write_text("next")
-    assert young.exists()
-    assert not old.exists()
+def test_a_new_folder_appears_in_one_step(tmp_path, monkeypatch):
+    """A program that is killed at any moment leaves the whole kit or none of it."""
+    monkeypatch.setattr(os, "replace", None)  # no file is moved by itself
+    with write_together(tmp_path / "far" / "out", ["a.txt", "parts/b.txt"]) as workshop:
+        for name in ("a.txt", "parts/b.txt"):
+            (workshop / name).write_text("whole")
+        assert not (tmp_path / "far").exists()
+    names = sorted(path.name for path in tmp_path.rglob("*"))
+    assert names == ["a.txt", "b.txt", "far", "out", "parts"]
+
+
+@pytest.mark.parametrize("problem", [KeyboardInterrupt, OSError(errno.ENOSPC, "No space left")])
+def test_what_ends_the_moving_takes_back_what_is_new(tmp_path, monkeypatch, problem):
+    replace = os.replace
+
+    def stops(source, path):
+        if path.name == "c.txt":
+            raise problem
+        replace(source, path)
+
+    (tmp_path / "a.txt").write_text("old")
+    (tmp_path / "stranger.txt").write_text("mine")
+    monkeypatch.setattr(os, "replace", stops)
+    names = ["a.txt", "b.txt", "c.txt"]
+
+    def write():
+        with write_together(tmp_path, names, force=True) as workshop:
+            for name in names:
+                (workshop / name).write_text("new")
+
+    with pytest.raises((KeyboardInterrupt, InputError)):
+        write()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.txt", "stranger.txt"]
 
 
 def test_what_came_first_is_not_overwritten(tmp_path):
