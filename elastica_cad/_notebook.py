@@ -1,10 +1,10 @@
 """How records show themselves in notebooks: lines as a small SVG, tables as HTML, without any library."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from html import escape
 
 import numpy as np
 
+from elastica_cad._printable import html_text
 from elastica_cad._types import FloatArray
 
 BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"  # read on light and dark
@@ -40,16 +40,16 @@ def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> s
         )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" height="{size[1]:.0f}" role="img" '
-        f'viewBox="0 0 {size[0]:.2f} {size[1]:.2f}"><title>{escape(title)}</title>{"".join(paths)}</svg>'
+        f'viewBox="0 0 {size[0]:.2f} {size[1]:.2f}"><title>{html_text(title)}</title>{"".join(paths)}</svg>'
     )
 
 
 def html_table(title: str, rows: Sequence[Mapping[str, object]]) -> str:
     """Rows of equal keys as a table with a caption; every text is escaped."""
     if not rows:
-        return f"<p>{escape(title)}</p>"
-    head = "".join(f"<th>{escape(str(key))}</th>" for key in rows[0])
+        return f"<p>{html_text(title)}</p>"
+    head = "".join(f"<th>{html_text(key)}</th>" for key in rows[0])
     body = "".join(
-        "<tr>" + "".join(f"<td>{escape(str(value))}</td>" for value in row.values()) + "</tr>" for row in rows
+        "<tr>" + "".join(f"<td>{html_text(value)}</td>" for value in row.values()) + "</tr>" for row in rows
     )
-    return f"<table><caption>{escape(title)}</caption><tr>{head}</tr>{body}</table>"
+    return f"<table><caption>{html_text(title)}</caption><tr>{head}</tr>{body}</table>"

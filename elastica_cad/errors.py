@@ -9,6 +9,8 @@ from pathlib import Path
 from reprlib import Repr
 from typing import Self
 
+from elastica_cad._printable import printable
+
 _QUOTED = Repr()
 _QUOTED.maxstring = _QUOTED.maxother = 60
 
@@ -23,6 +25,9 @@ class ElasticaError(Exception):
     """
 
     look_for_cure: Callable[[], str] | None = None
+
+    def __str__(self) -> str:
+        return printable(super().__str__())  # a traceback shows it on a terminal
 
     @property
     def verdict(self) -> str:
@@ -76,7 +81,7 @@ class NotMetError(NotConvergedError):
     @property
     def verdict(self) -> str:
         """What is known at once: how near the search came, and what it kept from the drawn curve."""
-        return str(self.args[0])
+        return printable(str(self.args[0]))
 
     @property
     def advice(self) -> tuple[str, ...]:

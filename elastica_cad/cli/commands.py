@@ -8,9 +8,10 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._printable import printable
 from elastica_cad.cli.asking.lengths import UNITS, Length
 from elastica_cad.cli.running.typed_command import TYPED, is_cured
-from elastica_cad.cli.running.voice import voice, warn
+from elastica_cad.cli.running.voice import echo, voice, warn
 from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.errors import ElasticaError, InputError, NotMetError
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
@@ -60,7 +61,7 @@ def _tell_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
         told = version("elastica-cad")
     except PackageNotFoundError:
         told = "from a checkout"
-    click.echo(f"elastica, version {told}")
+    echo(f"elastica, version {told}")
     ctx.exit()
 
 
@@ -109,7 +110,7 @@ class _Sentences(click.Group):
         said = problem.format_message()
         if isinstance(problem, click.MissingParameter) and (asked := _what_to_give(problem.param)):
             said = f"{said.rstrip('.')}: {asked}."
-        return click.UsageError(" ".join(filter(None, (said, self._cure(ctx, said)))), problem.ctx)
+        return click.UsageError(printable(" ".join(filter(None, (said, self._cure(ctx, said))))), problem.ctx)
 
     def _cure(self, ctx: click.Context, said: str) -> str:
         from elastica_cad.cli.cures import cure_by_trial
@@ -189,7 +190,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
             if "force" in own:
                 chosen["force"] = True  # what it made itself is made anew
 
-        remake_on_change(make, lambda text: click.echo(text, err=True))
+        remake_on_change(make, partial(echo, err=True))
 
     command.callback = behind
     return command

@@ -4,6 +4,7 @@ import sys
 import warnings
 from typing import TYPE_CHECKING
 
+from elastica_cad._printable import printable
 from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.strip.strip_record import Strip
 
@@ -37,7 +38,7 @@ def warn(text: str) -> None:
     depth, caller = 2, sys._getframe(1)
     while caller.f_back is not None and str(caller.f_globals.get("__name__")).split(".")[0] in LIBRARIES:
         depth, caller = depth + 1, caller.f_back
-    warnings.warn(text, StripWarning, stacklevel=depth)
+    warnings.warn(printable(text), StripWarning, stacklevel=depth)
 
 
 def warn_of_contact(strip: Strip) -> None:

@@ -304,6 +304,8 @@ def test_a_hostile_user(tmp_path):
 
 
 def check_first_use(found):
+    assert found["grey without a document"], "FreeCAD 1.1 shows no panel before there is a document"
+    assert found["typed"]
     assert found["grey at first"] == ["Elastica_Strip", "Elastica_Live"]
     assert found["session in the new sketch"]
     assert found["remembers"]

@@ -14,6 +14,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._printable import printable
 from elastica_cad.cli.running.typed_command import cure_of, with_cure
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.reports.check_report import round_numbers
@@ -80,11 +81,16 @@ def voice() -> Voice:
     return found
 
 
+def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
+    """Write a line: all that a command writes goes through here, so no foreign text steers a terminal."""
+    click.echo(printable(text), nl=nl, err=err)
+
+
 def say(text: str = "") -> None:
     """A line of the answer, for people."""
     if not (voice().as_json or voice().quiet):
         _clear_step()
-        click.echo(text)
+        echo(text)
 
 
 def warn(text: str) -> None:
@@ -92,7 +98,7 @@ def warn(text: str) -> None:
     voice().notes.append(text)
     if not voice().quiet:
         _clear_step()
-        click.echo(text, err=True)
+        echo(text, err=True)
 
 
 def say_with_cure(text: str, look: Callable[[], str]) -> str:
@@ -105,9 +111,9 @@ def _tell_with_cure(said: str, look: Callable[[], str], *, err: bool) -> str:
     _clear_step()
     cure = ""
     with suppress(KeyboardInterrupt):
-        click.echo(said, nl=False, err=err)
+        echo(said, nl=False, err=err)
         cure = look()
-    click.echo(with_cure(said, cure)[len(said) :], err=err)
+    echo(with_cure(said, cure)[len(said) :], err=err)
     return cure
 
 
@@ -128,9 +134,10 @@ def say_step(text: str, number: int = 0, count: int = 0) -> None:
     speaker = voice()
     counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:
-        click.echo(f"{time.perf_counter() - speaker.since:7.2f} s  {counted}", err=True)
+        echo(f"{time.perf_counter() - speaker.since:7.2f} s  {counted}", err=True)
     elif not (speaker.quiet or speaker.as_json) and sys.stderr.isatty():
-        click.echo(f"\r\x1b[2K{counted} ...", nl=False, err=True)
+        _clear_step()
+        echo(f"{counted} ...", nl=False, err=True)
 
 
 def _clear_step() -> None:
@@ -139,7 +146,7 @@ def _clear_step() -> None:
 
 
 def _print_json(record: Any) -> None:
-    click.echo(json.dumps(record, indent=1, ensure_ascii=False))
+    echo(json.dumps(record, indent=1, ensure_ascii=False))
 
 
 def _simplify(value: Any) -> Any:

@@ -26,7 +26,7 @@ from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_keys import printable
+from elastica_cad.mechanics.material.sheet_keys import require_printable
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class Model:
     def __post_init__(self) -> None:
         object.__setattr__(self, "placed", require_placed(self.placed))
         object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
-        printable(self.name, "the model's name")
+        require_printable(self.name, "the model's name")
         if not self.placed:
             raise InputError(f"the model {self.name!r} has no strips")
 

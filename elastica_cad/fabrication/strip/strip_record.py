@@ -43,7 +43,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_keys import printable
+from elastica_cad.mechanics.material.sheet_keys import require_printable
 from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.resampling import resample
@@ -133,7 +133,7 @@ class Strip:
             value = getattr(self, name)
             if value is not None:
                 require_positive(value, name)
-        printable(self.label, "the label")
+        require_printable(self.label, "the label")
         if self.correction is not None:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
         object.__setattr__(self, "ends", pair_of_tabs(self.ends))

@@ -1,10 +1,10 @@
 """Drawings as SVG files in mm."""
 
 from collections.abc import Mapping
-from html import escape  # xml.sax.saxutils would load the network first
 
 import numpy as np
 
+from elastica_cad._printable import html_text
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.formats.drawing_files.curve_style import check_curve_style, shape_paths
@@ -66,14 +66,14 @@ def encode_svg(
         '<svg xmlns="http://www.w3.org/2000/svg" version="1.1" '
         'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
         f'width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">',
-        f"<title>{escape(drawing.name, quote=False)}</title>",
+        f"<title>{html_text(drawing.name)}</title>",
     ]
     for layer in LAYERS:
         data = [one for item, one in zip(drawing.strokes, drawn, strict=True) if item.layer == layer]
         if not data:
             continue
         style = styles[layer]
-        key, label = escape(style.name.replace(" ", "_")), escape(style.name)
+        key, label = html_text(style.name.replace(" ", "_")), html_text(style.name)
         rows.append(
             f'<g id="{key}" inkscape:groupmode="layer" inkscape:label="{label}" '
             f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'

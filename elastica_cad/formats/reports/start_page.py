@@ -1,9 +1,10 @@
 """The start page of a kit: one HTML file beside the others, with pictures, numbers and links to them all."""
 
 from collections.abc import Mapping, Sequence
-from html import escape
 from pathlib import PurePosixPath
 from urllib.parse import quote
+
+from elastica_cad._printable import html_text
 
 STYLE = (
     "body{font:15px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1f2430}"
@@ -36,20 +37,20 @@ def compose_start_page(
     """
     pictures = [file for file in files if file.endswith(".png")]
     shown = "".join(
-        f'<figure><a href="{quote(file)}"><img src="{quote(file)}" alt="{escape(files[file])}"></a>'
-        f"<figcaption>{escape(files[file])}: {escape(PurePosixPath(file).name)}</figcaption></figure>"
+        f'<figure><a href="{quote(file)}"><img src="{quote(file)}" alt="{html_text(files[file])}"></a>'
+        f"<figcaption>{html_text(files[file])}: {html_text(PurePosixPath(file).name)}</figcaption></figure>"
         for file in pictures
     )
     rows = "".join(
-        f'<tr><td><a href="{quote(file)}">{escape(file)}</a></td><td>{escape(what)}</td></tr>'
+        f'<tr><td><a href="{quote(file)}">{html_text(file)}</a></td><td>{html_text(what)}</td></tr>'
         for file, what in files.items()
         if file not in pictures
     )
-    told = "".join(f"<p>{escape(line)}</p>" for line in lines)
-    warned = "".join(f"<li>{escape(note)}</li>" for note in notes)
+    told = "".join(f"<p>{html_text(line)}</p>" for line in lines)
+    warned = "".join(f"<li>{html_text(note)}</li>" for note in notes)
     return (
-        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{escape(name)}</title>'
-        f"<style>{STYLE}</style></head><body><h1>{escape(name)}</h1>{told}"
+        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{html_text(name)}</title>'
+        f"<style>{STYLE}</style></head><body><h1>{html_text(name)}</h1>{told}"
         f"{f'<h2>Before you cut</h2><ul>{warned}</ul>' if warned else ''}{shown}"
         f"<h2>Files</h2><table><tr><th>file</th><th>what it is</th></tr>{rows}</table></body></html>\n"
     )

@@ -23,8 +23,8 @@ from elastica_cad.mechanics.material.sheet_keys import (
     checked_poisson_ratio,
     even_shear_ratio,
     finite_number,
-    printable,
     quoted,
+    require_printable,
     toml_value,
 )
 from elastica_cad.mechanics.material.sheet_library import (
@@ -117,7 +117,7 @@ class Sheet:
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
             raise InputError(f"a sheet needs a name, got {self.name!r}")
-        printable(self.name, "the sheet's name")
+        require_printable(self.name, "the sheet's name")
         for field_name, unit in UNITS.items():
             value = finite_number(getattr(self, field_name), f"sheet {self.name!r}: {field_name}")
             if value < 0 or (value == 0 and field_name != "kerf"):

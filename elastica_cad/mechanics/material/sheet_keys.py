@@ -80,7 +80,7 @@ def advise_key(key: str) -> str:
     return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(KEYS)}"
 
 
-def printable(text: str, where: str) -> str:
+def require_printable(text: str, where: str) -> str:
     """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
     if not isinstance(text, str):
         raise InputError(f"{where} is {text!r}: give a text")

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from html import escape
 from typing import Any, Self
 
+from elastica_cad._printable import html_text
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
@@ -107,7 +107,7 @@ class EquilibriumCheck:
         )
 
     def _repr_html_(self) -> str:
-        return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {escape(str(self))}</p>"
+        return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
 
     def as_dict(self) -> dict[str, Any]:
         """Numbers, texts and lists for a report."""

@@ -23,6 +23,7 @@ from inside import (
     panel,
     picture,
     press_button,
+    report,
     run,
     sketch,
     told,
@@ -34,11 +35,6 @@ from inside import (
 )
 
 ACROSS = [(5, -40), (12, 0), (15, 50), (12, 100), (5, 140)]
-
-
-def report():
-    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
-    return view.toPlainText() if view is not None else ""
 
 
 def boxes():

@@ -35,6 +35,7 @@ from inside import (
     toolbar_button,
     trigger,
     type_into,
+    typed,
     until,
     viewport,
     wait,
@@ -107,6 +108,8 @@ def draw():
 def work():
     began = time.monotonic()
     window()
+    Gui.activateWorkbench("ElasticaWorkbench")
+    answers["grey without a document"] = is_grey("Elastica_Sheets")
     document = App.newDocument("First")
     document.UndoMode = 1
     Gui.activateWorkbench("ElasticaWorkbench")
@@ -156,6 +159,8 @@ def work():
     answers["strip"] = [strip.State, strip.Verdict]
     answers["panel"] = panel().form.windowTitle()
     answers["held"] = [strip.Held, panel().form.numbers.text(), panel().form.footnote.text()]
+    typed("MaxWidth", "31 mm")
+    answers["typed"] = until(lambda: strip.MaxWidth.Value == 31)
     fit("Isometric")
     picture("5-strip.png")
     press_button("Ok")

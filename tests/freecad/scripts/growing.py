@@ -23,6 +23,7 @@ from inside import (
     panel,
     press,
     press_button,
+    report,
     run,
     scroll_to,
     sketch,
@@ -35,11 +36,6 @@ from inside import (
 )
 
 ACROSS = [(65, -40), (72, 0), (75, 50), (72, 100), (65, 140)]
-
-
-def report():
-    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
-    return view.toPlainText() if view is not None else ""
 
 
 def open_panel(command, *things):

@@ -18,6 +18,7 @@ from inside import (
     QtWidgets,
     answers,
     choose,
+    report,
     run,
     sketch,
     trigger,
@@ -42,11 +43,6 @@ PANELS = {
     "Elastica_Sheets": None,
 }
 answers["trouble"] = []
-
-
-def report():
-    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
-    return view.toPlainText() if view is not None else ""
 
 
 def told():

@@ -191,8 +191,15 @@ def keys(*names):
     mouse("key", "--delay", 40, *names)
 
 
+def report():
+    """What stands in the report view."""
+    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
+    return view.toPlainText() if view is not None else ""
+
+
 def type_into(widget, words):
-    """Click into a field, replace what is there, leave it by Tab."""
+    """Click into a field, replace what is there, leave it by Tab; FreeCAD finds nothing wrong with that."""
+    before = len(report())
     click(widget)
     until(lambda: has_focus(widget), 10)
     keys("ctrl+a")
@@ -200,6 +207,8 @@ def type_into(widget, words):
     keys("Tab")
     until(lambda: not has_focus(widget), 10)
     wait(250)
+    strange = [line for line in report()[before:].splitlines() if "Elastica" not in line]
+    assert not strange, strange
 
 
 def has_focus(widget):
@@ -280,14 +289,14 @@ class Dialog:
 
 def fill(panel, **values):
     """What a user types into fields of a panel, with everything that follows from it."""
-    from freecad.elastica_wb.panels.widgets.fields import set_value, signal_of
+    from freecad.elastica_wb.panels.widgets.fields import send_change, set_value
 
     for name, value in values.items():
         widget = getattr(panel.form, name)
         set_value(widget, value)
         argument = {QtWidgets.QComboBox: 0, QtWidgets.QLineEdit: "", QtWidgets.QCheckBox: True}
         send = next((v for k, v in argument.items() if isinstance(widget, k)), value)
-        signal_of(widget).emit(send)
+        send_change(widget, send)
 
 
 def scroll_to(widget):

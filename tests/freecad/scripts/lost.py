@@ -24,6 +24,7 @@ from inside import (
     open_panel,
     panel,
     press,
+    report,
     run,
     scroll_to,
     sketch,
@@ -35,10 +36,6 @@ from inside import (
 )
 
 V = App.Vector
-
-
-def report():
-    return Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view").toPlainText()
 
 
 def state(document):

@@ -9,7 +9,6 @@ import FreeCADGui as Gui
 from inside import (
     ARCH,
     QtCore,
-    QtWidgets,
     action_of,
     answers,
     at_rest,
@@ -21,6 +20,7 @@ from inside import (
     panel,
     picture,
     press,
+    report,
     run,
     scroll_to,
     sketch,
@@ -31,11 +31,6 @@ from inside import (
 )
 
 ACROSS = [(80, -60), (87, -20), (90, 30), (87, 100), (80, 140)]
-
-
-def reported():
-    """What stands in the report view."""
-    return Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view").toPlainText()
 
 
 def switched(model):
@@ -87,7 +82,7 @@ def work():
     until(panel().form.footnote.text)
     picture("meeting.png")
     answers["told"] = [list(model.Overlaps), panel().form.footnote.text()]
-    answers["reported"] = reported().count(model.Overlaps[0])
+    answers["reported"] = report().count(model.Overlaps[0])
     button()
     open_panel("Elastica_Export", model)
     answers["before export"] = panel().form.message.text().splitlines()

@@ -19,6 +19,7 @@ from inside import (
     dialog_button,
     is_grey,
     picture,
+    report,
     run,
     sketch,
     told,
@@ -42,11 +43,6 @@ def strangers():
 
 
 answers["strangers"] = strangers()
-
-
-def report():
-    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
-    return view.toPlainText() if view is not None else ""
 
 
 def put_away():

@@ -58,10 +58,6 @@ class SheetsCommand(Command):
     )
     in_sketch = True
 
-    def has_subject(self) -> bool:
-        """The library belongs to the user, not to a document."""
-        return True
-
     def run(self) -> None:
         """Open the panel."""
         show_panel(SheetsPanel)

@@ -20,6 +20,7 @@ from freecad.elastica_wb.host.progress import begun, in_background
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
+from freecad.elastica_wb.host.sentences import report_warning
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 from freecad.elastica_wb.solving.growing_cache import growing_cache
@@ -161,7 +162,7 @@ def tell_overlaps(obj: Any, found: tuple[str, ...]) -> None:
     """Write which strips of a model run into each other."""
     told = _worded(found)
     if told and obj.Overlaps != told:
-        App.Console.PrintWarning(f"Elastica, {obj.Label}: {' '.join(told)}\n")
+        report_warning(" ".join(told), obj.Label)
     put(obj, Overlaps=told)
 
 

@@ -14,6 +14,7 @@ from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.sentences import report_warning
 from freecad.elastica_wb.shapes.part_shapes import is_bounded, make_wire
 
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
@@ -71,7 +72,7 @@ def tell_left_out(obj: Any) -> None:
         return
     told = [words.format(strip=label, later=later) for label, later in found.items() if later]
     if told and obj.LeftOut != told:
-        App.Console.PrintWarning(f"Elastica, {obj.Label}: {' '.join(told)}\n")
+        report_warning(" ".join(told), obj.Label)
     put(obj, LeftOut=told)
 
 

@@ -27,6 +27,7 @@ from freecad.elastica_wb.host.refusal import (
     why_not_computed,
     why_not_made,
 )
+from freecad.elastica_wb.host.sentences import report_error
 from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list, text_of
 from freecad.elastica_wb.host.view_providers import dress
 
@@ -227,7 +228,7 @@ def give_up(document: Any) -> None:
         said = why_not_made(source)
         if any(one.Visibility for one in ours):  # else it was told
             names = ", ".join([one.Label for one in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES))
-            App.Console.PrintError(f"Elastica, {names}: {said}\n")
+            report_error(said, names)
         for one in ours:
             one.Proxy.tell_error(one, InputError(said))
         hide(source)

@@ -15,7 +15,9 @@ from xml.etree import ElementTree
 import FreeCAD as App
 from freecad.elastica_wb.host.resources import RESOURCES, translate
 
-__all__ = ["CONTEXT", "capital", "decimal_point", "translated"]
+from elastica_cad._printable import printable
+
+__all__ = ["CONTEXT", "capital", "decimal_point", "report", "report_error", "report_warning", "translated"]
 
 CONTEXT = "ElasticaSentences"
 GAP = re.compile(r"%(\d)")
@@ -146,3 +148,22 @@ def _translated(sentence: str, language: str) -> str:
     if sentence.endswith("."):  # a key that stands at the end
         return _translated(sentence[:-1], language) + "."
     return translate("Elastica", sentence)
+
+
+def report(sentence: str, who: str = "") -> None:
+    """Something that was done, in the report view and on the terminal that FreeCAD was started from."""
+    App.Console.PrintMessage(_line(sentence, who))
+
+
+def report_warning(sentence: str, who: str = "") -> None:
+    """Something to know; `who` is the label of the object that it is about."""
+    App.Console.PrintWarning(_line(sentence, who))
+
+
+def report_error(sentence: str, who: str = "") -> None:
+    """Something that went wrong."""
+    App.Console.PrintError(_line(sentence, who))
+
+
+def _line(sentence: str, who: str) -> str:
+    return printable(f"Elastica, {who}: {sentence}\n" if who else f"Elastica: {sentence}\n")

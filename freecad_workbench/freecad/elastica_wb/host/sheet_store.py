@@ -8,6 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import FreeCAD as App
+from freecad.elastica_wb.host.sentences import report_warning
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import reason, write_atomically
@@ -41,7 +42,7 @@ def _read(path: Path, *_state: int) -> dict[str, Sheet]:
     try:
         return dict(load_sheets(path))
     except InputError as error:
-        App.Console.PrintWarning(f"Elastica: {error}\n")
+        report_warning(str(error))
         return {}
 
 

@@ -7,11 +7,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.sentences import report, report_error, report_warning
 from freecad.elastica_wb.host.user_units import worded
+
+from elastica_cad._printable import printable
 
 STATUS_MS = 20_000  # that a sentence stays in the status bar: long enough to be read after a look at the view
 MOST_FILES = 12  # named in a window
@@ -22,7 +24,7 @@ _told: list[Any] = []
 def tell(sentence: str) -> None:
     """A sentence in the report view, the status bar and a window that stops nobody."""
     sentence = worded(sentence)
-    App.Console.PrintError(f"Elastica: {sentence}\n")
+    report_error(sentence)
     Gui.getMainWindow().statusBar().showMessage(sentence, STATUS_MS)
     _show(sentence)
 
@@ -32,9 +34,9 @@ def tell_files(files: list[Path], notes: Sequence[str] = ()) -> None:
     folder = files[0].parent
     names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)
     heading = f"{translate('Elastica', 'Written to')} {folder}:"
-    App.Console.PrintMessage(f"Elastica: {heading} {', '.join(file.name for file in files)}\n")
+    report(f"{heading} {', '.join(file.name for file in files)}")
     for note in notes:
-        App.Console.PrintWarning(f"Elastica: {note}\n")
+        report_warning(note)
     box = _show("\n".join([heading, *names, *notes]))
     button = box.addButton(translate("Elastica", "Open folder"), QtWidgets.QMessageBox.ActionRole)
     button.setObjectName("openFolder")
@@ -47,7 +49,8 @@ def _show(words: str) -> Any:
     box.setObjectName("ElasticaTold")
     box.setIcon(QtWidgets.QMessageBox.Information)
     box.setWindowTitle("Elastica")
-    box.setText(words)
+    box.setTextFormat(QtCore.Qt.PlainText)  # a label may look like HTML
+    box.setText(printable(words))
     box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     box.setStandardButtons(QtWidgets.QMessageBox.Ok)
     box.setModal(False)

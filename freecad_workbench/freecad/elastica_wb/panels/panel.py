@@ -15,9 +15,10 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.live import session as live
-from freecad.elastica_wb.panels.widgets.fields import calm, into_sight, set_value, signal_of, value_of
+from freecad.elastica_wb.panels.widgets.fields import calm, into_sight, on_change, set_value, value_of
 from freecad.elastica_wb.recording import record_end_of_step, record_recompute, record_step
 
+from elastica_cad._printable import printable
 from elastica_cad.errors import InputError
 
 PAUSE_MS = 60  # ms after the last key before anything is computed
@@ -41,6 +42,7 @@ class Panel:
         self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
+        self.form.message.setTextFormat(QtCore.Qt.PlainText)  # a label may look like HTML
         self.form.setWindowIcon(_qicon(self.icon_name))
         self.document = document
         self._timer = QtCore.QTimer(self.form)
@@ -129,12 +131,12 @@ class Panel:
 
     def tell(self, sentence: str) -> None:
         """A sentence in the panel, worded in mm."""
-        self.form.message.setText(worded(sentence))
+        self.form.message.setText(printable(worded(sentence)))
 
     def watch(self, *names: str) -> None:
         """Call `changed` after the user touches one of these widgets."""
         for name in names:
-            signal_of(getattr(self.form, name)).connect(self.soon)
+            on_change(getattr(self.form, name), self.soon)
 
     def soon(self, *_: Any) -> None:
         """Call `changed` after a pause."""

@@ -16,14 +16,15 @@ from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.sentences import report_error
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import (
     field_for,
+    on_change,
     put_away,
     put_choices,
     set_value,
-    signal_of,
     value_of,
 )
 from freecad.elastica_wb.recording import record_value, recorded
@@ -82,7 +83,7 @@ class PropertyPanel(Panel):
         self._writing = False
         super().__init__(obj.Document, [obj])
         for name, widget in self.fields.items():
-            signal_of(widget).connect(lambda *_, name=name: self._touch(name))
+            on_change(widget, lambda *_, name=name: self._touch(name))
         self._refresh = QtCore.QTimer(self.form)
         self._refresh.setSingleShot(True)
         self._refresh.setInterval(0)
@@ -263,7 +264,7 @@ class PropertyPanel(Panel):
         try:
             recorded(work, self.object)
         except FAILURES as error:
-            App.Console.PrintError(f"Elastica: {explained(error)}\n")
+            report_error(str(explained(error)))
             self.reject()
             return
         self.subjects.clear()

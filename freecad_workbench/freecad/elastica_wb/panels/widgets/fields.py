@@ -3,6 +3,7 @@
 
 """Widgets of panels: their values, what they send, FreeCAD's boxes for quantities, no change by a passing wheel."""
 
+from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
 from typing import Any
@@ -21,6 +22,8 @@ _aside: list[Any] = []
 UNTYPED = ("", "\t", "\r", "\x1b")  # keys that change no text: arrows, Tab, Enter, Escape
 EXACT, SHOWN = "exactValue", "shownValue"  # what was set, and what the box made of it
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
+NUMBER_CHANGED = QtCore.SIGNAL("valueChanged(double)")
+"""Of FreeCAD's box: the signal that carries a number, as Python cannot make the quantity of the other."""
 
 
 def field_for(obj: Any, name: str) -> Any:
@@ -96,8 +99,23 @@ def set_value(widget: Any, value: Any) -> None:
     widget.blockSignals(blocked)
 
 
-def signal_of(widget: Any) -> Any:
-    """What a widget sends when its value changes."""
+def on_change(widget: Any, slot: Callable[..., Any]) -> None:
+    """Call the slot after the user changed the value of a widget."""
+    if _is_quantity(widget):
+        QtCore.QObject.connect(widget, NUMBER_CHANGED, slot)
+    else:
+        _signal_of(widget).connect(slot)
+
+
+def send_change(widget: Any, value: Any) -> None:
+    """Tell those who wait for a change of a widget."""
+    if _is_quantity(widget):
+        widget.emit(NUMBER_CHANGED, value)
+    else:
+        _signal_of(widget).emit(value)
+
+
+def _signal_of(widget: Any) -> Any:
     if isinstance(widget, QtWidgets.QComboBox):
         return widget.currentIndexChanged
     if isinstance(widget, QtWidgets.QLineEdit):
@@ -209,4 +227,4 @@ def _settle(box: Any) -> None:
         shown = float(box.property("rawValue"))
         box.setProperty(EXACT, shown)
         box.setProperty(SHOWN, shown)
-        signal_of(box).emit(shown)
+        send_change(box, shown)

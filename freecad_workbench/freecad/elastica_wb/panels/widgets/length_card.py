@@ -14,7 +14,7 @@ from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.live.overlay import COLORS
 from freecad.elastica_wb.live.verdict import Verdict
 from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, hex_of
-from freecad.elastica_wb.panels.widgets.fields import calm, quantity_box, set_value, value_of
+from freecad.elastica_wb.panels.widgets.fields import calm, on_change, quantity_box, set_value, value_of
 
 WIDE_PX = 300
 PAUSE_MS = 150  # after the last key
@@ -65,7 +65,7 @@ class LengthCard(QtCore.QObject):
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE_MS)
         self._pause.timeout.connect(lambda: lengthened(value_of(self.length)))
-        self.length.valueChanged.connect(lambda *_: self._pause.start())
+        on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
         # a button must not be deleted while it is pressed
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
