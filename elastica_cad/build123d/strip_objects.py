@@ -130,7 +130,7 @@ class _Bent:
 
     def __call__(self, **moved: Unpack[BendOptions]) -> "BentStrip":
         """The body with its ends led to `start` and `end`: points in space, or two numbers in the `frame` of the
-        body, mm; `angles` (rad in that frame) and all others as in `mechanics.bend`.
+        body, mm; `angles` (degrees in that frame) and all others as in `mechanics.bend`.
         """
         owner = self._owner
         if not moved:
@@ -350,7 +350,11 @@ class PlacedStrip(_Made, bd.Part):
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
     """The sheets of a strip with the joints of its base."""
     solids = make_solids(records)
-    body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
+    if len(solids) == 1:
+        body: bd.Solid | bd.Part = solids[0]
+    else:
+        shared = occt.with_shared_faces([solid.wrapped for solid in solids])
+        body = bd.Part(bd.Compound([bd.Solid(solid) for solid in shared]).wrapped)
     add_joints(body, records[0])
     return body
 

@@ -11,7 +11,8 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_on_path import StripOptions, section_requests
-from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
+from elastica_cad.kernel.strip_warnings import end_angles
+from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -70,7 +71,7 @@ def elastica(
         start,
         end,
         length,
-        angles=angles_in_rad(angles),
+        angles=end_angles(angles),
         stiffness=stiffness,
         gravity=gravity,
         force=force,

@@ -55,7 +55,7 @@ class _Made(StripBody, cq.Shape):
 
     def bent(self, **moved: Unpack[BendOptions]) -> "StripSolid | StripCompound":
         """The strip bent, with its ends led to `start` and `end` where given: points in space, or two numbers in
-        the `frame` of the body, mm; `angles` (rad in that frame) and all others as in `mechanics.bend`.
+        the `frame` of the body, mm; `angles` (degrees in that frame) and all others as in `mechanics.bend`.
         """
         if not moved:
             return bent_strip(self)
@@ -390,7 +390,8 @@ def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> St
     if len(solids) == 1:
         shape = StripSolid(solids[0])
     else:
-        shape = StripCompound(cq.Compound.makeCompound([cq.Solid(solid) for solid in solids]).wrapped)
+        shared = [cq.Solid(solid) for solid in occt.with_shared_faces(solids)]
+        shape = StripCompound(cq.Compound.makeCompound(shared).wrapped)
     if isinstance(records[0], BentSolid):
         made = replace(made, home=records[0].joints["start"])
     return dress(shape, records[0].joints, made)

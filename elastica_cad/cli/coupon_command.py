@@ -2,6 +2,7 @@
 
 import shlex
 from dataclasses import replace
+from math import hypot
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +18,15 @@ from elastica_cad.files import save
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.file_access.text_files import write_text
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet_keys import plausible_number
 from elastica_cad.mechanics.material.sheet_library import library_folders
-from elastica_cad.mechanics.studies.calibration import calibrate_cantilever
+from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
 """Of a sheet that nobody knows: E between card and plywood, for the length of its coupon; what most boards bear."""
+
+SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
+"""Readings contradict each other that differ by so many uncertainties, and by such a share."""
 
 
 @click.command()
@@ -129,8 +134,26 @@ def coupon(
 _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "without a grain"}
 
 
+def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
+    """Tell of two readings that differ by more than errors of reading explain."""
+    found = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
+    (low, low_error, near), (high, high_error, far) = found[0], found[-1]
+    if high - low > max(SIGMAS * hypot(low_error, high_error), LEAST_CONTRADICTION * low):
+        warn(
+            f"two readings contradict each other: a droop of {near[1]:g} mm over {near[0]:g} mm makes the "
+            f"elasto-gravity length {low:.4g} mm, one of {far[1]:g} mm over {far[0]:g} mm makes it {high:.4g} mm: "
+            "measure again, with the other face up where the sheet is curved"
+        )
+
+
 def _known(sheet: str | None, thickness: float | None, density: float | None, name: str | None) -> Sheet:
     """The sheet named, at the thickness and density measured; or a guess at one that nobody knows."""
+    for option, value, key in (
+        ("--thickness", thickness, "thickness_mm"),
+        ("--density", density, "density_kg_m3"),
+    ):
+        if value is not None:
+            plausible_number(value, key, option)
     if sheet is None:
         if thickness is None or density is None:
             raise InputError(
@@ -189,6 +212,7 @@ def _calibrate(
         write_text(workshop / file, found.toml())
     answer({"sheet": found, "measured": result})
     say(str(result))
+    _warn_of_contradiction(measured, result)
     if listed and least_radius is None and found.grain != sheet.grain:
         warn(
             f"the largest strain, {100 * sheet.max_strain:.2g} %, is that of {sheet.name}, which is bent "

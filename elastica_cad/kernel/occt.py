@@ -79,6 +79,29 @@ def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Shape:
     return solid
 
 
+def with_shared_faces(solids: Sequence[Shape]) -> list[Shape]:
+    """Solids that touch, with the faces in common where they do; each stays a solid of its own.
+
+    Boolean operations of OpenCASCADE take for granted that the solids of one shape meet in common faces: cuts of
+    two sheets that merely lie on each other lose one of them.
+    """
+    k = kernel()
+    builder = k.BOPAlgo_Builder()
+    for solid in solids:
+        builder.AddArgument(solid)
+    builder.SetGlue(k.BOPAlgo_GlueEnum.BOPAlgo_GlueShift)
+    builder.SetRunParallel(True)
+    builder.Perform()
+    if builder.HasErrors():
+        raise InputError("OpenCASCADE could not join the faces in which the sheets of a strip touch")
+    return [image for solid in solids for image in _images(builder, solid)]
+
+
+def _images(builder: Any, solid: Shape) -> list[Shape]:
+    """What became of a solid: itself where nothing touches it."""
+    return list(builder.Modified(solid)) or [solid]
+
+
 def _groove(record: RoundGroove) -> Shape:
     """A piece of a cylinder or a torus, or a ball."""
     k, way = kernel(), record.way

@@ -14,6 +14,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import make_face, make_solid
 from elastica_cad.kernel.ocp_import import Shape
+from elastica_cad.kernel.strip_warnings import end_angles
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -51,7 +52,7 @@ class BendOptions(TypedDict, total=False):
     """Where the ends of a strip are led, as in `mechanics.bend`.
 
     `start` and `end` are points in space (three numbers, a vector of the library), or two numbers in the body's
-    `frame`, mm; `angles` are rad in that frame, None where an end is to turn freely.
+    `frame`, mm; `angles` are degrees in that frame, None where an end is to turn freely.
     """
 
     start: "Point | None"
@@ -155,6 +156,8 @@ class StripBody:
         for name in ("start", "end"):
             if led.get(name) is not None:
                 led[name] = self._in_plane(led[name], name)
+        if led.get("angles") is not None:
+            led["angles"] = end_angles(led["angles"])
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:

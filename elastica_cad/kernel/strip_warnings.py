@@ -1,22 +1,27 @@
-"""What bodies of strips warn of: strain beyond the limit, strips that run through themselves or each other."""
+"""What bodies of strips warn of: strain beyond the limit, strips through themselves or each other, radians."""
 
 import sys
 import warnings
+from math import degrees
 from typing import TYPE_CHECKING
 
 from elastica_cad._printable import printable
 from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.mechanics.bending.between_clamps import angles_in_rad
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.model.strip_model import Model
+
+LEAST_DEGREES = 7.0
+"""Decimals below this are taken for radians: a whole turn is 6.28."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
 """Between the user's line and what goes wrong."""
 
 
 class StripWarning(UserWarning):
-    """Strips can be made, but not bent as they are: strained beyond their sheet's limit, or through each other."""
+    """Strips can be made, but maybe not as they are meant: strained too much, or through each other."""
 
 
 def warn_of_missing_slots(model: "Model") -> None:
@@ -31,6 +36,16 @@ def warn_of_strain(strip: Strip) -> None:
     """Tell of a strip that is strained beyond what its sheet takes."""
     if any(layer.exceeded for layer in strip.strains):
         warn(next(text for text in strip.warnings if text.startswith("strain")))
+
+
+def end_angles(angles: object) -> tuple[float | None, float | None]:
+    """Angles in degrees at start and end as rad; warns of what looks like radians, which `mechanics.bend` takes."""
+    pair = angles_in_rad(angles)
+    given = [degrees(angle) for angle in pair if angle]
+    if given and all(abs(angle) < LEAST_DEGREES and round(angle, 9) % 1 for angle in given):
+        shown = ", ".join(f"{angle:.4g}" for angle in given)
+        warn(f"angles are in degrees, and {shown} is little: give numpy.degrees(...) of what is in radians")
+    return pair
 
 
 def warn(text: str) -> None:

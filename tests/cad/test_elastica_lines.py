@@ -1,9 +1,12 @@
 """The curve between two clamps as a line object and an edge, and strips that are made on it."""
 
+import warnings
+
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.kernel.strip_warnings import StripWarning, end_angles
 
 
 @pytest.mark.build123d
@@ -85,3 +88,22 @@ def test_cadquery_edge():
     assert bent_strip(edge, "card-200gsm", max_width=20).isValid()
     free = elastica((0, 0), None, 200, angles=(0, None), force=(0, 1 / 200**2))
     assert free.endPoint().toTuple()[:2] == pytest.approx((200 * (1 - 0.05643), 200 * 0.30172), abs=5e-3)
+
+
+@pytest.mark.build123d
+def test_bodies_are_bent_by_degrees_as_lines_are():
+    from elastica_cad.build123d import BentStrip, Elastica
+
+    rib = BentStrip(Elastica((0, 0), (160, 0), 200, angles=(50, -50)).edge(), "pom-0.5", max_width=10)
+    assert np.degrees(rib.bent(angles=(40, -40)).rod.angle[[0, -1]]) == pytest.approx([40, -40])
+    with pytest.raises(InputError, match=r"degrees, a whole turn \(360\) at most: got \(400, 0\)"):
+        rib.bent(angles=(400, 0))
+    with pytest.warns(StripWarning, match=r"angles are in degrees, and 0\.8, -0\.8 is little"):
+        rib.bent(angles=(0.8, -0.8))
+
+
+@pytest.mark.parametrize("angles", [(0, 0), (5, -5), (0.5, 30), (None, 0)])
+def test_degrees_are_not_taken_for_radians(angles):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        end_angles(angles)

@@ -132,3 +132,54 @@ class TestCadQuery:
         assert block.isValid()
         assert block.distance(strip) < 1e-3  # the pocket leans against the load: its walls touch there
         assert block.joints["tab"].toTuple()[0] == pytest.approx(strip.joints["end"].toTuple()[0], abs=1e-9)
+
+
+@pytest.fixture(scope="module")
+def wide_laminate():
+    """One of which half was lost in cuts as long as its two sheets had no face in common."""
+    pom = Sheet.named("pom-0.5")
+    return make_strip(ARCH, pom, style=Laminated(width=30.0, backing=pom))
+
+
+def volumes_beside(strip, measure, cutter):
+    """mm3 of the sheets less a body, of their part in it, and of all, one sheet after the other."""
+    sheets = [occt.make_solid(solid) for solid in BentSolid.layers(strip)]
+    operation = occt.kernel().BOPAlgo_Operation.BOPAlgo_COMMON
+    inside = sum(measure.volume(occt._combined(sheet, [cutter], operation)) for sheet in sheets)
+    whole = sum(map(measure.volume, sheets))
+    return whole - inside, inside, whole - inside + measure.volume(cutter)
+
+
+@pytest.mark.cadquery
+def test_booleans_of_bent_laminates_in_cadquery(wide_laminate, measure):
+    import cadquery as cq
+
+    from elastica_cad.cadquery import bent_strip
+
+    body = bent_strip(wide_laminate)
+    box = body.BoundingBox()
+    corner = cq.Vector((box.xmin + box.xmax) / 2, (box.ymin + box.ymax) / 2 - 200, -200)
+    half = cq.Solid.makeBox(400, 400, 400, corner)
+    found = body - half, body * half, body + half
+    assert len(body.Solids()) == 2
+    assert all(shape.isValid() for shape in found)
+    assert [shape.Volume() for shape in found] == pytest.approx(
+        volumes_beside(wide_laminate, measure, half.wrapped), abs=0.05
+    )
+
+
+@pytest.mark.build123d
+def test_booleans_of_bent_laminates_in_build123d(wide_laminate, measure):
+    import build123d as bd
+
+    from elastica_cad.build123d import BentStrip
+
+    body = BentStrip(wide_laminate)
+    middle = body.bounding_box().center()
+    half = bd.Pos(middle.X + 200, middle.Y, 0) * bd.Box(400, 400, 400)
+    found = body - half, body & half, body.fuse(half)
+    assert len(body.solids()) == 2
+    assert all(shape.is_valid for shape in found)
+    assert [shape.volume for shape in found] == pytest.approx(
+        volumes_beside(wide_laminate, measure, half.wrapped), abs=0.05
+    )

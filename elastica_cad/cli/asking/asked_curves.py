@@ -205,7 +205,7 @@ def drawn_curves(path: Path, unit: str | None, number: str | None, layer: str | 
         No such curve; the file is named.
     """
     drawing = read_drawing(path, unit=unit)
-    for told in (drawing.size, drawing.left_out):
+    for told in (drawing.size, drawing.left_out, *drawing.gaps):
         if told:
             warn(f"{path.name}: {told}")
     if not drawing.chosen(number, layer):

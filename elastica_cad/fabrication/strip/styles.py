@@ -362,13 +362,17 @@ def correct_layout(
 
 @lru_cache(maxsize=_RODS)
 def bends_along(rod: Rod) -> Bends:
-    """How sharply a rod is bent, at stations spread over its curve's smooth panels."""
+    """How sharply a rod is bent, at stations spread over its curve's smooth panels and on both sides of jumps."""
     if rod.shape is None:
         return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
     curve, rest = rod.curve, rod.natural_curvature
     panels = curve.smooth_panels
     places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
     t = np.interp(places, np.arange(panels.size), panels)
+    jumps = np.array([at.t for at in curve.breaks if at.continuity < 2])
+    t = np.sort(np.concatenate([t, jumps, jumps]))
+    kappa = curve.curvature_at(t)
+    kappa[np.searchsorted(t, jumps)] = curve.curvature_at(jumps, left=True)
     if np.size(rest) > 1:
         rest = rod.rest_at(curve.arc_length(t))
-    return Bends(np.abs(curve.curvature_at(t) - rest), t, curve)
+    return Bends(np.abs(kappa - rest), t, curve)

@@ -19,6 +19,7 @@ from elastica_cad.geometry.polynomials.spline_function import interpolation_site
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
+NEAR_MM, NEAR_SHARE = 1.0, 0.01  # ends nearer than both, of the smaller curve, were perhaps meant to meet
 _CORNER = np.cos(np.radians(50.0))  # cosine of the turn from which a vertex of a polyline is a corner
 _LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
 _CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
@@ -50,6 +51,27 @@ def join_runs(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE)
         way = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
         chains.append(tuple(e for i, side in way for e in (kept[i] if side else reverse_run(kept[i]))))
     return chains
+
+
+def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
+    """Ends of two chains of a layer that were not joined and yet nearly meet: distance, both chains, the place.
+
+    That is within 1 mm and a hundredth of the smaller chain; the nearest first, one for each end.
+    """
+    from scipy.spatial import cKDTree
+
+    if len(chains) < 2:
+        return []
+    ends = _ends(chains)
+    sizes = [sum(edge.size for edge in chain) for chain in chains]
+    found = []
+    for a, b in sorted(cKDTree(ends).query_pairs(NEAR_MM)):
+        i, j = a // 2, b // 2
+        apart = float(np.linalg.norm(ends[a] - ends[b]))
+        near = i != j and tolerance < apart <= NEAR_SHARE * min(sizes[i], sizes[j])
+        if near and _layer_of(chains[i]) == _layer_of(chains[j]):
+            found.append((apart, i, j, ends[a]))
+    return sorted(found, key=lambda one: one[0])
 
 
 def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs
+from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs, near_ends
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
 from elastica_cad.formats.file_access.source_file import name_source
@@ -101,6 +101,8 @@ class DrawnFile:
     size : str
         How large its units were taken, as one sentence, where that is not written in it, or makes its curves of a
         size that strips do not have; else empty.
+    gaps : tuple of str
+        Where curves nearly meet and were not joined, one sentence each.
 
     Raises
     ------
@@ -112,6 +114,7 @@ class DrawnFile:
     curves: Sequence[DrawnCurve]
     skipped: Mapping[str, int] = field(default_factory=dict)
     size: str = ""
+    gaps: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         check_count(len(self.curves), MOST_CURVES, "curves", "leave out what is no strip")
@@ -194,7 +197,7 @@ class CurveList(list[PlaneCurve]):
     def notes(self) -> tuple[str, ...]:
         """What the reader left out, one sentence each."""
         bad = [f"{one.called} is left out: {one.problem}" for one in self.file.bad]
-        return (*(text for text in (self.file.size, self.file.left_out) if text), *bad)
+        return (*(text for text in (self.file.size, self.file.left_out) if text), *self.file.gaps, *bad)
 
 
 def collect_curves(
@@ -244,7 +247,13 @@ def collect_curves(
         for number, (chain, source) in enumerate(zip(chains, sources, strict=True), start=1)
     ]
     size = doubt((edge.points for edge in chain) for chain in chains)
-    return DrawnFile(path, curves, dict(sorted(skipped.items())), size)
+    gaps = tuple(
+        f"{curves[i].called} and {curves[j].called} end {apart:.2g} mm apart near "
+        f"({place[0]:.4g}, {place[1]:.4g}) mm and are two strips: close the gap in the drawing where they are "
+        "meant to be one"
+        for apart, i, j, place in near_ends(chains, tolerance)[:_SHOWN]
+    )
+    return DrawnFile(path, curves, dict(sorted(skipped.items())), size, gaps)
 
 
 _SHOWN = 6  # curves named in a sentence

@@ -11,7 +11,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine, inner_turns
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.point_distance import distances, polyline_distances
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -22,6 +22,12 @@ SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
 
 FALSE_TURN_RAD = np.radians(4.0)
 """A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
+
+FILLED_POINTS = 240
+"""Places along a line that a curve is fitted to, besides its vertices."""
+
+SAMPLES = 2001
+"""Points of a curve whose distances from its section are taken."""
 
 CLOSED_SHARE = 1e-6
 """A gap between the ends below this share of the length is none."""
@@ -51,7 +57,7 @@ class SectionCurve:
     frame : Frame
     name : str
     deviation : float
-        Largest distance of the section's points from the curve, mm.
+        Largest distance of any point of the section from the curve or of the curve from the section, mm.
     removed : int
         False inflections that were smoothed away.
     """
@@ -144,7 +150,8 @@ def _curve(
             f"the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two ends, so "
             f"{AT_TWO_PLACES}"
         )
-    points = smooth_polyline(line.points, wavelength) if wavelength > 0 else line.points
+    drawn = _filled(line.points)
+    points = smooth_polyline(line.points, wavelength) if wavelength > 0 else drawn
     try:
         curve = PlaneCurve.fit(points, degree=4, tolerance=tolerance)
     except NotConvergedError as error:
@@ -156,11 +163,31 @@ def _curve(
             curve = remove_false_inflections(curve, turn=false_turn)
         except NotConvergedError as error:
             told.append(f"{line.name}: {error}: it is kept")
+    if told and not wavelength:
+        _refuse_corners(line, tolerance)
     removed = before - curve.inflections.size
-    off = distances(Spline(curve), line.points)
-    if off.max() > tolerance:
-        told.append(_departure(line, off, tolerance, wavelength, changed=curve is not fitted))
-    return SectionCurve(curve, line.frame, line.name, float(off.max()), removed), told
+    places = np.concatenate([drawn, curve.sample(SAMPLES).position])
+    off = np.concatenate(
+        [distances(Spline(curve), drawn), polyline_distances(line.points, places[len(drawn) :])]
+    )
+    worst = int(off.argmax())
+    if off[worst] > tolerance:
+        place = f"{off[worst]:.3g} mm off the section at {_place(line, places[worst])}"
+        told.append(_departure(line, place, tolerance, wavelength, changed=curve is not fitted))
+    return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), told
+
+
+def _filled(points: FloatArray) -> FloatArray:
+    """The points of a polyline and others between them, nowhere farther apart than a 240th of its length.
+
+    A coarse mesh has few vertices, and a curve through them alone may leave the lines between them.
+    """
+    s = lengths_along(points)
+    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
+    index = np.repeat(np.arange(len(counts)), counts)
+    share = np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)
+    between = points[index] + (share / counts[index])[:, None] * (points[index + 1] - points[index])
+    return np.concatenate([between, points[-1:]])
 
 
 def _place(line: SectionLine, point: FloatArray) -> str:
@@ -168,39 +195,44 @@ def _place(line: SectionLine, point: FloatArray) -> str:
     return f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
 
 
+def _refuse_corners(line: SectionLine, tolerance: float) -> None:
+    """Raise where a line has a corner; a turn between sides shorter than the tolerance is roughness."""
+    turned, sides = inner_turns(line.points), np.diff(lengths_along(line.points))
+    turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
+    if turned.max(initial=0.0) > SHARP_TURN_RAD:
+        raise InputError(f"{_sharpest(line, turned)}; {AT_CORNERS}, export a finer mesh, or smooth it")
+
+
 def _unfitted(line: SectionLine, tolerance: float) -> str:
-    """Why no smooth curve follows a line: its sharpest corner, or nothing if it has none."""
+    """Why no smooth curve follows a line: its sharpest turn, or nothing if it has none."""
     turned = inner_turns(line.points)
-    worst = int(turned.argmax())
-    if turned[worst] < SHARP_TURN_RAD:
+    if turned.max(initial=0.0) < SHARP_TURN_RAD:
         return ""
     return (
-        f"no smooth curve stays within the tolerance of {tolerance:g} mm: the section turns by "
-        f"{np.degrees(turned[worst]):.3g} degrees at {_place(line, line.points[worst + 1])}; {AT_CORNERS}, or "
-        "smooth it"
+        f"no smooth curve stays within the tolerance of {tolerance:g} mm: {_sharpest(line, turned)}; "
+        f"{AT_CORNERS}, or smooth it"
     )
 
 
-def _departure(
-    line: SectionLine, off: FloatArray, tolerance: float, wavelength: float, *, changed: bool
-) -> str:
+def _sharpest(line: SectionLine, turned: FloatArray) -> str:
+    worst = int(turned.argmax())
+    return f"the section turns by {np.degrees(turned[worst]):.3g} degrees at {_place(line, line.points[worst + 1])}"
+
+
+def _departure(line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool) -> str:
     """Where the curve leaves its section by more than the tolerance, in words."""
-    worst = int(off.argmax())
     if wavelength > 0:
         cause = f"smoothing took waves shorter than {wavelength:g} mm away; a shorter wavelength stays nearer"
     elif changed:
         cause = "bends between false inflections were smoothed away"
     else:
         cause = "no smooth curve came nearer; smooth the section first, with a wavelength"
-    return (
-        f"{line.name}: the curve lies {off[worst]:.3g} mm off the section at {_place(line, line.points[worst])}, "
-        f"more than the tolerance of {tolerance:g} mm: {cause}"
-    )
+    return f"{line.name}: the curve lies {place}, more than the tolerance of {tolerance:g} mm: {cause}"
 
 
 def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
     """Where the curve bends as no strip can, in words."""
-    samples = curve.sample(2001)
+    samples = curve.sample(SAMPLES)
     worst = int(np.abs(samples.curvature).argmax())
     kappa = abs(float(samples.curvature[worst]))
     if kappa * curve.length <= 1 / CORNER_RADIUS_SHARE:

@@ -31,6 +31,17 @@ def distances(segment: Segment, points: ArrayLike) -> FloatArray:
     return np.concatenate([_to_spline(block, segment) for block in blocks])
 
 
+def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
+    """Least distances (n,) of points (n, 2) from a polyline (m, 2), mm."""
+    rows = max(1, _BLOCK * _BLOCK // (16 * len(line)))
+    return np.concatenate(
+        [
+            _to_chords(points[i : i + rows], line[:-1], line[1:])[0].min(axis=1)
+            for i in range(0, len(points), rows)
+        ]
+    )
+
+
 def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
     """Largest distance of 401 points of `found` from `target`, mm; 0 where their numbers differ by rounding."""
     if _same_numbers(target, found):

@@ -250,8 +250,16 @@ def _pair(point: object) -> FloatArray | None:
 
 
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
-    """Angles in degrees at start and end, None where the strip turns freely, as `elastica_between` takes them."""
+    """Angles in degrees at start and end, None where the strip turns freely, as `elastica_between` takes them.
+
+    Raises
+    ------
+    InputError
+        Not two angles, or one of more than a whole turn.
+    """
     near, far = _pair_of_angles(angles)
+    if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
+        raise InputError(f"angles are in degrees, a whole turn (360) at most: got {angles!r}")
     return None if near is None else radians(near), None if far is None else radians(far)
 
 

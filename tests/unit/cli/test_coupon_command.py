@@ -151,3 +151,18 @@ def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, mon
     assert run("model", "d/bowl-sections.toml", "--no-step", "--no-pictures", "-o", "g").exit_code == 0
     cut = (tmp_path / "e" / "sections-cut-list.csv").read_text()
     assert ",felt-0.9,0.9," in cut
+
+
+def test_a_density_in_g_per_cm3_is_refused_before_a_sheet_is_written(tmp_path):
+    result = run("coupon", "--thickness", 1.1, "--density", 0.7, "--measured", 150, 40, "-o", tmp_path)
+    assert result.exit_code
+    assert "--density: density_kg_m3 = 0.7 looks like the wrong unit" in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("droops", "contradict"), [((11.6, 25), True), ((24, 25), False)])
+def test_readings_that_contradict_each_other_are_told(tmp_path, droops, contradict):
+    readings = [word for droop in droops for word in ("--measured", 150, droop)]
+    result = run("coupon", "--sheet", "card-200gsm", *readings, "-o", tmp_path)
+    assert result.exit_code == 0, result.output
+    assert ("contradict each other: a droop of 25 mm over 150 mm" in result.stderr) == contradict

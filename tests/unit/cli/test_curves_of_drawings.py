@@ -203,3 +203,13 @@ def test_a_design_tells_of_an_unlikely_size_once(arch_in, tmp_path):
     done = elastica("model", design, "-o", tmp_path / "kit", "--no-step", "--no-pictures", "--no-effects")
     assert done.returncode == 0
     assert b"across" not in done.stderr
+
+
+def test_a_gap_between_two_curves_is_told(tmp_path):
+    drawing = tmp_path / "gap.svg"
+    drawing.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="100mm" viewBox="0 0 300 100">'
+        '<path d="M10 80 C 40 20 60 20 100 40"/><path d="M100.2 40 C 140 60 160 60 200 20"/></svg>'
+    )
+    told = elastica("check", drawing).stderr.decode()
+    assert "curve 1 and curve 2 end 0.2 mm apart near (100, -40) mm and are two strips" in told

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import curve_from_points, curve_from_run, join_runs
+from elastica_cad.formats.curve_files.chains import curve_from_points, curve_from_run, join_runs, near_ends
 from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.placed_curve import placed_curve
@@ -218,3 +218,14 @@ def test_an_edge_ends_where_its_curve_does(knots):
     first, last = edge.at(np.array([knots[3], knots[5]]))
     assert edge.start == pytest.approx(first)
     assert edge.end == pytest.approx(last)
+
+
+def test_ends_that_nearly_meet_are_found():
+    first, second = line((0, 0), (100, 0)), line((100.2, 0), (200, 0))
+    ((apart, *numbers, place),) = near_ends([first, second], 0.01)
+    assert apart == pytest.approx(0.2)
+    assert numbers == [0, 1]
+    assert place == pytest.approx((100, 0))
+    assert not near_ends([first, line((101.1, 0), (200, 0))], 0.01)
+    assert not near_ends([first, line((100.2, 0), (110, 0))], 0.01)
+    assert not near_ends([first, line((100, 0), (200, 50)), line((100, 0), (200, 9))], 0.01)

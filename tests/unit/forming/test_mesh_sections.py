@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
@@ -394,3 +395,32 @@ def test_a_section_runs_up_and_a_level_one_to_the_right(start, end, way):
     run = tidy_points(drawn, 1e-6)
     assert (run[-1, 1], run[-1, 0]) > (run[0, 1], run[0, 0])
     assert sorted(map(tuple, run)) == sorted(map(tuple, drawn))
+
+
+def drum(radius=50.0, height=120.0, sides=24):
+    """A cylinder with lids, as coarse as STL files are: its sections have vertices at the corners alone."""
+    u, r = np.meshgrid(np.linspace(0, 2 * np.pi, sides + 1), [0, radius, radius, 0])
+    return grid(r * np.cos(u), r * np.sin(u), np.array([0, 0, height, height])[:, None] + 0 * u)
+
+
+def test_corners_of_coarse_meshes_are_named_and_split():
+    (section,) = mesh_sections(*drum(), radial_planes((0, 0, 0), (0, 0, 1), 0.1), half=True)
+    curves, reports = section_curves([section])
+    assert curves == ()
+    assert "turns by 90 degrees" in reports[-1]
+    assert "split it at its corners" in reports[-1]
+    curves, _ = section_curves(section.line.split_at_corners(1.0))
+    assert sorted(round(found.curve.length) for found in curves) == [50, 50, 120]
+
+
+@pytest.mark.parametrize("wavelength", [0.0, 90.0])
+def test_the_reported_distance_holds_both_ways_and_between_vertices(wavelength):
+    """Beside the nearest of some thousand points on either line."""
+    angles = np.linspace(0, 3, 13) + np.random.default_rng(0).uniform(-0.05, 0.05, 13)
+    line = SectionLine(60 * np.column_stack([-np.cos(angles), np.sin(angles)]), UPRIGHT, "coarse")
+    ((found,), _) = section_curves([line], wavelength=wavelength)
+    drawn = found.curve.evaluate(np.linspace(*found.curve.domain, 4001))
+    at = np.linspace(0, 12, 4001)
+    lines = np.column_stack([np.interp(at, np.arange(13), column) for column in line.points.T])
+    apart = max(cKDTree(one).query(other)[0].max() for one, other in ((drawn, lines), (lines, drawn)))
+    assert found.deviation == pytest.approx(apart, abs=0.01)
