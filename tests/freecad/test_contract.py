@@ -1,5 +1,8 @@
 """FreeCAD's rows of the table in tests/contract: properties of a strip give the cuts that Python's fields give."""
 
+import re
+from pathlib import Path
+
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.features import strip as feature
@@ -9,6 +12,8 @@ from elastica_cad.errors import ElasticaError
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS
 from tests.contract.table import REFUSED, REQUESTS
+
+WORKBENCH = Path(__file__).resolve().parents[2] / "freecad_workbench"
 
 
 def asked_in(document, sketch, asked):
@@ -49,3 +54,14 @@ def test_same_answer(name, document, drawn):
 @pytest.mark.parametrize("name", MORE_REQUESTS)
 def test_more_requests(name, document, drawn):
     assert_same_answer(MORE_REQUESTS[name], document, drawn)
+
+
+def test_readme_of_the_workbench(document, sketch, capsys):
+    """What it types into the Python console, with a sketch in the document."""
+    (code,) = re.findall(
+        r"```python\n(.*?)```", (WORKBENCH / "README.md").read_text(encoding="utf-8"), re.DOTALL
+    )
+    names = {}
+    exec(compile(code, "README.md", "exec"), names)
+    assert "takes this curve" in capsys.readouterr().out
+    assert names["strip"].MaxWidth.Value == 40
