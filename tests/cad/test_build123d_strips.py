@@ -9,7 +9,6 @@ import pytest
 from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip, section_strips
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 SHEET = "birch-plywood-0.8"
@@ -173,11 +172,6 @@ class TestBadInput:
     def test_unknown_form(self, edge):
         with pytest.raises(InputError, match="flat, bent, outline"):
             elastic_strip(edge, sheet=SHEET, max_width=10, form="rolled")
-
-    def test_no_strip_takes_the_curve(self):
-        wild = bd.Edge.make_spline([(0, 0), (10, 20), (20, 0), (30, 25), (40, 0), (50, 31), (60, 0)])
-        with pytest.raises(NotRealizable):
-            FlatStrip(wild, SHEET, max_width=10)
 
     def test_closed_with_a_corner(self):
         with pytest.raises(ValueError, match="corner"):

@@ -27,13 +27,3 @@ def test_a_circle_becomes_a_ring_and_its_lap(document, ring):
     feature.Form = "Flat"
     document.recompute()
     assert feature.Shape.BoundBox.XLength == pytest.approx(376.99 + 10, abs=0.01)
-
-
-def test_where_it_is_joined(document, ring):
-    feature = strip.create(document, ring)
-    feature.Sheet, feature.MaxWidth, feature.Joint = "birch-plywood-0.8", 20.0, 94.2478
-    document.recompute()
-    assert feature.State == ["Up-to-date"], feature.getStatusString()
-    feature.Joint = 1000.0
-    document.recompute()
-    assert "joint is 1000" in feature.getStatusString()

@@ -41,14 +41,6 @@ def test_without_the_workbench(tmp_path):
 
 
 @pytest.mark.campaign
-def test_what_the_readme_types(tmp_path):
-    page = launching.ROOT / "freecad_workbench" / "README.md"
-    found = launching.run_console("readme.py", tmp_path, ELASTICA_TEST_PAGE=str(page))
-    assert "can take this curve" in found["printed"] or "takes this curve" in found["printed"]
-    assert found["width"] == 40
-
-
-@pytest.mark.campaign
 def test_files_of_earlier_versions_in_a_window(tmp_path):
     data = Path(__file__).parent / "data"
     found = launching.run_window("reopen.py", tmp_path, ELASTICA_TEST_FILES=str(data))

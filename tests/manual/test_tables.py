@@ -20,13 +20,10 @@ ROWS = [
 RUN_WHOLE = ("docs/tutorials/", "docs/how_to/", "docs/explanation/")
 """Pages that test_manual.py runs as their readers do."""
 RUN_ELSEWHERE = {
-    ("README.md", "python"): "tests/examples/test_readme_cad.py::test_snippet_runs",
-    ("docs/code_cad.md", "python"): "tests/examples/test_readme_cad.py::test_page_for_scripts",
-    (
-        "freecad_workbench/README.md",
-        "python",
-    ): "tests/freecad/test_real_freecad.py::test_what_the_readme_types",
-    ("README.md", "sh"): "tests/manual/test_tables.py::test_what_readme_types",
+    ("README.md", "python"): "tests/contract/test_snippets.py::test_python_of_readme",
+    ("docs/code_cad.md", "python"): "tests/contract/test_snippets.py::test_page_for_scripts",
+    ("freecad_workbench/README.md", "python"): "tests/freecad/test_contract.py::test_readme_of_the_workbench",
+    ("README.md", "sh"): "tests/contract/test_snippets.py::test_commands_of_readme",
     ("docs/code_cad.md", "rst"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
     ("docs/code_cad.md", "text"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
 }
@@ -90,12 +87,12 @@ def test_every_block_is_run():
         name = re.match(r"\{?[\w-]*\}?", block.kind)[0]
         if name in ("{toctree}", "{include}"):  # Sphinx finds what is lost
             continue
-        if block.kind == "{code-block} none" and ":caption:" not in block.body:
+        if (block.kind == "{code-block} none" and ":caption:" not in block.body) or (
+            name == "sh" and (block.page == "docs/code_cad.md" or block.body.startswith("pip install"))
+        ):
             installs(block.body)
         elif (block.page, name) in RUN_ELSEWHERE:
             proofs.proved_by(RUN_ELSEWHERE[block.page, name])
-        elif name == "sh" and block.page == "docs/code_cad.md":
-            installs(block.body)
         elif not (
             block.page.startswith(RUN_WHOLE)
             and (name in ("sh", "python", "text") or ":caption:" in block.body)
@@ -122,22 +119,6 @@ def installs(commands):
             continue
         assert set(wanted[1].split(",")) <= set(PROJECT["optional-dependencies"])
         assert wanted[2] in (None, HOME)
-
-
-def test_what_readme_types(tmp_path):
-    made, typed, installed = [
-        block.body for block in blocks() if (block.page, block.kind) == ("README.md", "sh")
-    ]
-    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
-    for line in made.strip().split("\n"):
-        assert re.search(rf"^{line.split()[1]}:", makefile, re.MULTILINE)
-    (tmp_path / "my-curve.dxf").write_bytes((ROOT / "examples" / "arch" / "arch.dxf").read_bytes())
-    for line in typed.strip().split("\n"):
-        words = line.split("#")[0].split()
-        assert words.pop(0) == ".venv/bin/elastica"
-        proofs.typed(tmp_path, *words)
-    assert (tmp_path / "out" / "my-curve.dxf").is_file()
-    installs(installed)
 
 
 def test_entries_for_lists_lead_here():

@@ -6,7 +6,7 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
-from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.design_files.design_file import read_design
@@ -17,7 +17,6 @@ ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degr
 FLATTER = PlaneCurve.spline([(0, 0), (40, 30), (90, 42), (140, 30), (184, 0)], degree=4)
 LENGTHS = ARCH.length / FLATTER.length
 BLANK = FLATTER.transformed([[LENGTHS, 0, 0], [0, LENGTHS, 0], [0, 0, 1]])
-WIDE = {"max_width": 20.0}
 
 
 @pytest.fixture
@@ -35,21 +34,12 @@ def ratio_of(folder):
     return json.loads((folder / "arch.json").read_text())["ratio"]
 
 
-@pytest.mark.parametrize(
-    ("given", "rest"),
-    [
-        ("-0.002", -0.002),
-        ("stations = [0, 202], curvatures = [0, -0.004]", RestCurvature.linear([0, 202], [0, -0.004])),
-        ("blank.json", RestCurvature.of(BLANK)),
-    ],
-    ids=["number", "table", "drawing"],
-)  # fmt: skip
-def test_a_strip_of_a_blank(drawn, monkeypatch, given, rest):
+def test_a_strip_of_a_drawn_blank(drawn, monkeypatch):
     monkeypatch.chdir(drawn)
-    asked = ("arch.json", "--natural-curvature", given)
+    asked = ("arch.json", "--natural-curvature", "blank.json")
     told = run("strip", *asked, "--sheet", "birch-plywood-0.8", "--max-width", 20, "-o", "out")
     assert told.exit_code == 0, told.output
-    strip = StripSpec(ARCH, "birch-plywood-0.8", natural_curvature=rest, **WIDE).make()
+    strip = make_strip(ARCH, "birch-plywood-0.8", natural_curvature=RestCurvature.of(BLANK), max_width=20.0)
     assert ratio_of(drawn / "out") == pytest.approx(strip.rod.ratio, rel=1e-6)
     assert "bend it beforehand to a radius of" in told.output
     assert json.loads((drawn / "out" / "arch.json").read_text())["blank"]["curvature"]
@@ -82,10 +72,3 @@ def test_no_blank_is_refused_in_a_sentence(drawn, given, words):
     assert told.exit_code != 0
     assert words in " ".join(told.output.split())
     assert not (drawn / "out").exists()
-
-
-def test_the_nearest_strip_of_a_blank(drawn):
-    told = run("strip", drawn / "arch.json", "--sheet", "birch-plywood-0.8", "--max-width", 20, "--ratio", 1.2,
-               "--natural-curvature", drawn / "blank.json", "-o", drawn / "out")  # fmt: skip
-    assert told.exit_code == 0, told.output
-    assert ratio_of(drawn / "out") == pytest.approx(1.2, rel=1e-6)

@@ -1,0 +1,156 @@
+"""One strip asked for at five front ends: the same cuts as in Python, or the same refusal.
+
+FreeCAD, the sixth, has a process of its own: tests/freecad/test_contract.py asks it for the rows of the same table.
+"""
+
+import shlex
+from pathlib import Path
+
+import build123d as bd
+import cadquery as cq
+import pytest
+from click.testing import CliRunner
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
+from OCP.Geom import Geom_BSplineCurve
+from OCP.gp import gp_Pnt
+from OCP.TColgp import TColgp_Array1OfPnt
+from OCP.TColStd import TColStd_Array1OfInteger, TColStd_Array1OfReal
+
+from elastica_cad import build123d, cadquery
+from elastica_cad.cli.commands import elastica
+from elastica_cad.errors import ElasticaError
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.geometry.frame import Frame
+from tests.contract import answers
+from tests.contract.more_requests import MORE_REQUESTS
+from tests.contract.table import REFUSED, REQUESTS
+
+# some rows are bent beyond what their sheet bears
+pytestmark = pytest.mark.filterwarnings("ignore::elastica_cad.kernel.strip_warnings.StripWarning")
+QUICK = ("--no-step", "--no-pictures")
+
+
+def command_line(asked, folder):
+    """`elastica strip` with the options: its cutting files, or what it prints."""
+    write_curves([asked.curve], folder / "S1.json")
+    words = ["strip", str(folder / "S1.json"), "--sheet", asked.sheet, *shlex.split(asked.options)]
+    done = CliRunner().invoke(elastica, [*words, *QUICK, "-o", str(folder / "out")])
+    return made_by(done, folder)
+
+
+def design_file(asked, folder):
+    """`elastica model` of a design with the keys."""
+    path = folder / "design.toml"
+    path.write_text(
+        f"schema = 1\nsheet = '{asked.sheet}'\n[[strips]]\nlabel = 'S1'\n{asked.keys}\n"
+        f"curve = {{ spline = {[list(point) for point in asked.points]}, degree = {asked.curve.degree} }}\n"
+    )
+    done = CliRunner().invoke(
+        elastica, ["model", str(path), *QUICK, "--no-effects", "-o", str(folder / "out")]
+    )
+    return made_by(done, folder)
+
+
+def made_by(done, folder):
+    """The folder of the cutting files, or the refusal."""
+    if done.exit_code:
+        assert done.exit_code in (1, 2), done.exception
+        assert not (folder / "out").exists()
+        return done.stderr
+    return folder / "out"
+
+
+def build123d_object(asked, _):
+    return build123d.FlatStrip(edge(asked), asked.material, plane=frame(asked), **drawn_fields(asked)).strip
+
+
+def build123d_builder(asked, _):
+    with bd.BuildPart():
+        with bd.BuildLine():
+            bd.insert(edge(asked))
+        made = build123d.elastic_strip(sheet=asked.material, plane=frame(asked), **drawn_fields(asked))
+    return made.strip
+
+
+def cadquery_function(asked, _):
+    drawn = cq.Edge(edge(asked).wrapped)
+    return cadquery.flat_strip(drawn, asked.material, plane=frame(asked), **drawn_fields(asked)).strip
+
+
+def cadquery_workplane(asked, _):
+    cadquery.register()
+    drawn = cq.Workplane().add(cq.Edge(edge(asked).wrapped)).toPending()
+    return drawn.elasticStrip(asked.material, plane=frame(asked), **drawn_fields(asked)).val().strip
+
+
+FRONT_ENDS = {
+    "command line": command_line,
+    "design file": design_file,
+    "build123d object": build123d_object,
+    "build123d builder": build123d_builder,
+    "CadQuery function": cadquery_function,
+    "CadQuery workplane": cadquery_workplane,
+}
+
+
+def frame(asked):
+    return asked.fields.get("frame", Frame())
+
+
+def drawn_fields(asked):
+    """The fields; the frame is that in which the curve is drawn."""
+    return {"label": answers.LABEL} | {name: value for name, value in asked.fields.items() if name != "frame"}
+
+
+def edge(asked):
+    """The curve as a user of build123d has it, drawn in its place."""
+    curve, there = asked.curve, frame(asked)
+    points = [there.point(point).tolist() for point in asked.points]
+    if len(points) == curve.degree + 1:
+        return bd.Edge.make_bezier(*points)
+    spans = len(points) - curve.degree
+    poles = TColgp_Array1OfPnt(1, len(points))
+    knots, counts = TColStd_Array1OfReal(1, spans + 1), TColStd_Array1OfInteger(1, spans + 1)
+    for number, point in enumerate(points, start=1):
+        poles.SetValue(number, gp_Pnt(*point))
+    for number in range(1, spans + 2):
+        knots.SetValue(number, (number - 1) / spans)
+        counts.SetValue(number, curve.degree + 1 if number in (1, spans + 1) else 1)
+    return bd.Edge(BRepBuilderAPI_MakeEdge(Geom_BSplineCurve(poles, knots, counts, curve.degree)).Edge())
+
+
+def assert_same_answer(asked, front_end, folder):
+    expected = answers.in_python(asked)
+    try:
+        made = FRONT_ENDS[front_end](asked, folder)
+    except ElasticaError as raised:
+        made = raised
+    if isinstance(expected, ElasticaError):
+        assert answers.same_refusal(expected, made), made
+    elif isinstance(made, Strip):
+        answers.assert_same_strip(made, expected)
+    else:
+        assert isinstance(made, Path), made
+        answers.assert_same_files(made, expected)
+
+
+@pytest.mark.parametrize("name", REQUESTS)
+@pytest.mark.parametrize("front_end", FRONT_ENDS)
+def test_same_cuts(front_end, name, tmp_path):
+    assert isinstance(answers.in_python(REQUESTS[name]), Strip)
+    assert_same_answer(REQUESTS[name], front_end, tmp_path)
+
+
+@pytest.mark.parametrize("name", REFUSED)
+@pytest.mark.parametrize("front_end", FRONT_ENDS)
+def test_same_refusal(front_end, name, tmp_path):
+    assert isinstance(answers.in_python(REFUSED[name]), ElasticaError)
+    assert_same_answer(REFUSED[name], front_end, tmp_path)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("name", MORE_REQUESTS)
+@pytest.mark.parametrize("front_end", FRONT_ENDS)
+def test_more_requests(front_end, name, tmp_path):
+    assert_same_answer(MORE_REQUESTS[name], front_end, tmp_path)
