@@ -67,17 +67,16 @@ NEAREST_IN_FREECAD = {"Follow": "Nearest", "RatioLimit": 0.0, "LimitMargin": Fal
 
 REQUESTS = {
     "plain, of a measured sheet, with equal tabs": Request(
-        {"max_width": 20.0, "samples": 101, "creep": 0.8, "supports": Supports("slide-x", "slide-y"),
+        {"max_width": 20.0, "creep": 0.8, "supports": Supports("slide-x", "slide-y"),
          "ends": (Tab(8, corner_radius=1), Tab(8, corner_radius=1))},
-        """--thickness 0.3 --max-width 20 --samples 101 --creep 0.8 --start slide-x --end slide-y
+        """--thickness 0.3 --max-width 20 --creep 0.8 --start slide-x --end slide-y
            --tab 8 --tab-radius 1""",
         """thickness = 0.3
            max_width = 20
-           samples = 101
            creep = 0.8
            supports = ["slide-x", "slide-y"]
            ends = { length = 8, corner_radius = 1 }""",
-        {"Thickness": 0.3, "MaxWidth": 20.0, "Samples": 101, "Creep": 0.8, "StartSupport": "slide-x",
+        {"Thickness": 0.3, "MaxWidth": 20.0, "Creep": 0.8, "StartSupport": "slide-x",
          "EndSupport": "slide-y", "StartTab": 8.0, "EndTab": 8.0, "TabRadius": 1.0},
         BOW, thickness=0.3,
     ),
@@ -189,13 +188,14 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         ARCH,
     ),
     "a round rod, of a blank whose curvature varies": Request(
-        {"law": RoundLaw(CARD, 2.0, 8.0),
+        {"law": RoundLaw(CARD, 2.0, 8.0), "samples": 101,
          "natural_curvature": RestCurvature.linear([0, 90, 202.2], [0.002, -0.003, 0.001])},
-        """--law 'kind = "rod", limits = [2, 8]'
+        """--law 'kind = "rod", limits = [2, 8]' --samples 101
            --natural-curvature 'stations = [0, 90, 202.2], curvatures = [0.002, -0.003, 0.001]'""",
         """law = { kind = "rod", limits = [2, 8] }
+           samples = 101
            natural_curvature = { stations = [0, 90, 202.2], curvatures = [0.002, -0.003, 0.001] }""",
-        {"Law": 'kind = "rod", limits = [2, 8]',
+        {"Law": 'kind = "rod", limits = [2, 8]', "Samples": 101,
          "Blank": "stations = [0, 90, 202.2], curvatures = [0.002, -0.003, 0.001]"},
         ARCH,
     ),
@@ -281,13 +281,14 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         WAVE,
     ),
     "near a curve, symmetric, shorter and less curved": Request(
-        {"max_width": 20.0, "limits": Limits(curvature=0.02, length=(160, 180)), "keep": Keep(symmetry="mirror")},
-        "--max-width 20 --max-curvature 0.02 --length-range 160 180 --keep-symmetry mirror",
+        {"max_width": 20.0, "limits": Limits(curvature=0.02, length=(200, 220)),
+         "keep": Keep(symmetry="mirror", tangents=True)},
+        "--max-width 20 --max-curvature 0.02 --length-range 200 220 --keep-symmetry mirror --keep-tangents",
         """max_width = 20
-           limits = { curvature = 0.02, length = [160, 180] }
-           keep = { symmetry = "mirror" }""",
-        {"MaxWidth": 20.0, **NEAREST_IN_FREECAD, "CurvatureLimit": 0.02, "LeastLength": 160.0, "MostLength": 180.0,
-         "KeepSymmetry": "mirror"},
+           limits = { curvature = 0.02, length = [200, 220] }
+           keep = { symmetry = "mirror", tangents = true }""",
+        {"MaxWidth": 20.0, **NEAREST_IN_FREECAD, "CurvatureLimit": 0.02, "LeastLength": 200.0, "MostLength": 220.0,
+         "KeepSymmetry": "mirror", "KeepTangents": True},
         TALL,
     ),
 }  # fmt: skip

@@ -20,7 +20,9 @@ from elastica_cad import build123d, cadquery
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.frame import Frame
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS
@@ -154,3 +156,11 @@ def test_same_refusal(front_end, name, tmp_path):
 @pytest.mark.parametrize("front_end", FRONT_ENDS)
 def test_more_requests(front_end, name, tmp_path):
     assert_same_answer(MORE_REQUESTS[name], front_end, tmp_path)
+
+
+def test_creep_in_a_design_file(tmp_path):
+    """Neither drawings nor the report of a model show it."""
+    asked = REQUESTS["plain, of a measured sheet, with equal tabs"]
+    design_file(asked, tmp_path)
+    (entry,) = read_design(tmp_path / "design.toml", read_curves).entries
+    assert entry.spec.creep == asked.fields["creep"]
