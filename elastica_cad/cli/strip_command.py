@@ -169,6 +169,8 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
                f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
     say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip
+    if made.backing_side:
+        say(made.backing_side)
     if near is not None:
         from elastica_cad.forming.nearest.advice import advise
 

@@ -73,6 +73,8 @@ def view_flat(strip: Strip) -> FlatView:
     called = "widths" if called == "width" else called
     then = "; to be bent beforehand" if np.any(strip.rod.natural_curvature) else ""
     title = f"Flat: {strip.breadth()}, {called} in mm below{then}"
+    if strip.backing_side:
+        title += f"\n{fill(strip.backing_side, 100)}"
     return FlatView(view_layers(strip), strip.outline.bounds, strip.rod.length, stations, title)
 
 

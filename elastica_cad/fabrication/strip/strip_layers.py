@@ -135,13 +135,15 @@ def draw_layers(
     ends: Ends,
     slots: Sequence[Slot],
     label: str,
+    name: str,
     *,
     lap: float = 0.0,
 ) -> tuple[Drawing, ...]:
-    """The cut pattern of each layer: label, marks, inner cuts, outer cut; `lap` mm from the start a mark where the
-    lap of a closed strip ends.
+    """The cut pattern of each layer, called by `name`: label, marks, inner cuts, outer cut.
+
+    `lap` mm from the start a mark is drawn where the lap of a closed strip ends.
     """
-    name = label or "strip"
+    name = name or "strip"
     drawn = []
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width

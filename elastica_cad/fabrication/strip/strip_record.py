@@ -17,6 +17,8 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.strip_sentences import (
+    backing_mark,
+    tell_backing,
     tell_breadth,
     tell_joint,
     warn_of_creep,
@@ -432,7 +434,18 @@ class Strip:
     def drawings(self) -> tuple[Drawing, ...]:
         """The cut pattern of each layer, the base first; they register: same frame, same holes in the tabs.
 
-        Where the backing of a laminate comes to lie is marked on the base.
+        Where the backing of a laminate comes to lie is marked on the base, and on both which side of the bend
+        their engraved faces are on.
         """
         lap = self.ends[1].length if self.is_closed else 0.0
-        return draw_layers(self.layout, self.layers, self.ends, self.slots, self.label, lap=lap)
+        label = f"{self.label} {self._backing_mark}".strip()
+        return draw_layers(self.layout, self.layers, self.ends, self.slots, label, self.label, lap=lap)
+
+    @property
+    def backing_side(self) -> str:
+        """On which side of the bend the backing of a laminate lies, in a sentence; empty of other strips."""
+        return tell_backing(self._backing_mark)
+
+    @property
+    def _backing_mark(self) -> str:
+        return "" if self.layout.backing is None else backing_mark(self.rod.curvature)

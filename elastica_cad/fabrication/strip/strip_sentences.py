@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 
 from elastica_cad._counts import told_apart, told_range
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.strip.strip_layers import Layer
@@ -16,6 +17,9 @@ from elastica_cad.mechanics.studies.creep import Creep
 
 LINEAR_CREEP_SHARE = 0.5
 """Of the strain limit: beyond it creep grows faster than the stress."""
+
+STRAIGHT_SHARE = 1e-6
+"""Of the largest curvature: less has no sense of bending."""
 
 UNEVEN_JOINT_MM = 0.05
 """Difference between the widths of a closed strip's ends that is told: finer than it is cut."""
@@ -31,6 +35,33 @@ def tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> st
         return f"{told(tapered['diameter'])} in diameter"
     wide = f"{told(width)} wide"
     return f"{wide}, {told(tapered['thickness'])} thick" if "thickness" in tapered else wide
+
+
+def backing_mark(curvature: FloatArray) -> str:
+    """The word engraved on both sheets of a laminate: where their engraved faces look when it is bent.
+
+    The backing lies on the right of the curve as it runs from its start, so outside where it bends to the left.
+    Where the sense of bending changes the word is that of the first bend, with the end named.
+    """
+    small = STRAIGHT_SHARE * float(np.abs(curvature).max(initial=0.0))
+    bent = curvature[np.abs(curvature) > small]
+    if not bent.size:
+        return ""
+    word = "OUTSIDE" if bent[0] > 0 else "INSIDE"
+    return word if np.all(np.sign(bent) == np.sign(bent[0])) else f"{word} AT START"
+
+
+def tell_backing(mark: str) -> str:
+    """On which side of the bend the backing lies, in a sentence; empty of a straight strip."""
+    if not mark:
+        return ""
+    if mark.endswith("START"):
+        word, *_ = mark.split()
+        return (
+            f"bent, the backing lies {word.lower()} at the start (the end at x = 0 of the cutting files), on the "
+            f"other side of the bend beyond each inflection: {mark} is engraved on both sheets"
+        )
+    return f"bent, the backing lies {mark.lower()}: {mark} is engraved on both sheets, on the faces that look there"
 
 
 def tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:

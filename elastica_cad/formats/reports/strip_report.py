@@ -105,6 +105,7 @@ def report_strip(
             "at": round_numbers(strip.max_strain_at),
             "limit": strip.strain_limit,
         },
+        "backing_side": strip.backing_side or None,
         "held": _held(strip),
         "joint": _joint(strip),
         "mass": round_numbers(strip.mass),

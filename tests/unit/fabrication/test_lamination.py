@@ -293,3 +293,33 @@ def test_guides_of_the_backing_stop_at_slots(rod, lean):
         assert line.difference(material.buffer(2e-3)).length == 0
     across = 3.0 / np.cos(lean) + 2.0
     assert sum(whole) - sum(p.length for p in base.on("MARK")) == pytest.approx(across, rel=0.05)
+
+
+def arched(sign, *, wave=False):
+    x = np.linspace(0, 120, 40)
+    y = 15 * np.sin(x / 18) if wave else 40 * np.sin(np.pi * x / 120)
+    return ec.optimal_rod(ec.PlaneCurve.fit(np.column_stack([x, sign * y]), tolerance=0.01))
+
+
+@pytest.mark.parametrize(
+    ("sign", "wave", "mark"),
+    [(-1, False, "OUTSIDE"), (1, False, "INSIDE"), (1, True, "INSIDE AT START")],
+)
+def test_both_sheets_say_which_side_of_the_bend_they_look_to(sign, wave, mark, check_drawing):
+    strip = ec.Strip(arched(sign, wave=wave), CARD, style=Laminated(width=24, backing=CARD), label="L1")
+    for drawing in strip.drawings():
+        assert [text.text for text in drawing.texts] == [f"L1 {mark}"]
+        check_drawing(drawing)
+    assert mark in strip.backing_side
+    assert ("at the start" in strip.backing_side) == wave
+    # the backing lies on the right of the curve: outside, where that bends to the left
+    solid = BentSolid.layers(strip)[1]
+    places = np.array(solid.boundary.vertices)[:, :2]
+    start, angle = strip.rod.position[0], strip.rod.angle[0]
+    off = (places[np.hypot(*(places - start).T) < 10.5] - start) @ [-np.sin(angle), np.cos(angle)]
+    assert off.max() < 1e-3
+    assert off.min() == pytest.approx(-CARD.thickness, abs=1e-3)
+
+
+def test_other_strips_have_no_side(rod):
+    assert ec.Strip(rod, CARD, max_width=20.0).backing_side == ""
