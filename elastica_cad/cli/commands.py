@@ -9,11 +9,12 @@ import click
 import numpy as np
 
 from elastica_cad.cli.asking.lengths import UNITS, Length
+from elastica_cad.cli.asking.options import option_name
 from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.typed_command import BUDGET, TYPED, is_cured
 from elastica_cad.cli.running.voice import voice, warn
 from elastica_cad.cli.running.watching import remake_on_change
-from elastica_cad.errors import ElasticaError, InputError, NotMetError
+from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
@@ -169,6 +170,9 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         click.Option(["--memory"], type=click.FloatRange(0, min_open=True), default=USUAL_MIB, show_default=True,
                      metavar="MB", help="End with a sentence when it takes more."),
     ]  # fmt: skip
+    command.params += [
+        _renamed(option_name(old), option_name(new)) for old, new in RENAMED.items() if new in own
+    ]
     if any(isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params):
         text = "Run again whenever a file that was read is saved, until Ctrl-C."
         command.params.append(click.Option(["--watch"], is_flag=True, is_eager=True, help=text))
@@ -241,6 +245,16 @@ def _speaking(*names: str, help: str) -> click.Option:
     return click.Option(
         list(names), is_flag=True, is_eager=True, expose_value=False, callback=tell, help=help
     )
+
+
+def _renamed(old: str, new: str) -> click.Option:
+    """An option that is called otherwise now, which says so."""
+
+    def refuse(_: click.Context, __: click.Parameter, given: bool) -> None:
+        if given:
+            raise InputError("{old} is now called {new}", old=old, new=new)
+
+    return click.Option([old], is_flag=True, hidden=True, is_eager=True, expose_value=False, callback=refuse)
 
 
 def _told_in_mm() -> list[str]:

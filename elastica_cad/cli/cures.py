@@ -50,7 +50,7 @@ ADDED = (
     (r"--unit", ("--unit", "cm")),
     (r"--unit", ("--unit", "m")),
     (r"", ("--nearest",)),
-    (r"--anyway", ("--anyway",)),
+    (r"--ignore-limits", ("--ignore-limits",)),
 )
 """Words that are added where a command knows them and its refusal speaks of them: (pattern, words)."""
 

@@ -35,7 +35,7 @@ MOST_SAID = 6
 )
 @holding_option
 @click.option("--nearest", is_flag=True, help="Let every strip leave its curve, as little as it must.")
-@click.option("--anyway", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
+@click.option("--ignore-limits", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
 @click.option(
     "--below",
     type=click.Path(path_type=Path),
@@ -53,7 +53,7 @@ def model(
     effects: bool,
     holding: float | None,
     nearest: bool,
-    anyway: bool,
+    ignore_limits: bool,
     below: tuple[Path, ...],
     force: bool,
 ) -> None:
@@ -66,7 +66,7 @@ def model(
     """
     read = read_design(design, _read_told, read_surface, below=below)
     read = read.nearest() if nearest else read
-    read = read.made_anyway() if anyway else read
+    read = read.with_limits_ignored() if ignore_limits else read
     if holding is not None:
         cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
         read = replace(read, kit=replace(read.kit, cutting=cutting))

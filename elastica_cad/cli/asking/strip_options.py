@@ -49,14 +49,14 @@ LAMINATED = ("least_backing", "dots")
 """Sizes of the styles: fields of their records, and options of the same name."""
 
 SAME_NAME = ("max_width", "min_width", "natural_curvature", "samples", "joint", "slots", "smooth", "compensate",
-             "creep", "anyway")  # fmt: skip
+             "creep", "ignore_limits")  # fmt: skip
 """Fields of `StripSpec` that options of the same name give."""
 
 OPTION_OF = {
     "max_width": "--max-width", "min_width": "--min-width", "samples": "--samples", "loads": "--hang",
     "natural curvature": "--natural-curvature", "natural_curvature": "--natural-curvature",
     "limits": "--nearest and the limits", "gravity": "--gravity", "width of the outline": "--outer-width",
-    "width of the base": "--outer-width", "smooth": "--smooth", "anyway": "--anyway",
+    "width of the base": "--outer-width", "smooth": "--smooth", "ignore_limits": "--ignore-limits",
     "least_width": "--least-width", "law": "--law", "joint": "--joint", "limit width": "--width-range",
 }  # fmt: skip
 """Options for what the sentences of `StripSpec` name by its fields."""
@@ -177,7 +177,7 @@ _PATTERN = (
     click.option("--stock", type=POINT, metavar="MM MM", help="Sides of the largest sheet [default: 3050 1525]."),
     click.option("--lap", type=LENGTH, metavar="MM",
                  help="Cut a strip longer than the stock in pieces, joined by plates of this length."),
-    click.option("--anyway", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
+    click.option("--ignore-limits", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
 )  # fmt: skip
 
 

@@ -11,19 +11,19 @@ from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults,
 from elastica_cad.fabrication.strip.strip_record import Strip
 
 
-def make_within(strip: Strip, shop: Shop, *, compensate: bool, anyway: bool) -> Strip:
+def make_within(strip: Strip, shop: Shop, *, compensate: bool, ignore_limits: bool) -> Strip:
     """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
 
     Raises
     ------
     InputError
-        It cannot be cut or handled, with place and cure of each fault, unless `anyway`.
+        It cannot be cut or handled, with place and cure of each fault, unless `ignore_limits`.
     """
     with suppress(InputError):  # no room for joints is told with what else cannot be cut
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
-    told = accept_faults(find_strip_faults(strip, shop), anyway)
+    told = accept_faults(find_strip_faults(strip, shop), ignore_limits)
     joined = spliced(strip, shop)
     told += () if joined is None else (str(joined),)
     if not told:

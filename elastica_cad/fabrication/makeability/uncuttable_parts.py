@@ -71,16 +71,18 @@ def _tell_faults(faults: Iterable[Fault]) -> str:
     return " ".join(f"{part}: {'; '.join(whats)}; {cure}." for (part, cure), whats in found.items())
 
 
-def accept_faults(faults: Sequence[Fault], anyway: bool) -> tuple[str, ...]:
-    """Nothing for a part without faults; with `anyway` what its report says of them.
+def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
+    """Nothing for a part without faults; with `ignore_limits` what its report says of them.
 
     Raises
     ------
     InputError
-        Faults, without `anyway`: each with its place and cure.
+        Faults, without `ignore_limits`: each with its place and cure.
     """
-    if faults and not anyway:
-        raise InputError(f"{_tell_faults(faults)} To make it all the same, set anyway (--anyway).")
+    if faults and not ignore_limits:
+        raise InputError(
+            f"{_tell_faults(faults)} To make it all the same, set ignore_limits (--ignore-limits)."
+        )
     return tuple(f"made anyway: {fault}" for fault in faults)
 
 

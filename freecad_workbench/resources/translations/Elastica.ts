@@ -2027,7 +2027,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>anyway must be True or False, got %1</source>
+        <source>ignore_limits must be True or False, got %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2583,7 +2583,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <source>%1 To make it all the same, set ignore_limits (--ignore-limits).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

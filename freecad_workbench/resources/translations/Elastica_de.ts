@@ -2039,8 +2039,8 @@
         <translation>%1: poisson_ratio ist doppelt angegeben; %2 weglassen, da sie nun bekannt ist</translation>
     </message>
     <message>
-        <source>anyway must be True or False, got %1</source>
-        <translation>anyway muss True oder False sein, nicht %1</translation>
+        <source>ignore_limits must be True or False, got %1</source>
+        <translation>ignore_limits muss True oder False sein, nicht %1</translation>
     </message>
     <message>
         <source>, without its correction</source>
@@ -2595,7 +2595,7 @@
         <translation>die Schwerkraft %1 ist eine Richtung im Raum: die Ebene der Kurve angeben</translation>
     </message>
     <message>
-        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <source>%1 To make it all the same, set ignore_limits (--ignore-limits).</source>
         <translation>%1 Um es trotzdem zu machen, Anyway setzen.</translation>
     </message>
     <message>

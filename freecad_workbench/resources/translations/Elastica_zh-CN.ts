@@ -2039,8 +2039,8 @@
         <translation>%1：poisson_ratio 给了两次；既已知道，请去掉 %2</translation>
     </message>
     <message>
-        <source>anyway must be True or False, got %1</source>
-        <translation>anyway 必须为 True 或 False，而不是 %1</translation>
+        <source>ignore_limits must be True or False, got %1</source>
+        <translation>ignore_limits 必须为 True 或 False，而不是 %1</translation>
     </message>
     <message>
         <source>, without its correction</source>
@@ -2595,7 +2595,7 @@
         <translation>重力 %1 是空间方向：请给出曲线的平面</translation>
     </message>
     <message>
-        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <source>%1 To make it all the same, set ignore_limits (--ignore-limits).</source>
         <translation>%1 若仍要制作，请设置 Anyway。</translation>
     </message>
     <message>

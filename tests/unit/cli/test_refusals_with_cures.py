@@ -105,7 +105,7 @@ def test_a_neck_is_written_anyway_and_said(tmp_path):
         "birch-plywood-0.8",
         "--max-width",
         "12",
-        "--anyway",
+        "--ignore-limits",
         "-o",
         "out",
     ]
