@@ -126,7 +126,7 @@ class UnknownOptionError(InputError, TypeError):
     KIND = "unknown"
 
 
-class StrainError(ElasticaError, ValueError):
+class StrainError(InputError):
     """The strip would break: it is bent beyond the strain at which its sheet does."""
 
     KIND = "strain"

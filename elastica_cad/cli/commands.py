@@ -14,7 +14,7 @@ from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError
 from elastica_cad.cli.running.typed_command import BUDGET, TYPED, is_cured
 from elastica_cad.cli.running.voice import voice, warn
 from elastica_cad.cli.running.watching import remake_on_change
-from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError
+from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
@@ -47,6 +47,7 @@ FILES = {
 
 TOLD: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable", NOT_REALIZABLE),
+    StrainError: ("Would break", NOT_REALIZABLE),
     NotMetError: ("Not within these limits", NOT_REALIZABLE),
     ElasticaError: ("Error", BAD_INPUT),
 }

@@ -114,7 +114,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             )
             _tell(kit, written)
             reports.append(kit.report)
-            wrong += chosen["strict"] and any(layer.exceeded for layer in kit.strip.strains)
+            wrong += chosen["strict"] and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
             if len(curves) == 1 and not chosen["every"]:
                 raise

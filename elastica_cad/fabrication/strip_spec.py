@@ -345,6 +345,8 @@ class StripSpec(EqualByValue):
         InputError
             As `optimal_rod`, `optimal_laminate`, `nearest_rod` and `Strip`; or the strip cannot be cut or handled,
             with place and cure of each fault.
+        StrainError
+            It would break.
         """
         rod = accepted_rod(self.rod_spec.solve() if found is None else found)
         if self.makes_up_for_curl and rod.section is None:

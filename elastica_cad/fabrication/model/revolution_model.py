@@ -12,6 +12,7 @@ from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import ring_pair
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM, Ring, ring_plate, slot_reach
+from elastica_cad.fabrication.makeability.makeable_strip import refuse_broken
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.strip_model import Model
@@ -172,6 +173,7 @@ class _Asked:
         strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
         turn = 2 * np.pi * np.arange(self.strips) / self.strips
         placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+        refuse_broken(strip, self.ignore_limits)
         told = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
         if self.rings is None:
             return placed, (), told
