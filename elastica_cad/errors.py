@@ -72,7 +72,6 @@ class ElasticaError(Exception):
     KIND = "error"
 
     refusal: Refusal
-    look_for_cure: Callable[[], str] | None = None
 
     def __init__(
         self,

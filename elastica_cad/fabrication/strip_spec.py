@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_positive, several
-from elastica_cad.errors import InputError, refuse_renamed, refuse_unknown
+from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.asked_gravity import AskedGravity, hung_weight, lightened, pull_in_plane
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -170,12 +170,15 @@ class StripSpec(EqualByValue):
         if self.law is not None:
             check_law(self.law, self.material, self.style, ends, slots, sized=sized)
         elif isinstance(self.style, Plain) and not (sized or self.loads):
-            raise InputError(NO_WIDTH)
+            raise InputError(NO_WIDTH, where={"field": "max_width"})
         check_joint(self.joint, self.curve)
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")
         if not isinstance(self.ignore_limits, bool):
-            raise InputError(f"ignore_limits must be True or False, got {self.ignore_limits!r}")
+            raise InputError(
+                f"ignore_limits must be True or False, got {self.ignore_limits!r}",
+                where={"field": "ignore_limits"},
+            )
         check_compensate(self.compensate)
         if not isinstance(self.shop, Shop):
             raise InputError(f"shop is {self.shop!r}: give a Shop record, such as Shop(least_width=2.0)")
@@ -373,6 +376,27 @@ class StripSpec(EqualByValue):
         """The request with other values of some fields."""
         refuse_unknown(fields, {one.name for one in fields_of(self)}, "a strip")
         return replace(self, **fields)
+
+    def with_change(self, change: Change) -> "StripSpec | None":
+        """The request with a change that a refusal names; None where that says nothing new of a strip.
+
+        Examples
+        --------
+        >>> spec = StripSpec(PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2), "pom-0.5", max_width=9)
+        >>> spec.with_change(Change("max_width", 12.0)).max_width, spec.with_change(Change("unit", "cm"))
+        (12.0, None)
+        """
+        if change.field == "nearest":
+            if self.may_change:
+                return None
+            return self.changed(limits=self.limits or Limits(), keep=self.keep or Keep())
+        if change.field == "thickness":
+            return self.changed(sheet=self.material.with_thickness(change.value))
+        if change.field == "lap":
+            return self.changed(shop=replace(self.shop, lap=change.value))
+        if change.field not in {one.name for one in fields_of(self)}:
+            return None
+        return self.changed(**{change.field: change.value})
 
     @property
     def _bent(self) -> PlaneCurve:

@@ -47,7 +47,7 @@ def spend(seconds: float, mib: float, *, beside: Callable[[], int | None] | None
                     f"this takes longer than {seconds:g} s: ask for less at a time (a smaller drawing, fewer "
                     "strips, looser limits), or give it more with --seconds"
                 )
-            elif (used := _resident_mib("self") + _resident_mib(beside and beside())) > mib:
+            elif (used := resident_mib() + resident_mib(beside and beside())) > mib:
                 said.append(
                     f"this takes more than {mib:g} MB of memory ({used:.0f} MB now): ask for less at a time, or "
                     "give it more with --memory"
@@ -82,7 +82,7 @@ def spend(seconds: float, mib: float, *, beside: Callable[[], int | None] | None
         ) from None
 
 
-def _resident_mib(process: int | str | None) -> float:
+def resident_mib(process: int | str | None = "self") -> float:
     """Memory that a process uses now; 0 where the system does not say, or there is none."""
     if process is None:
         return 0.0

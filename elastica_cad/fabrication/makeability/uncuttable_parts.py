@@ -39,8 +39,8 @@ FAR_WIDER = 2.0
 
 _KNOWN = 256  # outlines whose thin places are kept: strips that are cut alike share theirs
 
-TIMES_AS_LONG = 2.0
-"""As wide a strip is: a shorter one bends as a plate."""
+TIMES_AS_LONG = 4.0
+"""As its width a strip is, where a narrower one is asked for: one of half of that bends as a plate."""
 
 LAP_THICKNESSES = 20
 """Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
