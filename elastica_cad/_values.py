@@ -53,7 +53,7 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
     if not (is_number(value) and value > 0):
         told = repr(value) if isinstance(value, str) else value
         wanted = "positive" if is_number(value) else "a number above 0"
-        raise InputError(f"{what} is {told}: it must be {wanted}, in {unit}")
+        raise InputError(f"{what} is {told}: it must be {wanted}, in {unit}", where={"field": what})
 
 
 def require_number(value: object, what: str, unit: str = "") -> float:

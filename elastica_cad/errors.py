@@ -2,14 +2,41 @@
 
 import re
 import sys
-from collections.abc import Callable, Iterable
-from functools import cache
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache, wraps
 from math import ceil, floor, isfinite, log10
 from pathlib import Path
 from reprlib import Repr
-from typing import Self
+from typing import Any, ParamSpec, Self, TypeVar
 
 from elastica_cad._printable import printable
+from elastica_cad.refusals import Change, Length, Refusal
+
+__all__ = [
+    "Change",
+    "ElasticaError",
+    "InputError",
+    "Length",
+    "MissingDependencyError",
+    "NotConvergedError",
+    "NotMetError",
+    "Refusal",
+    "StrainError",
+    "UnknownOptionError",
+    "how_to_install",
+    "near_names",
+    "quoted",
+    "refuse_options_unlike",
+    "refuse_renamed",
+    "refuse_unknown",
+    "refusing_old_names",
+    "rounded_down",
+    "rounded_up",
+    "toml_slip",
+]
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 _QUOTED = Repr()
 _QUOTED.maxstring = _QUOTED.maxother = 60
@@ -18,43 +45,97 @@ _QUOTED.maxstring = _QUOTED.maxother = 60
 class ElasticaError(Exception):
     """Base of every error raised on purpose by elastica_cad.
 
+    Parameters
+    ----------
+    text : str
+        A finished sentence; or a template with {name} for each of the values.
+    kind : str, optional
+        What programs tell refusals apart by; that of the class unless given.
+    where : mapping, optional
+        Places by kind, such as {"field": "end"}.
+    changes : sequence of Change, optional
+        Changes of the request that may help.
+    **values : object
+        Of the template; lengths as `Length`.
+
     Attributes
     ----------
-    look_for_cure : callable, optional
-        Gives a sentence with what would work instead, or "". It may take seconds, so the error is told before.
+    refusal : Refusal
+        All of that as a record.
+
+    Examples
+    --------
+    >>> problem = InputError("the ends are {distance} apart", distance=Length(120), where={"field": "end"})
+    >>> str(problem.at(strip="A1")), problem.refusal.values["distance"] + 0.0, problem.refusal.where["field"]
+    ('A1: the ends are 120 mm apart', 120.0, 'end')
     """
 
-    look_for_cure: Callable[[], str] | None = None
+    KIND = "error"
+
+    refusal: Refusal
+
+    def __init__(
+        self,
+        text: str = "",
+        /,
+        *,
+        kind: str | None = None,
+        where: Mapping[str, Any] | None = None,
+        changes: Sequence[Change] = (),
+        **values: Any,
+    ) -> None:
+        self.refusal = Refusal(kind or self.KIND, str(text), values, dict(where or {}), tuple(changes))
+        super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return printable(super().__str__())  # a traceback shows it on a terminal
+        return printable(str(self.refusal))  # a traceback shows it on a terminal
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), str(self)), self.__dict__
 
     @property
     def verdict(self) -> str:
         """What is known at once of what is wrong."""
-        return str(self)
+        return str(self.refusal)
 
     @property
     def advice(self) -> tuple[str, ...]:
         """Sentences that the message ends with, where finding them takes longer than the verdict."""
         return ()
 
-    def named(self, name: str) -> Self:
-        """The same error, told of the part of this name."""
-        said = str(self)
-        return type(self)(said if said.startswith(name) else f"{name}: {said}")
+    def at(self, **where: Any) -> Self:
+        """This error, with more places: `raise problem.at(strip="A1")`, or `raise` alone behind it."""
+        self.refusal = self.refusal.at(**where)
+        return self
+
+
+def _restored(kind: type[ElasticaError], said: str) -> ElasticaError:
+    """An error as it was pickled, whatever its class is made from."""
+    return kind.__new__(kind, said)
 
 
 class InputError(ElasticaError, ValueError):
     """Input that no computation can start from: a bad file, number, option or curve."""
 
+    KIND = "input"
+
 
 class UnknownOptionError(InputError, TypeError):
     """An option that no strip has, as Python itself refuses unknown arguments."""
 
+    KIND = "unknown"
+
+
+class StrainError(InputError):
+    """The strip would break: it is bent beyond the strain at which its sheet does."""
+
+    KIND = "strain"
+
 
 class NotConvergedError(ElasticaError, RuntimeError):
     """A solver stopped short of its tolerance; no half-converged shape is ever returned."""
+
+    KIND = "not converged"
 
 
 class NotMetError(NotConvergedError):
@@ -63,10 +144,13 @@ class NotMetError(NotConvergedError):
     Parameters
     ----------
     verdict : str
+        How near the search came, and what it kept from the drawn curve.
     advise : callable
         Gives the advice, sentences about what would help; each may take a search of its own, so it is looked for
         when the message is read.
     """
+
+    KIND = "not met"
 
     def __init__(self, verdict: str, advise: Callable[[], tuple[str, ...]] = tuple) -> None:
         super().__init__(verdict)
@@ -75,26 +159,19 @@ class NotMetError(NotConvergedError):
     def __str__(self) -> str:
         return " ".join((self.verdict, *self.advice))
 
-    def __reduce__(self) -> tuple[type[Self], tuple[str]]:
+    def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (str(self),)
-
-    @property
-    def verdict(self) -> str:
-        """What is known at once: how near the search came, and what it kept from the drawn curve."""
-        return printable(str(self.args[0]))
 
     @property
     def advice(self) -> tuple[str, ...]:
         """What would help, the most useful first."""
         return self._advise()
 
-    def named(self, name: str) -> Self:
-        """The same error, told of the part of this name."""
-        return type(self)(f"{name}: {self.verdict}", self._advise)
-
 
 class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
     """An optional library is needed for what was asked and is not installed, or of an unknown version."""
+
+    KIND = "missing"
 
 
 def quoted(value: object) -> str:
@@ -143,6 +220,40 @@ def how_to_install(package: str) -> str:
     return " ".join(words)
 
 
+RENAMED = {"anyway": "ignore_limits"}
+"""Public names of options that were changed, by the old one."""
+
+
+def refuse_renamed(asked: Iterable[str]) -> None:
+    """Refuse the first name that is an old one of an option.
+
+    Raises
+    ------
+    UnknownOptionError
+        There is one.
+
+    Examples
+    --------
+    >>> refuse_renamed(["anyway"])
+    Traceback (most recent call last):
+    elastica_cad.errors.UnknownOptionError: anyway is now called ignore_limits
+    """
+    for name in asked:
+        if name in RENAMED:
+            raise UnknownOptionError("{name} is now called {near}", name=name, near=RENAMED[name])
+
+
+def refusing_old_names(function: Callable[P, R]) -> Callable[P, R]:
+    """The same function, which refuses names of options that were changed with what they are called now."""
+
+    @wraps(function)
+    def call(*args: P.args, **options: P.kwargs) -> R:
+        refuse_renamed(options)
+        return function(*args, **options)
+
+    return call
+
+
 def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> None:
     """Refuse the first name that is not known as an option of `what`.
 
@@ -151,14 +262,22 @@ def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> Non
     UnknownOptionError
         There is one.
     """
-    from difflib import get_close_matches
-
     names = sorted(known)
     for name in asked:
         if name not in names:
-            near = get_close_matches(name, names, n=1)
+            refuse_renamed([name])
+            near = near_names(name, names)
             hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
-            raise UnknownOptionError(f"{name} is no option of {what}: {hint}")
+            raise UnknownOptionError(
+                "{name} is no option of {what}: {hint}", name=name, what=what, hint=hint, near=near
+            )
+
+
+def near_names(name: str, known: Iterable[str], *, most: int = 1, cutoff: float = 0.6) -> list[str]:
+    """Known names that one may have been meant for, the nearest first."""
+    from difflib import get_close_matches
+
+    return get_close_matches(name, list(known), n=most, cutoff=cutoff)
 
 
 def refuse_options_unlike(asked: Iterable[str], function: Callable[..., object], what: str) -> None:

@@ -1,11 +1,12 @@
 """`elastica check`: can this curve be bent from a flat strip?"""
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 from elastica_cad.cli.asking.asked_curves import (
     AskedCurve,
@@ -16,9 +17,10 @@ from elastica_cad.cli.asking.asked_curves import (
 )
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
-from elastica_cad.cli.running.typed_command import MOST_CURES, cure_later, with_cure
-from elastica_cad.cli.running.voice import answer, say_with_cure, voice, warn
-from elastica_cad.errors import ElasticaError
+from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
+from elastica_cad.cli.running.typed_command import typed_length, typed_line
+from elastica_cad.cli.running.voice import answer, say, voice, warn
+from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.formats.reports.check_report import report_check
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
@@ -26,7 +28,16 @@ from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
+if TYPE_CHECKING:
+    pass
+
 NOT_REALIZABLE, BAD_INPUT = 1, 2
+
+TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
+"""What people have, for a curve whose sheet is not said: wood, plastic, card."""
+
+WIDTHS_MM = (8.0, 120.0)
+"""Of a strip for a curve of which no width is said."""
 
 
 @click.command()
@@ -61,19 +72,16 @@ def check(
     for one in asked:
         found = _judged(one, supports, natural_curvature, smooth, alone=not several)
         good = found["realizable"]
-        cured = sum("cure" in told for told in answers)
-        look: Callable[[], str] = str  # for no cure
-        if not good and not one.drawn.problem and cured < MOST_CURES:
-            asked_for = one.whole.curve, supports, natural_curvature, smooth, one.which
-            look = partial(_cure, *asked_for)
         said = " ".join((found["advice"], *found.get("notes", ())))
         if "problem" in found:
-            cure = look()
-            warn(with_cure(said, cure))
+            warn(said)
         else:
-            head = f"{curve.name}, {one.drawn.called} of {one.count}:\n" if several else ""
-            cure = say_with_cure(f"{head}{said}", look)
-        found |= {"cure": cure} if cure else {}
+            say(f"{curve.name}, {one.drawn.called} of {one.count}:\n{said}" if several else said)
+        if not (good or several or voice().quiet):
+            suggestion = _suggestion(one, supports, natural_curvature, smooth)
+            if suggestion:
+                found |= {"suggestion": suggestion}
+                say(suggestion)
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in found else NOT_REALIZABLE)
         answers.append(found)
     answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
@@ -81,11 +89,36 @@ def check(
         ctx.exit(worst)
 
 
-def _cure(*asked: Any) -> str:
-    """As `cure_for_curve`, which imports all that makes strips."""
-    from elastica_cad.cli.running.strip_cures import cure_for_curve
+def _suggestion(
+    asked: AskedCurve,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    smooth: float | None,
+    problem: ElasticaError | None = None,
+) -> str:
+    """The command `elastica strip` that makes a strip near a curve that none takes, of one of the usual sheets."""
+    if natural_curvature or Path("out").exists():
+        return ""
+    from elastica_cad.fabrication.strip_spec import StripSpec  # imports all that makes strips
 
-    return cure_for_curve(*asked)
+    curve = asked.curve
+    width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
+    changes = [Change("nearest", True)] if problem is None else problem.refusal.changes
+    change = next((one for one in changes if one.field in ("nearest", "smooth")), None)
+    if change is None:
+        return ""
+    added = ("--nearest",) if change.field == "nearest" else ("--smooth", typed_length(change.value))
+
+    def requests(sheet: str) -> Sequence[StripSpec]:
+        spec = StripSpec(curve, sheet, max_width=width, supports=supports, smooth=smooth)
+        changed = spec.with_change(change)
+        return [] if changed is None else [changed]
+
+    def told(sheet: str) -> str:
+        words = ("--sheet", sheet, "--max-width", typed_length(width), *added, "-o", "out")
+        return f"`{typed_line(*words, instead='strip')}`"
+
+    return first_that_holds((told(sheet), partial(requests, sheet)) for sheet in TRIED_SHEETS)
 
 
 def _judged(
@@ -103,7 +136,7 @@ def _judged(
         if not alone:
             return {"realizable": False, "problem": str(problem), "advice": f"{problem}."}
         if not asked.drawn.problem:
-            cure_later(problem, partial(_cure, asked.curve, supports, natural_curvature, smooth, ()))
+            suggest_later(partial(_suggestion, asked, supports, natural_curvature, smooth))
         raise
 
 

@@ -8,12 +8,13 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad._printable import printable
 from elastica_cad.cli.asking.lengths import UNITS, Length
-from elastica_cad.cli.running.typed_command import TYPED, is_cured
+from elastica_cad.cli.asking.options import option_name
+from elastica_cad.cli.running.suggestions import suggestion_below
+from elastica_cad.cli.running.typed_command import TYPED
 from elastica_cad.cli.running.voice import echo, voice, warn
 from elastica_cad.cli.running.watching import remake_on_change
-from elastica_cad.errors import ElasticaError, InputError, NotMetError
+from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError, near_names
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
@@ -46,6 +47,7 @@ FILES = {
 
 TOLD: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable", NOT_REALIZABLE),
+    StrainError: ("Would break", NOT_REALIZABLE),
     NotMetError: ("Not within these limits", NOT_REALIZABLE),
     ElasticaError: ("Error", BAD_INPUT),
 }
@@ -87,35 +89,28 @@ def _imported(name: str) -> click.Command:
 
 
 class _Sentences(click.Group):
-    """Errors of ours end as one sentence and an exit code, and with a command that works."""
+    """Errors of ours end as one sentence and an exit code, and where one was made with a suggestion."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.meta[TYPED] = tuple(args)
-        try:
-            return super().parse_args(ctx, args)
-        except click.NoSuchOption as problem:
-            raise self._with_cure(ctx, problem) from problem
+        return super().parse_args(ctx, args)
+
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
+        near = near_names(args[0], COMMANDS)
+        if near and args[0] not in COMMANDS:
+            ctx.fail(f"No such command {args[0]!r}. Did you mean {near[0]!r}?")
+        return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
         except ElasticaError as problem:
-            if not is_cured(problem):
-                problem.look_for_cure = partial(self._cure, ctx, str(problem))
             ctx.exit(_refuse(problem))
-        except click.UsageError as problem:
-            raise self._with_cure(ctx, problem) from problem
-
-    def _with_cure(self, ctx: click.Context, problem: click.UsageError) -> click.UsageError:
-        said = problem.format_message()
-        if isinstance(problem, click.MissingParameter) and (asked := _what_to_give(problem.param)):
-            said = f"{said.rstrip('.')}: {asked}."
-        return click.UsageError(printable(" ".join(filter(None, (said, self._cure(ctx, said))))), problem.ctx)
-
-    def _cure(self, ctx: click.Context, said: str) -> str:
-        from elastica_cad.cli.cures import cure_by_trial
-
-        return cure_by_trial(self, ctx.meta.get(TYPED, ()), said)
+        except click.MissingParameter as problem:
+            if asked := _what_to_give(problem.param):
+                said = problem.format_message().rstrip(".")
+                raise click.UsageError(f"{said}: {asked}.", problem.ctx) from problem
+            raise
 
 
 def _what_to_give(param: click.Parameter | None) -> str:
@@ -165,6 +160,9 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         click.Option(["--units"], type=click.Choice(list(UNITS)), default="mm", show_default=True, is_eager=True,
                      help="Of lengths in options; one may name its own: 1.5in."),
     ]  # fmt: skip
+    command.params += [
+        _renamed(option_name(old), option_name(new)) for old, new in RENAMED.items() if new in own
+    ]
     if any(isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params):
         text = "Run again whenever a file that was read is saved, until Ctrl-C."
         command.params.append(click.Option(["--watch"], is_flag=True, is_eager=True, help=text))
@@ -238,6 +236,16 @@ def _speaking(*names: str, help: str) -> click.Option:
     )
 
 
+def _renamed(old: str, new: str) -> click.Option:
+    """An option that is called otherwise now, which says so."""
+
+    def refuse(_: click.Context, __: click.Parameter, given: bool) -> None:
+        if given:
+            raise InputError("{old} is now called {new}", old=old, new=new)
+
+    return click.Option([old], is_flag=True, hidden=True, is_eager=True, expose_value=False, callback=refuse)
+
+
 def _told_in_mm() -> list[str]:
     """Of the options that were typed, those that `--units` does not reach, in sentences."""
     context = click.get_current_context()
@@ -277,5 +285,7 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 def _refuse(problem: ElasticaError) -> int:
     """Say what is wrong, then what would work, and give the exit code."""
     begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
-    voice().refuse(begins, problem, code)
+    said, option = f"{begins}: {problem.verdict}", problem.refusal.where.get("option")
+    said += f" ({option})" if option and "--" not in said else ""
+    voice().refuse(said, problem, code, partial(suggestion_below, problem))
     return code

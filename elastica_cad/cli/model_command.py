@@ -1,6 +1,8 @@
 """`elastica model`: from a design file to a folder with everything that is needed to build it."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import count
 from pathlib import Path
 
@@ -8,11 +10,14 @@ import click
 
 from elastica_cad._counts import and_more, counted
 from elastica_cad.cli.asking.options import holding_option, output_options
+from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
+from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.curve_files.drawn_file import CurveList
-from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.formats.design_files.design_file import Design, read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
 from elastica_cad.kit.kit_files import check_kit_folder, kit_report, left_behind, left_out, write_kit
@@ -35,7 +40,7 @@ MOST_SAID = 6
 )
 @holding_option
 @click.option("--nearest", is_flag=True, help="Let every strip leave its curve, as little as it must.")
-@click.option("--anyway", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
+@click.option("--ignore-limits", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
 @click.option(
     "--below",
     type=click.Path(path_type=Path),
@@ -53,7 +58,7 @@ def model(
     effects: bool,
     holding: float | None,
     nearest: bool,
-    anyway: bool,
+    ignore_limits: bool,
     below: tuple[Path, ...],
     force: bool,
 ) -> None:
@@ -66,11 +71,12 @@ def model(
     """
     read = read_design(design, _read_told, read_surface, below=below)
     read = read.nearest() if nearest else read
-    read = read.made_anyway() if anyway else read
+    read = read.with_limits_ignored() if ignore_limits else read
     if holding is not None:
         cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
         read = replace(read, kit=replace(read.kit, cutting=cutting))
     check_kit_folder(read.name, output, force=force)
+    suggest_later(partial(_suggestion, read))
     strips, files = count(1), count(1)
     made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
@@ -78,6 +84,30 @@ def model(
     write_kit(kit, output, step=step, pictures=pictures, parts=parts, force=force,
               done=lambda name, total: say_step(f"wrote {name}", next(files), total))  # fmt: skip
     _tell(kit, output, step=step, pictures=pictures)
+
+
+KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
+"""Lines of a design file that make a change, where they are not FIELD = VALUE."""
+
+
+def _suggestion(design: Design, problem: ElasticaError) -> str:
+    """The line that makes the one strip that was refused after all; it is made alone, not with its neighbours."""
+    asked = [one for one in design.entries if one.called == problem.refusal.where.get("strip")]
+    if len(asked) != 1:
+        return ""
+    (entry,) = asked
+
+    def requests(change: Change) -> Sequence[StripSpec]:
+        changed = entry.spec.with_change(change)
+        return [] if changed is None else [changed]
+
+    def told(change: Change) -> str:
+        line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
+        return f"`{line}` in the table of strip {entry.called}"
+
+    tried = ("nearest", "lap", "max_width", "smooth", "thickness")
+    found = (change for change in problem.refusal.changes if change.field in tried)
+    return first_that_holds((told(change), partial(requests, change)) for change in found)
 
 
 def _read_told(path: Path, *, unit: str | None = None) -> CurveList:

@@ -10,8 +10,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.cli.asking.asked_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.asking.lengths import LENGTH, POINT
 from elastica_cad.cli.asking.options import option_name, output_options
-from elastica_cad.cli.running.strip_cures import cure_for_curve
-from elastica_cad.cli.running.typed_command import MOST_CURES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves
@@ -19,7 +17,6 @@ from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
-from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.corners import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -86,10 +83,8 @@ def reshape(
     answer({"map": matrix, "curves": told})
     wrote([output / name for name in names])
     bad = [i for i, one in enumerate(told) if not one["after"]["realizable"]]
-    for i in bad[:MOST_CURES]:
-        which = ("--curve", str(i + 1)) if len(changed) > 1 else ()
-        cure = cure_for_curve(changed[i], Supports(), 0.0, None, which, file=output / names[0])
-        warn(f"{f'curve {i + 1} of {len(changed)}: ' if len(changed) > 1 else ''}{cure or NO_MAP}")
+    if bad:
+        warn(NO_MAP)
     if bad or len(drawn) < len(chosen):
         ctx.exit(1)
 

@@ -1,6 +1,6 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import islice
@@ -19,21 +19,26 @@ from elastica_cad.cli.asking.asked_curves import (
 from elastica_cad.cli.asking.lengths import LENGTH, Length
 from elastica_cad.cli.asking.options import holding_option, join_options, output_options
 from elastica_cad.cli.asking.strip_options import spec_from_options, strip_options
-from elastica_cad.cli.running.strip_cures import explained
-from elastica_cad.cli.running.typed_command import MOST_CURES, cure_of, with_cure
+from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
+from elastica_cad.cli.running.typed_command import option_words, typed_line
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
+from elastica_cad.errors import Change, ElasticaError, InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.reports.bent_blank import tell_blank
+from elastica_cad.forming.rounding_verdict import undecided_by_rounding
+from elastica_cad.geometry.paths.trim import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 STRAYED_SHARE = 3e-4
 """Of the length: a strip that strays more as it is made is told what other widths would do."""
+
+MOST_PIECES = 8
+"""Of a curve that is cut at its corners to see whether strips take them."""
 
 MOST_ADVICE = 1
 """Sentences after a success; each costs a solve or two."""
@@ -101,50 +106,77 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         every=chosen["every"],
         split=chosen["split_corners"],
     )
-    reports, wrong, refused = [], 0, 0
+    reports, wrong = [], 0
     for asked in curves:
-        whole = asked.whole.curve if asked.drawn.pieces > 1 else None
-        explain = partial(explained, which=asked.which, whole=whole, cured=refused < MOST_CURES)
         try:
             spec = spec_from_options(asked.curve, asked.name, chosen)
-            kit = _made(asked, spec, _files(chosen), explain)
+            if len(curves) == 1:
+                suggest_later(partial(_suggestion, spec, asked, chosen))
+            kit = _made(asked, spec, _files(chosen))
             say_step(f"writing the files of {asked.name}")
             written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
             _tell(kit, written)
             reports.append(kit.report)
-            wrong += chosen["strict"] and any(layer.exceeded for layer in kit.strip.strains)
+            wrong += chosen["strict"] and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
             if len(curves) == 1 and not chosen["every"]:
                 raise
-            wrong, refused = wrong + 1, refused + 1
-            called, said = asked.drawn.called, problem.verdict
-            warn(with_cure(said if called in said else f"{called}: {said}", cure_of(problem)))
+            wrong += 1
+            called, said = asked.drawn.called, str(problem)
+            warn(said if called in said else f"{called}: {said}")
     answer({"strips": reports})
-    if refused > MOST_CURES:
-        warn(
-            f"commands that work were looked for only for the first {MOST_CURES}; --curve N tells that of another"
-        )
     if wrong:
         if len(curves) > 1:
             warn(f"{wrong} of {len(curves)} curves made no strip as asked")
         ctx.exit(1)
 
 
-def _made(
-    asked: AskedCurve,
-    spec: StripSpec,
-    files: StripFiles,
-    explain: Callable[[ElasticaError, StripSpec], ElasticaError],
-) -> StripKit:
-    """The strip of one curve; a refusal is told as `explain` has it."""
+def _made(asked: AskedCurve, spec: StripSpec, files: StripFiles) -> StripKit:
+    """The strip of one curve; where the file's digits decide that there is none, that is said."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     try:
         if not spec.may_change:
             _ = asked.bendable(spec.smooth)
         found = spec.rod_spec.solve()
         return StripKit(spec, found, spec.make(found), asked.name, asked.drawn.joints, files)
-    except (NotRealizable, NotConvergedError, InputError) as problem:
-        raise explain(problem, spec) from problem.__cause__
+    except NotRealizable as problem:
+        doubt = undecided_by_rounding(spec.curve, False, spec.smooth, spec.supports)
+        if not doubt:
+            raise
+        raise InputError(
+            "{doubt} As it stands: {problem}", doubt=doubt, problem=problem, changes=problem.refusal.changes
+        ) from problem
+
+
+def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], problem: ElasticaError) -> str:
+    """The command that makes a strip of this request after all, with the least change."""
+
+    def requests(change: Change) -> Sequence[StripSpec]:
+        if change.field == "split_corners":
+            pieces = split_at_corners(spec.curve)
+            drawn = spec.curve.degree > 1  # straight strips are not what a row of points means
+            apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
+            return [spec.changed(curve=piece) for piece in pieces] if apart else []
+        changed = spec.with_change(change)
+        return [] if changed is None else [changed]
+
+    if _is_taken(asked, chosen):
+        return ""
+    found = ((change, option_words(change)) for change in problem.refusal.changes)
+    return first_that_holds(
+        (f"`{typed_line(*words)}`", partial(requests, change)) for change, words in found if words
+    )
+
+
+def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
+    """Do files stand where this command would write? It is refused then, whatever is changed."""
+    folder: Path = chosen["output"]
+    there = next(one for one in (folder.absolute(), *folder.absolute().parents) if one.exists())
+    if not there.is_dir():
+        return True
+    names = [folder / f"{asked.name}.{kind}" for kind in ("dxf", "svg", "json", "png", "step")]
+    names = [name for name in names if name.exists()]
+    return any(name.samefile(asked.path) for name in names) or bool(names and not chosen["force"])
 
 
 def _tell_compensation(kit: StripKit) -> None:

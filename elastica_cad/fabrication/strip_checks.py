@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from elastica_cad._values import is_number, several
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Change, InputError, rounded_up
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -28,12 +28,14 @@ def check_joint(joint: float | None, curve: PlaneCurve) -> None:
     """Refuse a place to begin that is not on the curve, or on one that is open."""
     if joint is not None and not (is_number(joint) and 0 <= joint <= curve.length):
         raise InputError(
-            f"joint is {joint!r}: give a place along the curve, 0 to {curve.length:.4g} mm, or none"
+            f"joint is {joint!r}: give a place along the curve, 0 to {curve.length:.4g} mm, or none",
+            where={"field": "joint"},
         )
     if joint is not None and not curve.is_closed:
         raise InputError(
             f"joint is {joint:g} mm, but the curve is open and begins at its own end: leave joint out, or "
-            "close the curve"
+            "close the curve",
+            where={"field": "joint"},
         )
 
 
@@ -42,7 +44,8 @@ def check_compensate(compensate: object) -> None:
     if not (compensate is None or isinstance(compensate, bool)):
         raise InputError(
             f"compensate is {compensate!r}: give True for all that widths can make up for, False for "
-            "nothing, or leave it out"
+            "nothing, or leave it out",
+            where={"field": "compensate"},
         )
 
 
@@ -55,11 +58,15 @@ def check_law(
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
             "a law says what the section is and how large: leave out style, slots, max_width and min_width, and "
-            "give tabs a length only, or leave out law"
+            "give tabs a length only, or leave out law",
+            where={"field": "law"},
         )
     other = getattr(law, "sheet", sheet)
     if other != sheet:
-        raise InputError(f"the law is of {other.name}, the strip of {sheet.name}: give both the same sheet")
+        raise InputError(
+            f"the law is of {other.name}, the strip of {sheet.name}: give both the same sheet",
+            where={"field": "law"},
+        )
 
 
 def limits_beside(
@@ -90,7 +97,8 @@ def limits_beside(
         if width is not None and not low <= width <= high:
             raise InputError(
                 f"{name} is {width:g} mm, outside the limit width of {low:g} to {high:g} mm: change one of them, "
-                "or leave the limit out"
+                "or leave the limit out",
+                where={"field": name},
             )
     narrowest, widest = min_width or low, max_width or high
     if narrowest > widest:  # refused where the widths are compared
@@ -110,12 +118,15 @@ def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Shop
     if min_width > max_width:
         raise InputError(
             f"min_width is {min_width:g} mm, more than max_width, {max_width:g} mm: give the larger one "
-            "as max_width"
+            "as max_width",
+            where={"field": "max_width"},
         )
     if least >= max_width:
         raise InputError(
             f"max_width is {max_width:g} mm, but {sheet.name} needs {least:.3g} mm at its "
-            "narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)"
+            "narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)",
+            where={"field": "max_width"},
+            changes=[Change("max_width", float(rounded_up(2 * least, 3)))],
         )
     return max_width / max(min_width, least)
 

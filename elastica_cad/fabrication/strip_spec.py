@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_positive, several
-from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.asked_gravity import AskedGravity, hung_weight, lightened, pull_in_plane
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -108,7 +108,7 @@ class StripSpec(EqualByValue):
         `LeavesLaw` for glued leaves of the sheet, with limits or keep, as a stack only comes near a curve; or
         `WidthLaw`, for a plain strip that bends as a beam where it is narrow and as a plate where it is wide,
         station by station, and so carries its weight. Its limits stand for `max_width` and `min_width`.
-    anyway : bool
+    ignore_limits : bool
         Make a strip that the workshop cannot, and say so in its warnings.
 
     Raises
@@ -148,7 +148,12 @@ class StripSpec(EqualByValue):
     compensate: bool | None = None
     creep: float = 0.0
     law: BoundedLaw | None = None
-    anyway: bool = False
+    ignore_limits: bool = False
+
+    def __new__(cls, *_: Any, **fields: Any) -> "StripSpec":
+        """Refuse old names of fields with what they are called now."""
+        refuse_renamed(fields)
+        return super().__new__(cls)
 
     def __post_init__(self) -> None:
         require_curve(self.curve)
@@ -165,12 +170,15 @@ class StripSpec(EqualByValue):
         if self.law is not None:
             check_law(self.law, self.material, self.style, ends, slots, sized=sized)
         elif isinstance(self.style, Plain) and not (sized or self.loads):
-            raise InputError(NO_WIDTH)
+            raise InputError(NO_WIDTH, where={"field": "max_width"})
         check_joint(self.joint, self.curve)
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")
-        if not isinstance(self.anyway, bool):
-            raise InputError(f"anyway must be True or False, got {self.anyway!r}")
+        if not isinstance(self.ignore_limits, bool):
+            raise InputError(
+                f"ignore_limits must be True or False, got {self.ignore_limits!r}",
+                where={"field": "ignore_limits"},
+            )
         check_compensate(self.compensate)
         if not isinstance(self.shop, Shop):
             raise InputError(f"shop is {self.shop!r}: give a Shop record, such as Shop(least_width=2.0)")
@@ -309,7 +317,9 @@ class StripSpec(EqualByValue):
     def _makeable_limits(self) -> Limits:
         """The limits with what sheet and widths imply: a nearest rod can be cut and bent."""
         limits = Limits() if self.limits is None else self.limits
-        if self.anyway or not isinstance(limits, Limits):  # the rod's request refuses what is no record
+        if self.ignore_limits or not isinstance(
+            limits, Limits
+        ):  # the rod's request refuses what is no record
             return limits
         if self.law is None:
             widths = {"max_width": self.max_width, "min_width": self.min_width}
@@ -338,6 +348,8 @@ class StripSpec(EqualByValue):
         InputError
             As `optimal_rod`, `optimal_laminate`, `nearest_rod` and `Strip`; or the strip cannot be cut or handled,
             with place and cure of each fault.
+        StrainError
+            It would break.
         """
         rod = accepted_rod(self.rod_spec.solve() if found is None else found)
         if self.makes_up_for_curl and rod.section is None:
@@ -356,12 +368,35 @@ class StripSpec(EqualByValue):
             label=self.label,
             creep=self.creep,
         )
-        return make_within(made, self.shop, compensate=bool(self.compensate), anyway=self.anyway)
+        return make_within(
+            made, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits
+        )
 
     def changed(self, **fields: Any) -> "StripSpec":
         """The request with other values of some fields."""
         refuse_unknown(fields, {one.name for one in fields_of(self)}, "a strip")
         return replace(self, **fields)
+
+    def with_change(self, change: Change) -> "StripSpec | None":
+        """The request with a change that a refusal names; None where that says nothing new of a strip.
+
+        Examples
+        --------
+        >>> spec = StripSpec(PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2), "pom-0.5", max_width=9)
+        >>> spec.with_change(Change("max_width", 12.0)).max_width, spec.with_change(Change("unit", "cm"))
+        (12.0, None)
+        """
+        if change.field == "nearest":
+            if self.may_change:
+                return None
+            return self.changed(limits=self.limits or Limits(), keep=self.keep or Keep())
+        if change.field == "thickness":
+            return self.changed(sheet=self.material.with_thickness(change.value))
+        if change.field == "lap":
+            return self.changed(shop=replace(self.shop, lap=change.value))
+        if change.field not in {one.name for one in fields_of(self)}:
+            return None
+        return self.changed(**{change.field: change.value})
 
     @property
     def _bent(self) -> PlaneCurve:

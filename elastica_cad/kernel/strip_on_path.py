@@ -74,7 +74,7 @@ class StripOptions(TypedDict, total=False):
     compensate: bool | None
     creep: float
     law: BoundedLaw | None
-    anyway: bool
+    ignore_limits: bool
 
 
 class _FixtureSizes(TypedDict, total=False):

@@ -34,8 +34,8 @@ def warn_of_missing_slots(model: "Model") -> None:
 
 def warn_of_strain(strip: Strip) -> None:
     """Tell of a strip that is strained beyond what its sheet takes."""
-    if any(layer.exceeded for layer in strip.strains):
-        warn(next(text for text in strip.warnings if text.startswith("strain")))
+    for text in strip.strain_warnings[:1]:
+        warn(text)
 
 
 def end_angles(angles: object) -> tuple[float | None, float | None]:

@@ -90,7 +90,7 @@ def kit_of(
     Raises
     ------
     InputError
-        Parts larger than a sheet; strips, base or frame that cannot be cut and handled, unless `spec.anyway`.
+        Parts larger than a sheet; strips, base or frame that cannot be cut and handled, without `ignore_limits`.
     """
     spec = spec or KitSpec()
     model = _joined(model, spec, entries)
@@ -101,7 +101,7 @@ def kit_of(
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     shared = dict[tuple[str, Sheet | None, Nesting], list[tuple[str, tuple[Piece, ...]]]]()
     for asked in spec.holders:
-        made, sentence = asked.made(model, spec.shop, anyway=spec.anyway)
+        made, sentence = asked.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [one for one in made if not isinstance(one, EndFixture)]
         often = Counter(plate.name for plate in plates)  # feet of equal strips share a name
         once = {plate.name: plate.piece for plate in reversed(plates)}
@@ -176,9 +176,9 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
     told: list[str] = []
     for part in model.parts:
         own = asked.get(part.strip.label)
-        shop, anyway = (spec.shop, False) if own is None else (own.shop, own.anyway)
+        shop, ignore_limits = (spec.shop, False) if own is None else (own.shop, own.ignore_limits)
         found = find_strip_faults(part.strip.labelled(part.name), shop)
-        told += accept_faults(found, anyway or spec.anyway)
+        told += accept_faults(found, ignore_limits or spec.ignore_limits)
     known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(told) if text not in known)
 

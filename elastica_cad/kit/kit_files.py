@@ -10,7 +10,7 @@ from typing import Any
 from elastica_cad._counts import counted
 from elastica_cad._process import rare_collections
 from elastica_cad._values import require_path
-from elastica_cad.errors import InputError, how_to_install
+from elastica_cad.errors import InputError, how_to_install, refusing_old_names
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -121,6 +121,7 @@ def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
     )
 
 
+@refusing_old_names
 def save_model(
     model: Model,
     folder: str | Path,
@@ -135,7 +136,7 @@ def save_model(
     force: bool = False,
     done: Callable[[str, int], None] | None = None,
     shop: Shop = DEFAULT_SHOP,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> SavedKit:
     """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
 
@@ -160,7 +161,7 @@ def save_model(
         Called with the name of each file that has been written, and how many there are in all.
     shop : Shop
         What the workshop can make.
-    anyway : bool
+    ignore_limits : bool
         Write strips that it cannot, and say so in the report.
 
     Returns
@@ -185,7 +186,8 @@ def save_model(
     ...     print(save_model(model, folder, step=False, pictures=False).summary)
     arch: 1 strip on 1 sheet
     """
-    spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding), shop=shop, anyway=anyway)
+    cutting = Cutting(kerf=kerf, holding=holding)
+    spec = KitSpec(Nesting(sheet_size, margin), cutting, shop=shop, ignore_limits=ignore_limits)
     if not isinstance(model, Model):
         raise InputError(
             f"the model is a {type(model).__name__}: give a Model, such as Model([Placed(strip)])"

@@ -94,7 +94,7 @@ REFUSED = {
     "corner": (lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (9, 5, 0))], {}, "corner of 90 degrees"),
     "too tight": (
         lambda: [circle(0.35, 0, 2)],
-        {"max_width": 0.2, "anyway": True},
+        {"max_width": 0.2, "ignore_limits": True},
         r"radius at .* is 0\.35 mm.*gentler curve",
     ),
     "slots that meet": (

@@ -174,9 +174,9 @@ def test_a_leaning_strip_wider_than_its_tab_is_kept_out_of_the_base_plate(measur
 
     with pytest.raises(ValueError, match=r"beside the tab of A:1 the strip would stand 5\.13 mm deep"):
         Model([placed]).base_plate("mdf-3")
-    anyway = Model([placed]).base_plate("mdf-3", anyway=True)
-    assert len(anyway.warnings) == 2
-    assert shared(anyway) > 10
+    forced = Model([placed]).base_plate("mdf-3", ignore_limits=True)
+    assert len(forced.warnings) == 2
+    assert shared(forced) > 10
     lower = Model([placed]).base_plate("mdf-3", frame=Frame((0, 0, -5.4)))
     assert not lower.warnings
     assert shared(lower) < 1e-6

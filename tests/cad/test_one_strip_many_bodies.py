@@ -79,7 +79,7 @@ class TestBuild123d:
 
         base = Sheet.named(SHEET)
         style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
-        rib = BentStrip(CURVE, base, style=style, label="L")
+        rib = BentStrip(CURVE, base, style=style, label="L", ignore_limits=True)
         assert [layer.label for layer in rib.layers] == ["L", "L backing"]
         assert tuple(rib.layers[0].color) != tuple(rib.layers[1].color)
         assert rib.backing.label == "L backing"
@@ -140,7 +140,7 @@ class TestBuild123d:
         from elastica_cad.build123d import FlatStrip
 
         with pytest.warns(StripWarning, match="thinner sheet") as told:
-            FlatStrip(PlaneCurve.arc((0, 0), 20, 0, 2), SHEET, max_width=10)
+            FlatStrip(PlaneCurve.arc((0, 0), 20, 0, 2), SHEET, max_width=10, ignore_limits=True)
         assert told[0].filename == __file__
 
 
@@ -192,7 +192,7 @@ class TestCadQuery:
         from elastica_cad.cadquery import bent_strip
 
         style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
-        rib = bent_strip(CURVE, SHEET, style=style, label="L")
+        rib = bent_strip(CURVE, SHEET, style=style, label="L", ignore_limits=True)
         assert [layer.label for layer in rib.layers] == ["L", "L backing"]
         base, backing = rib.assembly.children
         assert (rib.assembly.name, base.name, backing.name) == ("L", "L_2", "L_backing")

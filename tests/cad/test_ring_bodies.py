@@ -22,7 +22,7 @@ def test_rings_stand_with_the_strips_and_tabs_go_through_them(tmp_path):
         return found.Mass()
 
     meridian = ec.meridian(0.0, (1 / 80, 0), (80, 0), np.pi / 2, 400, ring=35)
-    model = ec.revolve(meridian, 8, sheet=CARD, rings=MDF, name="globe", anyway=True)
+    model = ec.revolve(meridian, 8, sheet=CARD, rings=MDF, name="globe", ignore_limits=True)
     parts = model_shapes(model)
     assert [part.name for part in parts[8:]] == ["ring-start", "ring-end"]
     strip = parts[0].shape.Moved(make_location(parts[0].frame))

@@ -23,7 +23,9 @@ PLY = Sheet.named("birch-plywood-0.8")
 
 @pytest.fixture(scope="module")
 def laminate():
-    return make_strip(ARCH, PLY, style=Laminated(width=24.0, backing=PLY), ends=ENDS, label="L")
+    return make_strip(
+        ARCH, PLY, style=Laminated(width=24.0, backing=PLY), ends=ENDS, label="L", ignore_limits=True
+    )
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +84,12 @@ class TestBuild123d:
     def test_laminate(self, laminate):
         from elastica_cad.build123d import BentStrip, FlatStrip, model_compound
 
-        options = {"style": Laminated(width=24.0, backing=PLY), "ends": ENDS, "label": "L"}
+        options = {
+            "style": Laminated(width=24.0, backing=PLY),
+            "ends": ENDS,
+            "label": "L",
+            "ignore_limits": True,
+        }
         for made in (BentStrip(ARCH, PLY, **options), FlatStrip(ARCH, PLY, **options)):
             assert len(made.solids()) == 2
             assert made.is_valid
@@ -117,7 +124,9 @@ class TestCadQuery:
     def test_laminate(self, laminate):
         from elastica_cad.cadquery import StripCompound, bent_strip, model_assembly
 
-        made = bent_strip(ARCH, PLY, style=Laminated(width=24.0, backing=PLY), ends=ENDS, label="L")
+        made = bent_strip(
+            ARCH, PLY, style=Laminated(width=24.0, backing=PLY), ends=ENDS, label="L", ignore_limits=True
+        )
         assert isinstance(made, StripCompound)
         assert len(made.Solids()) == 2
         assert made.end_face("end").geomType() == "PLANE"

@@ -14,7 +14,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 PLY = Sheet.named("birch-plywood-0.8")
 OPTIONS = {"max_width": 20, "ends": (Tab(12, holes=(Hole(6, 3.2),)), Tab(12)), "label": "A"}
-LAMINATE = {"style": Laminated(width=24.0, backing=PLY), "label": "L"}
+LAMINATE = {"style": Laminated(width=24.0, backing=PLY), "label": "L", "ignore_limits": True}
 
 
 @pytest.fixture(scope="module")

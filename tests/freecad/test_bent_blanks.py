@@ -88,7 +88,7 @@ def test_a_model_names_the_strips_that_are_bent_alike(document, bent):
 
 
 def test_both_layers_of_a_laminate_are_told(document, bent):
-    bent.Style, bent.Backing = "Laminated", bent.Sheet
+    bent.Style, bent.Backing, bent.Anyway = "Laminated", bent.Sheet, True  # it is bent beyond its limit
     document.recompute()
     (told,) = told_blanks_of(cuts_of([bent]))
     assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: bend it beforehand", told)

@@ -181,7 +181,7 @@ def test_a_sentence_is_known_by_its_key(monkeypatch):
     thin = (
         "A1: only 2.53 mm wide at 9.88 mm along it, 3 mm are needed in birch-plywood-0.8; only 2.54 mm wide "
         "at 158 mm along it, 3 mm are needed in birch-plywood-0.8; make it wider (max_width), or ask for the "
-        "nearest curve with a smaller ratio. To make it all the same, set anyway (--anyway)."
+        "nearest curve with a smaller ratio. To make it all the same, set ignore_limits (--ignore-limits)."
     )
     assert not re.search(r"\b(only|are|needed|make|along)\b", user_units.worded(thin)), user_units.worded(
         thin
@@ -352,7 +352,9 @@ def test_what_is_typed_elsewhere_has_the_name_of_its_property():
         "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
     )
     assert told.endswith("jumps: Smooth = 0.1 mm makes it a fair curve of degree 4 within 0.1 mm.")
-    told = sentences.translated("make it wider (max_width). To make it all the same, set anyway (--anyway).")
+    told = sentences.translated(
+        "make it wider (max_width). To make it all the same, set ignore_limits (--ignore-limits)."
+    )
     assert told == "make it wider (MaxWidth). To make it all the same, set Anyway."
     assert sentences.capital("too narrow") == "Too narrow"
     assert sentences.capital("rib: too narrow") == "rib: too narrow"

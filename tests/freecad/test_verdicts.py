@@ -16,7 +16,7 @@ from freecad.elastica_wb.solving.growing_cache import LEAST, growing_cache
 from freecad.elastica_wb.solving.strain_use import sharpest_bend
 from freecad.elastica_wb.solving.strip_cache import find_nearest_now, solve_strip
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.rod_spec import RodSpec
@@ -45,9 +45,12 @@ def test_strain_beyond_the_sheet_breaks_at_once():
     percent = float(quick.words.split(": ")[1].removesuffix(" %"))
     assert percent > 100
     assert "would break" in quick.sentence
-    slow = strip_answer(solve_strip(spec))
-    assert slow.verdict is Verdict.BREAKS
-    assert float(slow.words.split(": ")[1].removesuffix(" %")) == pytest.approx(percent, abs=3)
+    with pytest.raises(StrainError) as refused:
+        solve_strip(spec)
+    for slow in (refusal_answer(refused.value), strip_answer(solve_strip(replace(spec, ignore_limits=True)))):
+        assert slow.verdict is Verdict.BREAKS
+        assert "would break" in slow.words
+        assert float(slow.words.split(": ")[1].removesuffix(" %")) == pytest.approx(percent, abs=3)
 
 
 def at_its_limit(spec, share):
@@ -191,6 +194,10 @@ def test_strain_use_is_not_capped(document, drawn):
     feature = strip.create(document, drawn([(0.5 * x, 0.5 * y) for x, y in ARCH]))
     feature.MaxWidth = 15
     document.recompute()
+    assert feature.StrainUse > 150
+    assert feature.Verdict.startswith("A flat strip would break")
+    feature.Anyway = True
+    document.recompute()
     assert feature.State == ["Up-to-date"], feature.getStatusString()
-    assert feature.StrainUse > 100
+    assert feature.StrainUse > 150
     assert feature.Verdict.startswith("A flat strip would break")

@@ -101,7 +101,9 @@ ARCH = PlaneCurve.ellipse((0, 0), (120, 75), 0, 0.25, np.pi - 0.25)
 @pytest.mark.parametrize("rest", [0.0, 0.006, 0.008, -0.004])
 def test_widths_make_up_for_the_curl_of_blanks_bent_beforehand(rest, asked):
     made, beam = (
-        make_strip(ARCH, POM, max_width=40.0, natural_curvature=rest, compensate=how, anyway=True, **asked)
+        make_strip(
+            ARCH, POM, max_width=40.0, natural_curvature=rest, compensate=how, ignore_limits=True, **asked
+        )
         for how in (None, False)
     )
     assert strays(made, rest) < 2e-5 * made.rod.length
@@ -112,7 +114,7 @@ def test_widths_make_up_for_the_curl_of_blanks_bent_beforehand(rest, asked):
 
 def test_a_blank_that_is_nearly_unbent_keeps_its_curve():
     """The formula leaves the range of flat blanks here: kept within it the strip strayed by 3e-4 of its length."""
-    made = make_strip(ARCH, POM, max_width=40.0, natural_curvature=0.02, anyway=True)
+    made = make_strip(ARCH, POM, max_width=40.0, natural_curvature=0.02, ignore_limits=True)
     assert strays(made, 0.02) < 2e-6 * made.rod.length
 
 

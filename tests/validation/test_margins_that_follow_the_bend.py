@@ -92,7 +92,7 @@ def test_a_strip_of_a_blank_that_is_nearly_unbent_stays(gravity, drawn):
     curve = PlaneCurve.spline([(0, 0), (50, 110 + drawn), (100, 10), (150, -90), (200, 20)], degree=4)
     made = make_strip(
         curve, ACRYLIC, max_width=40.0, limits=Limits(margin=5.0), natural_curvature=0.03, gravity=gravity,
-        anyway=True,
+        ignore_limits=True,
     )  # fmt: skip
     assert stability(made.rod).margin > 5.0 * (1 - 1e-3)
     assert made.width.extremes[1] == pytest.approx(40.0, rel=0.05)

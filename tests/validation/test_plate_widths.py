@@ -35,18 +35,18 @@ CURVES = {
     "S": curve([(0, 0), (50, 60), (100, 10), (150, -40), (200, 20)]),
     "hook": curve([(0, 0), (80, 0), (120, 40), (90, 90), (50, 70)], 3),
 }
-WIDE = {"max_width": 45.0, "anyway": True}
+WIDE = {"max_width": 45.0, "ignore_limits": True}
 ASKED = {
     "light": WIDE,
-    "narrowest": {"min_width": 12.0, "anyway": True},
+    "narrowest": {"min_width": 12.0, "ignore_limits": True},
     "heavy": WIDE | {"gravity": True},
-    "heavy, narrowest": {"min_width": 12.0, "gravity": True, "anyway": True},
+    "heavy, narrowest": {"min_width": 12.0, "gravity": True, "ignore_limits": True},
     "askew": WIDE | {"gravity": (0.6, -0.8)},
     "gravity of its own": WIDE | {"gravity": Gravity(150.0)},
     "bent before": WIDE | {"natural_curvature": 0.004},
     "near": WIDE | {"limits": Limits(ratio=3.0)},
     "near, heavy": WIDE | {"limits": Limits(ratio=3.0), "gravity": True},
-    "near, heavy, narrowest": {"min_width": 12.0, "limits": Limits(), "gravity": True, "anyway": True},
+    "near, heavy, narrowest": {"min_width": 12.0, "limits": Limits(), "gravity": True, "ignore_limits": True},
 }
 
 
@@ -87,7 +87,7 @@ def test_widths_are_as_stiff_as_the_design_station_by_station():
     [
         (Sheet.named("card-200gsm"), WIDE),  # nobody vouches for its nu
         (replace(CARD, poisson_ratio=0.0), WIDE),  # E measured on a wide coupon
-        (CARD, {"gravity": True, "loads": (PointMass(100.0, 0.5),), "anyway": True}),
+        (CARD, {"gravity": True, "loads": (PointMass(100.0, 0.5),), "ignore_limits": True}),
     ],
     ids=["nominal", "coupon", "loads"],
 )
@@ -119,7 +119,13 @@ def test_a_taper_near_a_curve_weighs_what_it_is_made_of(name, ratio):
     sheet = Sheet("rubbery", 2.0, 900.0, density=1150.0, max_strain=0.05)
     law = ThicknessLaw(sheet, 0.8, 2.0, width=20.0)
     made = make_strip(
-        CURVES[name], sheet, law=law, gravity=True, limits=Limits(ratio=ratio), keep=Keep(), anyway=True
+        CURVES[name],
+        sheet,
+        law=law,
+        gravity=True,
+        limits=Limits(ratio=ratio),
+        keep=Keep(),
+        ignore_limits=True,
     )
     assert made.held_deviation < 1e-5 * LENGTH
     assert made.tapered["thickness"].extremes[1] <= 2.0 * (1 + 1e-4)

@@ -62,7 +62,7 @@ def test_a_wide_strip_strays_as_its_bend_stiffens_it(case, wide_strips):
     name, curve, length, width, heavy = WIDE[case]
     sheet = Sheet.named(name)
     made = make_strip(
-        drawn(curve, length), sheet, max_width=width, gravity=heavy, compensate=False, anyway=True
+        drawn(curve, length), sheet, max_width=width, gravity=heavy, compensate=False, ignore_limits=True
     )
     own = wide_strips.OwnStrip.cut(made.width, sheet, heavy=heavy).bent(made.rod)
     assert made.held_deviation == pytest.approx(strays(own.position, made.rod.position), rel=AGREES)
@@ -74,7 +74,7 @@ def test_a_wide_strip_strays_as_its_bend_stiffens_it(case, wide_strips):
 def test_a_laminate_strays_as_its_borders_give_way(curve, sheet, width, wide_strips):
     style = Laminated(width=width, backing=sheet, dots=0.0)
     made = make_strip(
-        drawn(curve, LENGTH), sheet, style=style, max_width=0.85 * width, compensate=False, anyway=True
+        drawn(curve, LENGTH), sheet, style=style, max_width=0.85 * width, compensate=False, ignore_limits=True
     )
     section, backing = LaminatedSection(sheet, sheet), made.layout.backing.width
     low, high = backing.extremes
@@ -93,7 +93,13 @@ def test_a_laminate_strays_as_its_borders_give_way(curve, sheet, width, wide_str
 def test_a_strip_whose_widths_count_on_its_curl_sags_as_that_follows(curve, phi, wide_strips):
     """In the long run, under its weight: of a modulus 1 + phi times smaller, its shape across as it comes."""
     made = make_strip(
-        drawn(curve, LENGTH), CARD, max_width=45.0, gravity=True, creep=phi, compensate=None, anyway=True
+        drawn(curve, LENGTH),
+        CARD,
+        max_width=45.0,
+        gravity=True,
+        creep=phi,
+        compensate=None,
+        ignore_limits=True,
     )
     own = wide_strips.OwnStrip.cut(made.width, CARD, heavy=True, softer=1 + phi).bent(made.rod)
     found = made.crept
@@ -105,7 +111,7 @@ def test_a_strip_whose_widths_count_on_its_curl_sags_as_that_follows(curve, phi,
 def test_a_strip_curls_less_under_a_plate_which_is_twice_as_thick(nu, width, wide_strips):
     """Shot from its start, over each end of what carries of the plate."""
     ply = Sheet("ply", 0.8, 9000.0, 680.0, max_strain=0.02, poisson_ratio=nu)
-    bare = make_strip(drawn("arch", LENGTH), ply, max_width=width, compensate=False, anyway=True)
+    bare = make_strip(drawn("arch", LENGTH), ply, max_width=width, compensate=False, ignore_limits=True)
     joined = replace(bare, plates=LapPlates((110.0,), 60.0))
     h, EI, rod = ply.thickness, ply.youngs_modulus * ply.thickness**3 / 12, bare.rod
     near, far = PLATE_CUT * h / 2, 30.0 - PLATE_END * h

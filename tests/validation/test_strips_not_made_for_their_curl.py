@@ -54,7 +54,7 @@ def own_of(made, wide_strips):
 def made_of(curve, sheet, width, *, laminate):
     asked = {"style": Laminated(width=width, backing=sheet, dots=0.0)} if laminate else {}
     widest = 0.85 * width if laminate else width
-    return make_strip(drawn(curve), sheet, max_width=widest, compensate=False, anyway=True, **asked)
+    return make_strip(drawn(curve), sheet, max_width=widest, compensate=False, ignore_limits=True, **asked)
 
 
 @pytest.mark.campaign
@@ -100,7 +100,7 @@ def test_a_laminate_whose_backing_makes_up_for_its_borders_rests_in_its_design()
     """Others are 1.2 mm off it."""
     made = make_strip(
         drawn("arch"), PLY, style=Laminated(width=24.0, backing=PLY, dots=0.0), max_width=20.0, compensate=True,
-        anyway=True,
+        ignore_limits=True,
     )  # fmt: skip
     rest = bend(made.rod_to_bend)
     assert rest.position == pytest.approx(made.rod.position, abs=1e-3)
@@ -108,5 +108,5 @@ def test_a_laminate_whose_backing_makes_up_for_its_borders_rests_in_its_design()
 
 def test_a_ratio_that_is_only_estimated_changes_no_force():
     sheet = replace(PLY, poisson_ratio=NominalRatio(0.3))
-    made = make_strip(drawn("arch"), sheet, max_width=40.0, anyway=True)
+    made = make_strip(drawn("arch"), sheet, max_width=40.0, ignore_limits=True)
     assert made.rod_to_bend is made.rod

@@ -50,7 +50,7 @@ def ply(thickness, nu):
 def made_of(curve, length, thickness, width, nu, **more):
     drawn = PlaneCurve.spline(DRAWN[curve], degree=4)
     drawn = drawn.transformed(np.diag([1.0, 1.0, drawn.length / length]))
-    return make_strip(drawn, ply(thickness, nu), max_width=width, anyway=True, **more)
+    return make_strip(drawn, ply(thickness, nu), max_width=width, ignore_limits=True, **more)
 
 
 def on_the_way(rod, share):
@@ -118,7 +118,7 @@ def test_the_load_that_makes_it_snap(wide_strips):
     """An arch of acrylic under its own weight, 30 times as heavy."""
     drawn = PlaneCurve.spline(DRAWN["arch"], degree=4)
     drawn = drawn.transformed(np.diag([1.0, 1.0, drawn.length / 900.0]))
-    made = make_strip(drawn, "acrylic-2", max_width=75.0, gravity=True, anyway=True)
+    made = make_strip(drawn, "acrylic-2", max_width=75.0, gravity=True, ignore_limits=True)
     found = stability_limit(made.rod, [60.0])
     assert found.kind == "snap"
     own = wide_strips.OwnStrip.cut(made.width, made.sheet, heavy=True)
@@ -195,7 +195,7 @@ def test_it_weighs_as_its_width(wide_strips):
     drawn = PlaneCurve.spline(DRAWN["S"], degree=4)
     drawn = drawn.transformed(np.diag([1.0, 1.0, drawn.length / 900.0]))
     sheet = replace(Sheet.named("acrylic-2"), density=4000.0, density_range=None)
-    made = make_strip(drawn, sheet, max_width=75.0, anyway=True)
+    made = make_strip(drawn, sheet, max_width=75.0, ignore_limits=True)
     sagging = bend(made.rod, gravity=sheet.gravity())
     own = wide_strips.OwnStrip.cut(made.width, sheet, heavy=True).bent(sagging)
     sag = np.hypot(*(own.position - made.rod.position).T).max()

@@ -156,11 +156,11 @@ class AskedCurve:
         try:
             yield
         except InputError as problem:
+            if str(self.path) in str(problem):
+                raise
             which = f", {self.drawn.called} of {self.count}" if self.count > 1 else ""
-            message = str(problem)
-            raise InputError(
-                message if str(self.path) in message else f"{self.path}{which}: {message}"
-            ) from problem
+            problem.at(file=f"{self.path}{which}")
+            raise
 
 
 def asked_curves(

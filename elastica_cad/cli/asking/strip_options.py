@@ -1,6 +1,5 @@
 """Options that ask for one strip, and the request that they make together."""
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, cast
@@ -17,6 +16,7 @@ from elastica_cad.cli.asking.options import (
     smooth_option,
 )
 from elastica_cad.cli.asking.support_options import support_options
+from elastica_cad.cli.running.typed_command import option_of
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.asked_gravity import AskedGravity
 from elastica_cad.fabrication.drawings.lettering import engravable
@@ -49,17 +49,8 @@ LAMINATED = ("least_backing", "dots")
 """Sizes of the styles: fields of their records, and options of the same name."""
 
 SAME_NAME = ("max_width", "min_width", "natural_curvature", "samples", "joint", "slots", "smooth", "compensate",
-             "creep", "anyway")  # fmt: skip
+             "creep", "ignore_limits")  # fmt: skip
 """Fields of `StripSpec` that options of the same name give."""
-
-OPTION_OF = {
-    "max_width": "--max-width", "min_width": "--min-width", "samples": "--samples", "loads": "--hang",
-    "natural curvature": "--natural-curvature", "natural_curvature": "--natural-curvature",
-    "limits": "--nearest and the limits", "gravity": "--gravity", "width of the outline": "--outer-width",
-    "width of the base": "--outer-width", "smooth": "--smooth", "anyway": "--anyway",
-    "least_width": "--least-width", "law": "--law", "joint": "--joint", "limit width": "--width-range",
-}  # fmt: skip
-"""Options for what the sentences of `StripSpec` name by its fields."""
 
 
 class _Keys(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
@@ -177,7 +168,7 @@ _PATTERN = (
     click.option("--stock", type=POINT, metavar="MM MM", help="Sides of the largest sheet [default: 3050 1525]."),
     click.option("--lap", type=LENGTH, metavar="MM",
                  help="Cut a strip longer than the stock in pieces, joined by plates of this length."),
-    click.option("--anyway", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
+    click.option("--ignore-limits", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
 )  # fmt: skip
 
 
@@ -222,13 +213,8 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
             **{name: chosen[name] for name in SAME_NAME},
         )
     except InputError as problem:
-        raise InputError(f"{problem}{_options_named(str(problem))}") from problem
-
-
-def _options_named(sentence: str) -> str:
-    """The options that set what a sentence names by its fields."""
-    found = [option for name, option in OPTION_OF.items() if re.search(rf"\b{name}\b", sentence)]
-    return f" ({', '.join(dict.fromkeys(found))})" if found and "--" not in sentence else ""
+        problem.at(option=option_of(str(problem.refusal.where.get("field", ""))))
+        raise
 
 
 def _shop(chosen: Mapping[str, Any]) -> Shop:

@@ -1,29 +1,19 @@
-"""The command as the user typed it, and the cure that is looked for once it is refused."""
+"""The command as the user typed it, and the words that change it: each option knows the field that it sets."""
 
 import shlex
-import time
-from collections.abc import Callable, Iterable, Iterator
-from contextvars import ContextVar
-from typing import TypeVar
+from collections.abc import Sequence
 
 import click
 
 from elastica_cad.cli.running.program import name_program
-from elastica_cad.errors import ElasticaError, NotMetError
-
-T = TypeVar("T")
-
-TRYING: ContextVar[bool] = ContextVar("elastica.trying", default=False)
-"""Does a command run to see whether it works? It then looks for no cure of its own."""
+from elastica_cad.errors import Change
 
 TYPED = "elastica.typed"
 """Key of the words that the user typed, in click's `meta`."""
 
-LONGEST_SEARCH_S = 10.0
-"""For a command that would work: the user did not ask for this search, so nothing more is tried after so long."""
-
-MOST_CURES = 12
-"""Curves of a file for which a command is sought; each costs a few solves."""
+OTHER_FIELDS = {"limits": "nearest", "keep": "keep_ends", "loads": "hung", "ends": "tab", "width": "outer_width",
+                "limit width": "width_range"}  # fmt: skip
+"""Parameters of options that set a field of another name."""
 
 
 def command_line(*words: str) -> str:
@@ -31,57 +21,35 @@ def command_line(*words: str) -> str:
     return f"{name_program()} {shlex.join(words)}"
 
 
+def typed_line(*added: str, instead: str | None = None) -> str:
+    """The running command as it was typed with options behind it, which outweigh those of the same name before.
+
+    `instead` names another command that takes the same options, but for those that print.
+    """
+    context = click.get_current_context()
+    words: Sequence[str] = context.meta.get(TYPED, ())
+    if instead is not None:
+        words = [instead if word == context.info_name else word for word in words if word != "--json"]
+    return command_line(*words, *added)
+
+
 def typed_length(mm: float) -> str:
     """A length, mm, as it is typed behind the words of the running command: with its unit where it has others."""
     context = click.get_current_context(silent=True)
-    return length_among(f"{mm:g}", "mm" if context is None else context.params.get("units", "mm"))
+    units = "mm" if context is None else context.params.get("units", "mm")
+    return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
 
 
-def length_among(mm: str, units: str) -> str:
-    """A length, mm, as it is typed among others in `units`: with its own where these are not mm."""
-    return mm if units == "mm" else f"{mm}mm"
+def option_of(field: str) -> str:
+    """The option of the running command that sets a field of the request; empty where it has none."""
+    options = {option.name: option.opts[0] for option in click.get_current_context().command.params}
+    name = options.get(OTHER_FIELDS.get(field, field), "")
+    return name if name.startswith("--") else ""
 
 
-def cure_later(problem: ElasticaError, look: Callable[[], str]) -> None:
-    """Have a cure looked for once the problem is told, as the running command would."""
-    context = click.get_current_context()
-
-    def look_here() -> str:
-        with context.scope(cleanup=False):
-            return look()
-
-    problem.look_for_cure = look_here
-
-
-def while_short(tries: Iterable[T]) -> Iterator[T]:
-    """The things to try, as long as the search has not become long.
-
-    Examples
-    --------
-    >>> list(while_short("ab"))
-    ['a', 'b']
-    """
-    end = time.monotonic() + LONGEST_SEARCH_S
-    for one in tries:
-        if time.monotonic() > end:
-            return
-        yield one
-
-
-def is_cured(problem: ElasticaError) -> bool:
-    """Is its cure known, or known where to look for?"""
-    known = problem.look_for_cure is not None or hasattr(problem, "__notes__")
-    return known or isinstance(problem, NotMetError)
-
-
-def cure_of(problem: ElasticaError) -> str:
-    """What would work instead, looked for now unless it came with the problem."""
-    look = problem.look_for_cure
-    advice = () if TRYING.get() else problem.advice
-    cures = getattr(problem, "__notes__", ()) if look is None else (look(),)
-    return " ".join(filter(None, (*advice, *cures)))
-
-
-def with_cure(said: str, cure: str) -> str:
-    """Both as one text."""
-    return f"{said}{'' if said.endswith(('.', '?', '!', '.)')) else '.'} {cure}" if cure else said
+def option_words(change: Change) -> tuple[str, ...]:
+    """The words that make a change; none where the running command has no option for it."""
+    option = option_of(change.field)
+    if not option:
+        return ()
+    return (option,) if change.value is True else (option, typed_length(change.value))

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
-from functools import partial
 from pathlib import PurePath
 from typing import Any
 
@@ -15,7 +14,6 @@ import click
 import numpy as np
 
 from elastica_cad._printable import printable
-from elastica_cad.cli.running.typed_command import cure_of, with_cure
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.reports.check_report import round_numbers
 
@@ -64,14 +62,22 @@ class Voice:
             told = {"notes": self.notes, "files": self.files}
             _print_json({"schema": self.schema, **self.record, **told})
 
-    def refuse(self, begins: str, problem: ElasticaError, code: int) -> None:
-        """Say why there is no answer, and what would work."""
-        said = f"{begins}: {problem.verdict}"
-        told = with_cure(said, _tell_with_cure(said, partial(cure_of, problem), err=True))
+    def refuse(self, said: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
+        """Say why there is no answer, then what a search comes to that would help, until Ctrl-C."""
+        _clear_step()
+        advice = suggestion = ""
+        with suppress(KeyboardInterrupt):
+            click.echo(said, nl=False, err=True)
+            advice = " ".join(problem.advice)
+        with suppress(KeyboardInterrupt):
+            click.echo(f" {advice}" if advice else "", err=True)
+            suggestion = "" if self.quiet else suggest()
+        if suggestion:
+            click.echo(suggestion, err=True)
         if self.as_json:
-            _print_json(
-                {"schema": "elastica-error/1", "command": self.command, "error": told, "exit_code": code}
-            )
+            record = {"command": self.command, "error": f"{said} {advice}".rstrip(), "exit_code": code}
+            found = {"suggestion": suggestion} if suggestion else {}
+            _print_json({"schema": "elastica-error/1", **record, "kind": problem.refusal.kind, **found})
 
 
 def voice() -> Voice:
@@ -99,22 +105,6 @@ def warn(text: str) -> None:
     if not voice().quiet:
         _clear_step()
         echo(text, err=True)
-
-
-def say_with_cure(text: str, look: Callable[[], str]) -> str:
-    """A verdict, for people, and in the same line the cure that a search comes to, which is given back."""
-    return look() if voice().as_json or voice().quiet else _tell_with_cure(text, look, err=False)
-
-
-def _tell_with_cure(said: str, look: Callable[[], str], *, err: bool) -> str:
-    """Say it at once, and behind it what the search comes to, until Ctrl-C."""
-    _clear_step()
-    cure = ""
-    with suppress(KeyboardInterrupt):
-        echo(said, nl=False, err=err)
-        cure = look()
-    echo(with_cure(said, cure)[len(said) :], err=err)
-    return cure
 
 
 def wrote(paths: Iterable[PurePath]) -> None:

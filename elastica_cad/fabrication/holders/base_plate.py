@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_ends, tabs_to_hold
@@ -163,6 +163,7 @@ class BasePlate:
         return Text((float(start[0]), float(start[1])), slot.name, height, angle, ENGRAVE)
 
 
+@refusing_old_names
 def base_plate(
     placed: Sequence[Placed],
     sheet: Sheet | str,
@@ -176,7 +177,7 @@ def base_plate(
     ends: Sequence[StripEnd] = ENDS,
     name: str = "base",
     shop: Shop | None = None,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> BasePlate:
     """One plate with a slot for every tab that stands on it.
 
@@ -206,7 +207,7 @@ def base_plate(
     name : str
     shop : Shop, optional
         What the workshop can make: bridges between slots, the largest sheet.
-    anyway : bool
+    ignore_limits : bool
         Make a plate that the workshop cannot, and say so in its warnings.
 
     Raises
@@ -244,8 +245,9 @@ def base_plate(
         for tab, wide in standing
         if wide > tab.width + 2 * play
     ]
-    told = accept_faults(find_shoulder_faults(name, deep), anyway)
-    plate = plate_with(slots, sheet, ground, border=border, shape=shape, name=name, shop=shop, anyway=anyway)
+    told = accept_faults(find_shoulder_faults(name, deep), ignore_limits)
+    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
+    plate = plate_with(slots, sheet, ground, border=border, shape=shape, name=name, **gate)
     return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
 
 
@@ -271,9 +273,9 @@ def plate_with(
     shape: Shape = "hull",
     name: str = "base",
     shop: Shop | None = None,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> BasePlate:
-    """The plate around slots; refused where two of them meet, and without `anyway` where it cannot be made."""
+    """The plate around slots; refused where two meet, and without `ignore_limits` where it cannot be made."""
     points, opening = np.concatenate([slot.corners for slot in slots]), None
     outline = _outline(points, border, "hull" if shape == "ring" else shape)
     if shape == "ring":
@@ -282,7 +284,7 @@ def plate_with(
         if inner > LEAST_OPENING_SHARE * outer:
             outline, opening = Path.circle(center, outer), Path.circle(center, inner)
     others = () if opening is None else (opening,)
-    told = check_slots(name, sheet, outline, slots, others, shop=shop, anyway=anyway)
+    told = check_slots(name, sheet, outline, slots, others, shop=shop, ignore_limits=ignore_limits)
     return BasePlate(sheet, frame, outline, tuple(slots), name, told, opening)
 
 
@@ -294,7 +296,7 @@ def check_slots(
     others: Sequence[Path] = (),
     *,
     shop: Shop | None,
-    anyway: bool,
+    ignore_limits: bool,
 ) -> tuple[str, ...]:
     """What is said of a plate with slots, and other cuts, that was made all the same; see `accept_faults`."""
     _refuse_meetings(slots, name)
@@ -304,7 +306,7 @@ def check_slots(
         *find_slot_faults(name, [(slot.name, slot.size[1], slot.through) for slot in slots]),
         *find_plate_faults(name, sheet, outline, loops, shop, called),
     )
-    return accept_faults(faults, anyway)
+    return accept_faults(faults, ignore_limits)
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:

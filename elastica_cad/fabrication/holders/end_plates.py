@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.holders.base_plate import (
     FLATTEST_RAD,
     BasePlate,
@@ -28,6 +28,7 @@ LEVEL_GAIN_MM = 0.5
 """Tabs that begin this much more level are worth a plate that is not square to their mean direction."""
 
 
+@refusing_old_names
 def end_plates(
     placed: Sequence[Placed],
     sheet: Sheet | str,
@@ -41,7 +42,7 @@ def end_plates(
     name: str = "ring",
     gap: float | None = None,
     shop: Shop | None = None,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> tuple[BasePlate, ...]:
     """A plate for the tabs of each end of any strips, in the plane that suits these tabs.
 
@@ -66,14 +67,14 @@ def end_plates(
         NAME-start-outer and so on.
     shop : Shop, optional
         What the workshop can make.
-    anyway : bool
+    ignore_limits : bool
         Make plates that the workshop cannot, and say so in their warnings.
 
     Raises
     ------
     InputError
         Tabs that point in too many directions, end before the plate or lie too flat, slots that meet; parts are
-        named. Plates that cannot be cut, without `anyway`.
+        named. Plates that cannot be cut, without `ignore_limits`.
 
     Examples
     --------
@@ -90,7 +91,7 @@ def end_plates(
     groups = [tuple(ends)] if together or len(ends) == 1 else [(end,) for end in ends]
     names = [name] if len(groups) == 1 else [f"{name}-{end}" for (end,) in groups]
     sizes: dict[str, Any] = {"border": border, "play": play, "clearance": clearance, "shape": shape}
-    sizes |= {"shop": shop, "anyway": anyway}
+    sizes |= {"shop": shop, "ignore_limits": ignore_limits}
     found: list[BasePlate] = []
     for group, called in zip(groups, names, strict=True):
         plate = _plate(tabs_to_hold(placed, group), sheet, called, **sizes)

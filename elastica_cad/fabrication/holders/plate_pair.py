@@ -76,7 +76,7 @@ def plate_pair(
     upper = base_plate(placed, sheet, frame=frame, **options)
 
     def lower(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
-        kept = {key: options[key] for key in ("shape", "shop", "anyway") if key in options}
+        kept = {key: options[key] for key in ("shape", "shop", "ignore_limits") if key in options}
         border = options.get("border", 12.0)
         return plate_with(slots, sheet, ground, border=border, name=f"{upper.name}-lower", **kept)
 
@@ -124,7 +124,7 @@ def ring_pair(
         return (first,)
 
     def outer(slots: Sequence[TabSlot], ground: Frame) -> Ring:
-        kept = {key: options[key] for key in ("border", "shop", "anyway") if key in options}
+        kept = {key: options[key] for key in ("border", "shop", "ignore_limits") if key in options}
         return ring_around(slots, sheet, ground, name=f"{name}-outer", **kept)
 
     room = {key: options[key] for key in ("play", "clearance") if key in options}

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import several
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.base_plate import (
@@ -101,8 +101,8 @@ class Ring:
     def _inner(self) -> tuple[Path, ...]:
         return (*(slot.path for slot in self.slots), *self._others)
 
-    def checked(self, shop: Shop | None = None, *, anyway: bool = False) -> "Ring":
-        """The ring with what is to be said of it; one that cannot be cut is refused without `anyway`.
+    def checked(self, shop: Shop | None = None, *, ignore_limits: bool = False) -> "Ring":
+        """The ring with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
         ------
@@ -110,7 +110,13 @@ class Ring:
             Slots that meet or are far wider than their tabs, thin bridges, a ring larger than the stock.
         """
         told = check_slots(
-            self.name, self.sheet, self.outline, self.slots, self._others, shop=shop, anyway=anyway
+            self.name,
+            self.sheet,
+            self.outline,
+            self.slots,
+            self._others,
+            shop=shop,
+            ignore_limits=ignore_limits,
         )
         return replace(self, warnings=told)
 
@@ -160,6 +166,7 @@ def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> flo
     return min(radius, through) - tab / 2 / abs(float(np.sin(angle))) - CLEARANCE_MM
 
 
+@refusing_old_names
 def ring_plate(
     tabs: Sequence[PlacedTab],
     sheet: Sheet | str,
@@ -170,7 +177,7 @@ def ring_plate(
     clearance: float = CLEARANCE_MM,
     name: str = "ring",
     shop: Shop | None = None,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> Ring:
     """The ring or cap about the z axis that holds one end of all strips of a surface of revolution.
 
@@ -194,7 +201,7 @@ def ring_plate(
     name : str
     shop : Shop, optional
         What the workshop can make: bridges between slots, the largest sheet.
-    anyway : bool
+    ignore_limits : bool
         Make a ring that the workshop cannot, and say so in its warnings.
 
     Raises
@@ -217,7 +224,9 @@ def ring_plate(
         slots = tuple(
             tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs
         )
-        return ring_around(slots, sheet, frame, border=border, name=name, shop=shop, anyway=anyway)
+        return ring_around(
+            slots, sheet, frame, border=border, name=name, shop=shop, ignore_limits=ignore_limits
+        )
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
@@ -236,7 +245,7 @@ def ring_plate(
     loops = tuple(Path.polygon(seat) for seat in seats)
     found = Ring(sheet, frame, _radii(seats, border), seats=loops, holes=holes, name=name,
                  seated=tuple(tab.name for tab in tabs))  # fmt: skip
-    return found.checked(shop, anyway=anyway)
+    return found.checked(shop, ignore_limits=ignore_limits)
 
 
 def ring_around(
@@ -247,12 +256,12 @@ def ring_around(
     border: float = BORDER_MM,
     name: str = "ring",
     shop: Shop | None = None,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> Ring:
     """The ring about the axis of its frame that has these slots; see `ring_plate`."""
     sheet = Sheet.of(sheet)
     radii = _radii([slot.corners for slot in slots], border)
-    return Ring(sheet, frame, radii, tuple(slots), name=name).checked(shop, anyway=anyway)
+    return Ring(sheet, frame, radii, tuple(slots), name=name).checked(shop, ignore_limits=ignore_limits)
 
 
 def _facing(height: float, *, up: bool) -> Frame:

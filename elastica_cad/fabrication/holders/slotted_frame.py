@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_whole
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, plate_with
@@ -78,8 +78,8 @@ class Rib:
     label: Text
     warnings: tuple[str, ...] = ()
 
-    def checked(self, shop: Shop | None = None, *, anyway: bool = False) -> "Rib":
-        """The rib with what is to be said of it; one that cannot be cut is refused without `anyway`.
+    def checked(self, shop: Shop | None = None, *, ignore_limits: bool = False) -> "Rib":
+        """The rib with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
         ------
@@ -87,7 +87,7 @@ class Rib:
             Necks, or a rib larger than the stock.
         """
         faults = find_plate_faults(self.name, self.sheet, self.outline, (), shop)
-        return replace(self, warnings=accept_faults(faults, anyway))
+        return replace(self, warnings=accept_faults(faults, ignore_limits))
 
     @property
     def solid(self) -> FlatSolid:
@@ -128,6 +128,7 @@ class SlottedFrame:
         return (*plates, *((rib.name, rib.solid) for rib in self.ribs))
 
 
+@refusing_old_names
 def slotted_frame(
     placed: Sequence[Placed],
     sheet: Sheet | str,
@@ -140,7 +141,7 @@ def slotted_frame(
     border: float = 8.0,
     gap: float | None = None,
     shop: Shop | None = None,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> SlottedFrame:
     """A frame of plates: each rail follows the tabs of one end, ribs hold the rails apart at their angle.
 
@@ -165,7 +166,7 @@ def slotted_frame(
         tongues keep the gap.
     shop : Shop, optional
         What the workshop can make: bridges between slots, the largest sheet.
-    anyway : bool
+    ignore_limits : bool
         Make rails and ribs that the workshop cannot, and say so in their warnings.
 
     Raises
@@ -215,7 +216,7 @@ def slotted_frame(
         for n, station in enumerate(stations, start=1)
     ]
     plates: list[BasePlate] = []
-    gate: dict[str, Any] = {"shop": shop, "anyway": anyway}
+    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
     for group, narrower in ((rails, step), (outer, 0.0)):
         size = (tongue - 2 * narrower + 2 * play, sheet.thickness + clearance)
         for k, rail in enumerate(group):
@@ -226,7 +227,7 @@ def slotted_frame(
         pairs = [lean_pair(placed, (plates[k], plates[k + 2])) for k in (0, 1)]
         plates = [pair[k] for k in (0, 1) for pair in pairs]
     made = (plan.rib(sheet, tongue, depth, behind=behind, step=step) for plan in plans)
-    return SlottedFrame(tuple(plates), tuple(rib.checked(shop, anyway=anyway) for rib in made))
+    return SlottedFrame(tuple(plates), tuple(rib.checked(shop, ignore_limits=ignore_limits) for rib in made))
 
 
 @dataclass

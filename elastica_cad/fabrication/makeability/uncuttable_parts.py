@@ -1,13 +1,13 @@
 """What of a part cannot be cut or handled: each fault with its place, its size and the cure."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
 from elastica_cad._counts import and_more, told_apart
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.fabrication.makeability.shop import (
     FILLED_SLOT_MM,
     SLENDEREST,
@@ -20,6 +20,7 @@ from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -38,6 +39,12 @@ FAR_WIDER = 2.0
 
 _KNOWN = 256  # outlines whose thin places are kept: strips that are cut alike share theirs
 
+TIMES_AS_LONG = 4.0
+"""As its width a strip is, where a narrower one is asked for: one of half of that bends as a plate."""
+
+LAP_THICKNESSES = 20
+"""Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
+
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
 
@@ -53,11 +60,14 @@ class Fault:
         The fault with its place, mm.
     cure : str
         What to change.
+    changes : tuple of Change
+        Of the request, each of which may help.
     """
 
     part: str
     what: str
     cure: str
+    changes: tuple[Change, ...] = ()
 
     def __str__(self) -> str:
         return f"{self.part}: {self.what}; {self.cure}"
@@ -71,16 +81,21 @@ def _tell_faults(faults: Iterable[Fault]) -> str:
     return " ".join(f"{part}: {'; '.join(whats)}; {cure}." for (part, cure), whats in found.items())
 
 
-def accept_faults(faults: Sequence[Fault], anyway: bool) -> tuple[str, ...]:
-    """Nothing for a part without faults; with `anyway` what its report says of them.
+def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
+    """Nothing for a part without faults; with `ignore_limits` what its report says of them.
 
     Raises
     ------
     InputError
-        Faults, without `anyway`: each with its place and cure.
+        Faults, without `ignore_limits`: each with its place and cure.
     """
-    if faults and not anyway:
-        raise InputError(f"{_tell_faults(faults)} To make it all the same, set anyway (--anyway).")
+    if faults and not ignore_limits:
+        changes = dict.fromkeys(change for fault in faults for change in fault.changes)
+        raise InputError(
+            f"{_tell_faults(faults)} To make it all the same, set ignore_limits (--ignore-limits).",
+            kind="fault",
+            changes=[*changes],
+        )
     return tuple(f"made anyway: {fault}" for fault in faults)
 
 
@@ -124,7 +139,8 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
         what = (
             f"{strip.rod.length:.4g} mm long and {strip.width.extremes[0]:.3g} mm wide: too slender to handle"
         )
-        found.append(Fault(name, what, "make it wider, or split it"))
+        wider = _wider(strip, slenderest / SLENDEREST)
+        found.append(Fault(name, what, "make it wider, or split it", wider))
     return tuple(found)
 
 
@@ -203,7 +219,18 @@ def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
     places = _thin_places(layer.outline, holes, least)
     cure = "make it wider (max_width), or ask for the nearest curve with a smaller ratio"
-    yield from _faults_at(name, places, least, layer.sheet, cure)
+    narrowest = min((place.width for place in places), default=least)
+    changes = (*_wider(strip, least / narrowest), Change("nearest", True))
+    yield from (
+        replace(fault, changes=changes) for fault in _faults_at(name, places, least, layer.sheet, cure)
+    )
+
+
+def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
+    """The width of a plain strip's widest place that makes it so many times as wide."""
+    if not isinstance(strip.style, Plain):
+        return ()
+    return (Change("max_width", float(rounded_up(times * float(strip.width.extremes[1]), 3))),)
 
 
 @lru_cache(maxsize=_KNOWN)
@@ -243,7 +270,9 @@ def _too_large(
         sides = f"{long_side} x {short_side}"
         what = f"{its_long} x {its_short} mm is larger than the stock of {sides} mm in {sheet.name}"
         if width > length or (width > stock[1] and length <= stock[0]):
-            yield Fault(name, what, "give a smaller max_width, or name a larger stock")
+            fits = Change("max_width", float(rounded_down(min(stock[1], length / TIMES_AS_LONG), 2)))
+            yield Fault(name, what, "give a smaller max_width, or name a larger stock", (fits,))
         else:
             cure = "name a larger stock, join a strip of pieces by plates (lap), or scale the curve"
-            yield Fault(name, what, cure)
+            lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))
+            yield Fault(name, what, cure, (lap,))

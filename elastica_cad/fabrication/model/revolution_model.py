@@ -7,11 +7,12 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike
 from elastica_cad._values import is_whole, require_record
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import ring_pair
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM, Ring, ring_plate, slot_reach
+from elastica_cad.fabrication.makeability.makeable_strip import refuse_broken
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.strip_model import Model
@@ -40,6 +41,7 @@ BRIDGE_FACTOR = 1.02
 """On the least material between slots, so that rounding does not refuse them."""
 
 
+@refusing_old_names
 def revolution(
     a: float,
     b: ArrayLike,
@@ -55,7 +57,7 @@ def revolution(
     gap: float | None = None,
     name: str = "revolution",
     shop: Shop = DEFAULT_SHOP,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> Model:
     """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
 
@@ -77,7 +79,7 @@ def revolution(
     name : str
     shop : Shop
         What the workshop can make.
-    anyway : bool
+    ignore_limits : bool
         Make strips and rings that the workshop cannot, and say so in their warnings.
 
     Raises
@@ -101,10 +103,11 @@ def revolution(
         gap=gap,
         name=name,
         shop=shop,
-        anyway=anyway,
+        ignore_limits=ignore_limits,
     )
 
 
+@refusing_old_names
 def revolve(
     meridian: Meridian,
     strips: int,
@@ -115,7 +118,7 @@ def revolve(
     gap: float | None = None,
     name: str = "revolution",
     shop: Shop = DEFAULT_SHOP,
-    anyway: bool = False,
+    ignore_limits: bool = False,
 ) -> Model:
     """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`.
 
@@ -140,7 +143,7 @@ def revolve(
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
     require_record(shop, Shop, "the shop", "a Shop")
-    asked = _Asked(strips, sheet, ends, rings, gap, shop, anyway)
+    asked = _Asked(strips, sheet, ends, rings, gap, shop, ignore_limits)
     try:
         placed, plates, told = asked.made(meridian)
     except InputError as problem:
@@ -162,7 +165,7 @@ class _Asked:
     rings: Sheet | None
     gap: float | None
     shop: Shop
-    anyway: bool
+    ignore_limits: bool
 
     def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring, ...], tuple[str, ...]]:
         """All strips about the axis, rings, and what is to be said of strips that cannot be cut."""
@@ -170,12 +173,13 @@ class _Asked:
         strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
         turn = 2 * np.pi * np.arange(self.strips) / self.strips
         placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
-        told = accept_faults(find_strip_faults(strip, self.shop), self.anyway)
+        refuse_broken(strip, self.ignore_limits)
+        told = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
         if self.rings is None:
             return placed, (), told
         heights = strip.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
-        options: dict[str, Any] = {"middle": middle, "shop": self.shop, "anyway": self.anyway}
+        options: dict[str, Any] = {"middle": middle, "shop": self.shop, "ignore_limits": self.ignore_limits}
         plates: list[Ring] = []
         for end in ENDS:
             tabs, called = tabs_to_hold(placed, [end]), f"ring-{end}"

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.end_plates import end_plates, facing_plates
@@ -35,8 +35,9 @@ class Stand:
     sentence: str
 
 
+@refusing_old_names
 def stand(
-    placed: Sequence[Placed], sheet: Sheet | str, *, shop: Shop | None = None, anyway: bool = False
+    placed: Sequence[Placed], sheet: Sheet | str, *, shop: Shop | None = None, ignore_limits: bool = False
 ) -> Stand:
     """One plate for all tabs, or two that the strips hold apart, or a frame, or a block for every end.
 
@@ -47,7 +48,7 @@ def stand(
         Of plates; blocks are printed.
     shop : Shop, optional
         What the workshop can make; plates that it cannot are passed by.
-    anyway : bool
+    ignore_limits : bool
         Take them all the same.
 
     Raises
@@ -65,7 +66,7 @@ def stand(
     stands on one plate
     """
     sheet = Sheet.of(sheet)
-    gate: dict[str, Any] = {"shop": shop, "anyway": anyway}
+    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
     ways: tuple[tuple[str, Callable[[], tuple[BasePlate | Rib, ...]]], ...] = (
         ("stands on one plate", partial(end_plates, placed, sheet, together=True, name="base", **gate)),
         ("held by two plates", partial(_plates_apart, placed, sheet, gate)),

@@ -46,6 +46,7 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import require_printable
+from elastica_cad.mechanics.material.strain_rule import StrainVerdict
 from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.resampling import resample
@@ -279,6 +280,17 @@ class Strip:
         return max(self.strains, key=lambda layer: layer.largest / layer.limit)
 
     @cached_property
+    def strain_verdict(self) -> StrainVerdict:
+        """What the rule of strain says of the strip: of its layers the one that fares worst."""
+        judged = (layer.judged(self._bends.place(layer.station)) for layer in self.strains)
+        return max(judged, key=lambda one: (one.state, one.used))
+
+    @property
+    def strain_warnings(self) -> tuple[str, ...]:
+        """A sentence for each layer that is strained beyond what its sheet bears: where, and what happens there."""
+        return tuple(warn_of_strains(self.strains, self._bends))
+
+    @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
         """Skin strain of each layer at stations along the strip, with the limit of its sheet."""
         return self.layout.strains(self._bends)
@@ -298,7 +310,7 @@ class Strip:
         found = (
             *self.rod.warnings,
             *self.layout.warnings,
-            *warn_of_strains(self.strains, self._bends),
+            *self.strain_warnings,
             *warn_of_width(self.width, self.rod.length, closed=self.is_closed),
         )
         if self.layout.size is not None:

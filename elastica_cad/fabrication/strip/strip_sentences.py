@@ -81,15 +81,16 @@ def warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[st
     """Layers strained beyond what their sheets bear."""
     bend = bends.amount
     for layer in strains:
-        if layer.exceeded:
-            at = layer.station
+        at = layer.station
+        judged = layer.judged(bends.place(at))
+        if not judged.allowed:
             bearable = bend[at] * layer.limit / layer.largest
             strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2f")
             radius, least = told_apart(1 / bend[at], 1 / bearable, ".1f")
             yield (
-                f"strain {strain} % at {bends.place(at):.1f} mm is beyond the {limit} % "
+                f"strain {strain} % at {judged.at:.1f} mm is beyond the {limit} % "
                 f"that {layer.name} bears: its radius there is {radius} mm, the least advisable "
-                f"{least} mm; use a thinner sheet or a gentler curve"
+                f"{least} mm; {judged.outcome}; use a thinner sheet or a gentler curve"
             )
 
 
@@ -115,7 +116,7 @@ def warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], ben
     tightest = int(np.argmax(bend))
     for one, layer in zip(layers, strains, strict=False):
         least = one.sheet.published_radius
-        if least is not None and not layer.exceeded and bend[tightest] * least > 1 + TOLD_TO:
+        if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + TOLD_TO:
             at = bends.place(tightest)
             yield (
                 f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {at:.1f} mm, but plywood of "

@@ -13,7 +13,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from elastica_cad._equality import value_key
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, NotMetError, quoted, toml_slip
+from elastica_cad.errors import (
+    ElasticaError,
+    InputError,
+    NotConvergedError,
+    NotMetError,
+    Refusal,
+    quoted,
+    toml_slip,
+)
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -66,13 +74,13 @@ class Design:
     reports: tuple[str, ...] = ()
     revolution: "RevolutionEntry | None" = None
 
-    def made_anyway(self) -> "Design":
-        """The design with `anyway` everywhere: parts that cannot be cut or handled are made, and told."""
+    def with_limits_ignored(self) -> "Design":
+        """The design with `ignore_limits` everywhere: parts that cannot be cut or handled are made, and told."""
         return replace(
             self,
-            entries=tuple(replace(one, spec=one.spec.changed(anyway=True)) for one in self.entries),
-            revolution=None if self.revolution is None else replace(self.revolution, anyway=True),
-            kit=replace(self.kit, anyway=True),
+            entries=tuple(replace(one, spec=one.spec.changed(ignore_limits=True)) for one in self.entries),
+            revolution=None if self.revolution is None else replace(self.revolution, ignore_limits=True),
+            kit=replace(self.kit, ignore_limits=True),
         )
 
     def nearest(self) -> "Design":
@@ -235,7 +243,7 @@ def _read_revolution(
     from elastica_cad.formats.design_files.revolution_table import read_revolution
 
     table = top.table("revolution")
-    inherited = ("sheet", "thickness", "ends", "shop", "anyway")
+    inherited = ("sheet", "thickness", "ends", "shop", "ignore_limits")
     table.defaults = Table({key: top.raw(key) for key in inherited if top.has(key)}, top.where, top.scope)
     return read_revolution(table, folder, sheets, read_curves)
 
@@ -363,7 +371,7 @@ def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
         slips.add(problem.verdict)
     if isinstance(first, NotMetError):
         return NotMetError(slips.text, lambda: first.advice and ("What would help the first:", *first.advice))
-    first.args = (slips.text,)
+    first.refusal = Refusal(first.refusal.kind, slips.text)  # what would mend the first mends not all
     return first
 
 
@@ -374,4 +382,5 @@ def _make(entry: StripEntry, *, slotted: bool) -> Strip:
     try:
         return spec.make()
     except (NotRealizable, InputError, NotConvergedError) as problem:
-        raise problem.named(entry.called) from problem
+        problem.at(strip=entry.called)
+        raise

@@ -89,7 +89,7 @@ class HolderSpec:
         return str(self.options.get("name", self.kind))
 
     def made(
-        self, model: "Model", shop: Shop = DEFAULT_SHOP, *, anyway: bool = False
+        self, model: "Model", shop: Shop = DEFAULT_SHOP, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
         """Plates, ribs and blocks, and a sentence on what was chosen, or an empty one.
 
@@ -116,9 +116,9 @@ class HolderSpec:
         if self.sheet is None:
             return end_fixtures(placed, **self.options), ""
         if self.kind == "stand":
-            chosen = stand(placed, self.sheet, shop=shop, anyway=anyway)
+            chosen = stand(placed, self.sheet, shop=shop, ignore_limits=ignore_limits)
             return chosen.holders, f"{model.name}: {chosen.sentence}"
-        options = {**self.options, "shop": shop, "anyway": anyway}
+        options = {**self.options, "shop": shop, "ignore_limits": ignore_limits}
         feet = options.pop("feet", None)
         ribs: tuple[Rib, ...] = ()
         plates: tuple[BasePlate, ...]
@@ -150,7 +150,7 @@ class KitSpec:
         Length of a bar to check the machine's scale with, mm.
     shop : Shop
         What the workshop can make.
-    anyway : bool
+    ignore_limits : bool
         Make what it cannot, and say so in the report.
     """
 
@@ -160,7 +160,7 @@ class KitSpec:
     coupon: bool = False
     reference_bar: float | None = None
     shop: Shop = DEFAULT_SHOP
-    anyway: bool = False
+    ignore_limits: bool = False
 
     def extras(self, model: "Model") -> "tuple[Piece, ...]":
         """Coupons of the model's sheets and the reference bar, where they are asked for."""

@@ -35,7 +35,7 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
         coupon=extras.flag("coupon"),
         reference_bar=extras.maybe("reference_bar"),
         shop=read_shop(top.table("shop")),
-        anyway=top.flag("anyway"),
+        ignore_limits=top.flag("ignore_limits"),
     )
 
 

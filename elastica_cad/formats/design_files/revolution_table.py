@@ -39,7 +39,7 @@ class RevolutionEntry:
         Between two rings that hold inclined tabs, mm; one ring each without.
     shop : Shop
         What the workshop can make.
-    anyway : bool
+    ignore_limits : bool
         Make what it cannot, and say so.
     """
 
@@ -50,7 +50,7 @@ class RevolutionEntry:
     rings: Sheet | None = None
     gap: float | None = None
     shop: Shop = DEFAULT_SHOP
-    anyway: bool = False
+    ignore_limits: bool = False
 
     def model(self, name: str) -> Model:
         """All strips, and the rings.
@@ -69,7 +69,7 @@ class RevolutionEntry:
             gap=self.gap,
             name=name,
             shop=self.shop,
-            anyway=self.anyway,
+            ignore_limits=self.ignore_limits,
         )
 
     @property
@@ -120,5 +120,5 @@ def read_revolution(
         find_sheet(table, "rings", sheets) if table.has("rings") else None,
         table.maybe("gap"),
         read_shop(table.table("shop")),
-        table.flag("anyway"),
+        table.flag("ignore_limits"),
     )

@@ -124,7 +124,7 @@ def read_strip(
         "compensate": table.flag("compensate") if table.has("compensate") else None,
         "creep": table.number("creep", 0.0),
         "law": read_law(table.table("law"), sheet) if table.has("law") else None,
-        "anyway": table.flag("anyway"),
+        "ignore_limits": table.flag("ignore_limits"),
     }
     curve = read_drawn_curve(table, folder, read_curves) if section is None else section.curve
     with table.naming():

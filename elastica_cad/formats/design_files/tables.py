@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from difflib import get_close_matches
 from typing import Any
 
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import RENAMED, InputError, near_names, quoted
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.formulae import Formula, Value
 
@@ -113,9 +112,11 @@ class Table:
         """This table, refused where it holds any other key."""
         slips = Slips()
         for key in self.data:
-            if key not in keys:
+            if RENAMED.get(key) in keys:
+                slips.add(f"{self.where}: {key!r} is now called {RENAMED[key]}")
+            elif key not in keys:
                 meant = OTHER_WORDS.get(key.lower())
-                near = [meant] if meant in keys else get_close_matches(key.lower(), keys, n=1, cutoff=0.5)
+                near = [meant] if meant in keys else near_names(key.lower(), keys, cutoff=0.5)
                 hint = f"did you mean {near[0]}?" if near else f"known keys are {', '.join(sorted(keys))}"
                 slips.add(f"{self.where}: unknown key {key[:LONGEST_KEY]!r}; {hint}")
         slips.tell()

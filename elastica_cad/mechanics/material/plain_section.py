@@ -214,4 +214,4 @@ def areal_weight(sheet: Sheet) -> float:
 
 def layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
     """Strain of a fibre that lies `distance` (n,) mm from the neutral axis of what is bent by `bend` (n,), 1/mm."""
-    return LayerStrain(sheet.name, np.atleast_1d(distance * bend), sheet.max_strain)
+    return LayerStrain(sheet, np.atleast_1d(distance * bend))

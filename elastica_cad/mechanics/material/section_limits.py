@@ -8,12 +8,11 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.strain_rule import StrainVerdict, judge_strain
 
 LIMIT_SLACK = 1e-9
 """Relative slack on limits that a design may touch."""
-
-STRAIN_SLACK = 1e-6
-"""The same for strains: sheets tell two digits, and a curve at its limit strays by less once drawn as a spline."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,17 +21,23 @@ class LayerStrain:
 
     Attributes
     ----------
-    name : str
-        The sheet.
+    sheet : Sheet
     strain : (n,) array
         Distance from the neutral axis times |kappa - kappa_0|; 0 where the layer is missing.
-    limit : float
-        What the sheet bears.
     """
 
-    name: str
+    sheet: Sheet
     strain: FloatArray
-    limit: float
+
+    @property
+    def name(self) -> str:
+        """The sheet's."""
+        return self.sheet.name
+
+    @property
+    def limit(self) -> float:
+        """What the sheet bears for long."""
+        return self.sheet.max_strain
 
     @cached_property
     def largest(self) -> float:
@@ -44,10 +49,9 @@ class LayerStrain:
         """Index of the largest strain."""
         return int(np.argmax(self.strain))
 
-    @property
-    def exceeded(self) -> bool:
-        """True when the layer is bent beyond its limit."""
-        return self.largest > self.limit * (1 + STRAIN_SLACK)
+    def judged(self, at: float | None = None) -> StrainVerdict:
+        """What the rule of strain says of it; `at`: where the largest strain is, mm."""
+        return judge_strain(self.sheet, self.largest, at)
 
 
 @dataclass(frozen=True)

@@ -77,6 +77,9 @@ class Sheet:
         be cut and lifted out, mm; without them rules of thumb speak (`Shop`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
+    break_strain : float, optional
+        Skin strain at which it breaks; without it wood and brittle plastics are taken to break at 1.5 times
+        `max_strain`, other sheets to bend (`mechanics.material.strain_rule`).
 
     Raises
     ------
@@ -112,6 +115,7 @@ class Sheet:
     least_bridge: float | None = None
     stock: Range | None = None
     shear_modulus: float | None = None
+    break_strain: float | None = None
     poisson_known: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -133,6 +137,11 @@ class Sheet:
         G = self.shear_modulus
         if G is not None and not finite_number(G, f"sheet {self.name!r}: shear_modulus") > 0:
             raise InputError(f"sheet {self.name!r}: shear_modulus is {G:g}; it must be positive, in MPa")
+        broken = self.break_strain
+        if broken is not None and not finite_number(broken, f"sheet {self.name!r}: break_strain") > 0:
+            raise InputError(
+                f"sheet {self.name!r}: break_strain is {broken:g}; it must be positive, 0.01 for 1 %"
+            )
         sides = tuple(self.stock) if isinstance(self.stock, Iterable) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")

@@ -42,6 +42,7 @@ KEYS: dict[str, tuple[str, str]] = {
     "least_bridge_mm": ("least_bridge", "number"),
     "stock_mm": ("stock", "range"),
     "shear_modulus_MPa": ("shear_modulus", "number"),
+    "break_strain": ("break_strain", "number"),
 }
 
 # key -> (lowest, highest that any sheet has, what the unit is)
@@ -50,6 +51,7 @@ PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
     "density_kg_m3": (5.0, 25000.0, "kg/m3: 680 for 0.68 g/cm3"),
     "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
+    "break_strain": (1e-6, 10.0, "a fraction: 0.02 for 2 %"),
     "kerf_mm": (0.0, 20.0, "millimetres: 0.15 for a fine laser"),
     "least_width_mm": (1e-2, 1e3, "millimetres: 3 for plywood"),
     "least_ligament_mm": (1e-2, 1e3, "millimetres: 0.5 for card"),

@@ -34,8 +34,9 @@ _FIGURES = {
     "max_strain": ("max_strain", "strain"),
     "kerf_mm": ("kerf", "kerf"),
     "shear_modulus_MPa": ("shear_modulus", "G"),
+    "break_strain": ("break_strain", "break"),
 }
-_ESTIMATED = ("shear_modulus_MPa",)  # from other figures, where it is not published
+_ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other figures, where they are not published
 
 
 @lru_cache(maxsize=1)

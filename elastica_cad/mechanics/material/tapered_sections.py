@@ -102,7 +102,7 @@ class _PowerLaw(FixedLaw):
         """Strain p/2 |kappa - kappa_0| of the outermost fibre."""
         bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
         strain = bend * positive(parameter, self.quantity) / 2
-        return (LayerStrain(self.sheet.name, np.atleast_1d(strain), self.sheet.max_strain),)
+        return (LayerStrain(self.sheet, np.atleast_1d(strain)),)
 
 
 @dataclass(frozen=True)

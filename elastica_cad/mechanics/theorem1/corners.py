@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Change, InputError
 from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
 from elastica_cad.geometry.curves.curve_records import TangentBreak
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -23,9 +23,12 @@ def require_bendable(curve: PlaneCurve) -> None:
     """
     corners = curve.tangent_breaks
     if corners:
-        raise InputError(_tell_corners(curve, corners))
+        slight = _taken_out(curve)
+        apart = Change("split_corners", True), Change("nearest", True)
+        raise InputError(_tell_corners(curve, corners), kind="corner", changes=slight or apart)
     if curve.has_corners:
-        raise InputError(_tell_seam(curve))
+        changes = _taken_out(curve) or (Change("nearest", True),)
+        raise InputError(_tell_seam(curve), kind="corner", changes=changes)
 
 
 def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
@@ -40,7 +43,7 @@ def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     return (
         f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
         "bends without "
-        f"kinks; round it, or draw two curves{_taken_out(curve)}"
+        f"kinks; round it, or draw two curves{_tell_smooth(curve)}"
     )
 
 
@@ -54,7 +57,7 @@ def _tell_seam(curve: PlaneCurve) -> str:
     return (
         f"the curve is closed with a corner of {np.degrees(abs(curve.seam_turn)):.3g} degrees at "
         f"{shown_on(curve, start)}: a strip bends without kinks; round it, or leave a gap between its "
-        f"ends{_taken_out(curve)}"
+        f"ends{_tell_smooth(curve)}"
     )
 
 
@@ -69,8 +72,14 @@ def _tell_undecided(drawn: Provenance | None, turn: Turn, where: str) -> str:
     )
 
 
-def _taken_out(curve: PlaneCurve) -> str:
+def _taken_out(curve: PlaneCurve) -> tuple[Change, ...]:
+    """The distance within which slight corners are taken out."""
     slight = smooth_for_corners(curve)
-    if slight is None:
-        return ""
-    return f", or take it out within {slight:g} mm (smooth = {slight:g}, --smooth {slight:g})"
+    return () if slight is None else (Change("smooth", slight),)
+
+
+def _tell_smooth(curve: PlaneCurve) -> str:
+    return "".join(
+        f", or take it out within {one.value:g} mm (smooth = {one.value:g}, --smooth {one.value:g})"
+        for one in _taken_out(curve)
+    )

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Self
+from typing import Any
 
 from elastica_cad._printable import html_text
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
@@ -132,18 +132,11 @@ class EquilibriumCheck:
 class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
     """No admissible stiffness makes the curve a rest shape; `check` tells why and where."""
 
+    KIND = "not realizable"
+
     def __init__(self, check: EquilibriumCheck) -> None:
         self.check = check
-        super().__init__(str(check))
-
-    def __reduce__(self) -> tuple[type[Self], tuple[EquilibriumCheck]]:
-        return type(self), (self.check,)
-
-    def named(self, name: str) -> Self:
-        """The same error, told of the part of this name."""
-        told = type(self)(self.check)
-        told.args = (f"{name}: {self}",)
-        return told
+        super().__init__(str(check), changes=[Change("nearest", True)])
 
 
 def count(zeros: Sequence[object]) -> str:

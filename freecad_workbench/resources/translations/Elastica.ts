@@ -1063,6 +1063,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>beyond its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no curve yet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2027,7 +2031,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>anyway must be True or False, got %1</source>
+        <source>ignore_limits must be True or False, got %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2583,7 +2587,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <source>%1 To make it all the same, set ignore_limits (--ignore-limits).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3383,7 +3387,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; use a thinner sheet or a gentler curve</source>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; %7; use a thinner sheet or a gentler curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; %7; use a thinner sheet or a gentler curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it may crack there, or keep a bend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it creeps there and keeps a part of its bend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it keeps a bend from there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it may crack there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3420,6 +3444,10 @@
     </message>
     <message>
         <source>It would break at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; use a thinner sheet or a gentler curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is strained beyond its limit at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; %4; use a thinner sheet or a gentler curve.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1067,6 +1067,10 @@
         <translation>würde brechen</translation>
     </message>
     <message>
+        <source>beyond its limit</source>
+        <translation>über der Grenze</translation>
+    </message>
+    <message>
         <source>no curve yet</source>
         <translation>noch keine Kurve</translation>
     </message>
@@ -2039,8 +2043,8 @@
         <translation>%1: poisson_ratio ist doppelt angegeben; %2 weglassen, da sie nun bekannt ist</translation>
     </message>
     <message>
-        <source>anyway must be True or False, got %1</source>
-        <translation>anyway muss True oder False sein, nicht %1</translation>
+        <source>ignore_limits must be True or False, got %1</source>
+        <translation>ignore_limits muss True oder False sein, nicht %1</translation>
     </message>
     <message>
         <source>, without its correction</source>
@@ -2595,7 +2599,7 @@
         <translation>die Schwerkraft %1 ist eine Richtung im Raum: die Ebene der Kurve angeben</translation>
     </message>
     <message>
-        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <source>%1 To make it all the same, set ignore_limits (--ignore-limits).</source>
         <translation>%1 Um es trotzdem zu machen, Anyway setzen.</translation>
     </message>
     <message>
@@ -3399,8 +3403,28 @@
         <translation>ein Eckenradius von %1 mm lässt an den Spitzen bei %3 mm %2 % zu viel Material: %4 mm oder weniger hält es innerhalb von %5 %</translation>
     </message>
     <message>
-        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; use a thinner sheet or a gentler curve</source>
-        <translation>die Dehnung von %1 % bei %2 mm ist mehr als die %3 %, die %4 erträgt: der Radius ist dort %5 mm, der kleinste ratsame %6 mm; dünneres Material oder eine sanftere Kurve nehmen</translation>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; %7; use a thinner sheet or a gentler curve</source>
+        <translation>die Dehnung von %1 % bei %2 mm ist mehr als die %3 %, die %4 erträgt: der Radius ist dort %5 mm, der kleinste ratsame %6 mm; %7; dünneres Material oder eine sanftere Kurve nehmen</translation>
+    </message>
+    <message>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; %7; use a thinner sheet or a gentler curve.</source>
+        <translation>die Dehnung von %1 % bei %2 mm ist mehr als die %3 %, die %4 erträgt: der Radius ist dort %5 mm, der kleinste ratsame %6 mm; %7; dünneres Material oder eine sanftere Kurve nehmen.</translation>
+    </message>
+    <message>
+        <source>it may crack there, or keep a bend</source>
+        <translation>er kann dort reißen oder gebogen bleiben</translation>
+    </message>
+    <message>
+        <source>it creeps there and keeps a part of its bend</source>
+        <translation>er kriecht dort und bleibt zum Teil gebogen</translation>
+    </message>
+    <message>
+        <source>it keeps a bend from there</source>
+        <translation>er bleibt dort gebogen</translation>
+    </message>
+    <message>
+        <source>it may crack there</source>
+        <translation>er kann dort reißen</translation>
     </message>
     <message>
         <source>a tab has either a corner radius or a chamfer, not both</source>
@@ -3437,6 +3461,10 @@
     <message>
         <source>It would break at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; use a thinner sheet or a gentler curve.</source>
         <translation>Er würde bei %1 mm brechen: der Radius ist dort %2 mm, die Platte erträgt %3 mm; dünneres Material oder eine sanftere Kurve nehmen.</translation>
+    </message>
+    <message>
+        <source>It is strained beyond its limit at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; %4; use a thinner sheet or a gentler curve.</source>
+        <translation>Er ist bei %1 mm über seine Grenze gedehnt: der Radius ist dort %2 mm, die Platte erträgt %3 mm; %4; dünneres Material oder eine sanftere Kurve nehmen.</translation>
     </message>
     <message>
         <source>The curvature runs out to zero %1 without a clear change of sign, where the stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a little more there, or reverse its bending at a clear rate.</source>

@@ -1067,6 +1067,10 @@
         <translation>会断裂</translation>
     </message>
     <message>
+        <source>beyond its limit</source>
+        <translation>超过极限</translation>
+    </message>
+    <message>
         <source>no curve yet</source>
         <translation>尚无曲线</translation>
     </message>
@@ -2039,8 +2043,8 @@
         <translation>%1：poisson_ratio 给了两次；既已知道，请去掉 %2</translation>
     </message>
     <message>
-        <source>anyway must be True or False, got %1</source>
-        <translation>anyway 必须为 True 或 False，而不是 %1</translation>
+        <source>ignore_limits must be True or False, got %1</source>
+        <translation>ignore_limits 必须为 True 或 False，而不是 %1</translation>
     </message>
     <message>
         <source>, without its correction</source>
@@ -2595,7 +2599,7 @@
         <translation>重力 %1 是空间方向：请给出曲线的平面</translation>
     </message>
     <message>
-        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <source>%1 To make it all the same, set ignore_limits (--ignore-limits).</source>
         <translation>%1 若仍要制作，请设置 Anyway。</translation>
     </message>
     <message>
@@ -3399,8 +3403,28 @@
         <translation>%1 mm 的圆角半径在 %3 mm 处尖端多留 %2 % 材料：%4 mm 以下可保持在 %5 % 以内</translation>
     </message>
     <message>
-        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; use a thinner sheet or a gentler curve</source>
-        <translation>%2 mm 处应变 %1 % 超过 %4 可承受的 %3 %：那里半径为 %5 mm，建议最小 %6 mm；使用更薄的板材或更平缓的曲线</translation>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; %7; use a thinner sheet or a gentler curve</source>
+        <translation>%2 mm 处应变 %1 % 超过 %4 可承受的 %3 %：那里半径为 %5 mm，建议最小 %6 mm；%7；使用更薄的板材或更平缓的曲线</translation>
+    </message>
+    <message>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; %7; use a thinner sheet or a gentler curve.</source>
+        <translation>%2 mm 处应变 %1 % 超过 %4 可承受的 %3 %：那里半径为 %5 mm，建议最小 %6 mm；%7；使用更薄的板材或更平缓的曲线。</translation>
+    </message>
+    <message>
+        <source>it may crack there, or keep a bend</source>
+        <translation>那里可能开裂，或留下弯曲</translation>
+    </message>
+    <message>
+        <source>it creeps there and keeps a part of its bend</source>
+        <translation>那里会蠕变并保留部分弯曲</translation>
+    </message>
+    <message>
+        <source>it keeps a bend from there</source>
+        <translation>那里会留下弯曲</translation>
+    </message>
+    <message>
+        <source>it may crack there</source>
+        <translation>那里可能开裂</translation>
     </message>
     <message>
         <source>a tab has either a corner radius or a chamfer, not both</source>
@@ -3437,6 +3461,10 @@
     <message>
         <source>It would break at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; use a thinner sheet or a gentler curve.</source>
         <translation>会在 %1 mm 处断裂：那里半径为 %2 mm，板材可承受 %3 mm；使用更薄的板材或更平缓的曲线。</translation>
+    </message>
+    <message>
+        <source>It is strained beyond its limit at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; %4; use a thinner sheet or a gentler curve.</source>
+        <translation>它在 %1 mm 处的应变超过极限：那里半径为 %2 mm，板材可承受 %3 mm；%4；使用更薄的板材或更平缓的曲线。</translation>
     </message>
     <message>
         <source>The curvature runs out to zero %1 without a clear change of sign, where the stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a little more there, or reverse its bending at a clear rate.</source>

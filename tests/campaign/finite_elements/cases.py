@@ -98,9 +98,9 @@ def _plain() -> Iterator[Case]:
             if "arcs" in curve:
                 continue
             yield Case(f"plain, nu {nu:g}", curve, curve, 300.0, ply(0.8, nu), 4.0, {"max_width": 30.0})
-        small = {"max_width": 6.0, "ends": (Tab(2.0), Tab(2.0)), "anyway": True}
+        small = {"max_width": 6.0, "ends": (Tab(2.0), Tab(2.0)), "ignore_limits": True}
         yield Case(f"plain, nu {nu:g}", "small arch", "arch", 50.0, ply(0.2, nu), 0.8, small)
-        large = {"max_width": 200.0, "ends": (Tab(60.0), Tab(60.0)), "anyway": True}
+        large = {"max_width": 200.0, "ends": (Tab(60.0), Tab(60.0)), "ignore_limits": True}
         yield Case(f"plain, nu {nu:g}", "arch of 3 m", "arch", 3000.0, ply(6.0, nu), 25.0, large)
         yield Case(f"plain, nu {nu:g}", "wide bow", "bow", 300.0, ply(0.8, nu), 5.0, {"max_width": 80.0})
 
@@ -113,7 +113,7 @@ def _heavy() -> Iterator[Case]:
             asked = {"max_width": width, "gravity": True}
             name = f"{curve}, {length:g} mm long, {width:g} mm wide"
             yield Case(f"heavy, nu {nu:g}", name, curve, length, card, 5.0, asked)
-        large = {"max_width": 300.0, "ends": (Tab(60.0), Tab(60.0)), "anyway": True, "gravity": True}
+        large = {"max_width": 300.0, "ends": (Tab(60.0), Tab(60.0)), "ignore_limits": True, "gravity": True}
         yield Case(f"heavy, nu {nu:g}", "arch of 3 m", "arch", 3000.0, ply(4.0, nu), 40.0, large)
 
 
@@ -128,7 +128,7 @@ def _perforated() -> Iterator[Case]:
 def _holed(nu: float, curve: str, rows: int, width: float, size: float) -> Case:
     style = Perforated(width=width, columns=2, rows=rows, least_ligament=0.2, least_hole=0.2)
     name = f"{curve}, 2 x {rows}, {width:g} mm wide"
-    asked = {"style": style, "max_width": width / 3, "anyway": True}
+    asked = {"style": style, "max_width": width / 3, "ignore_limits": True}
     return Case(f"perforated, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), size, asked)
 
 
@@ -174,7 +174,7 @@ def _stepped() -> Iterator[Case]:
         (0.3, "three arcs", 30.0),
     ):
         name = f"{curve}, {width:g} mm wide"
-        asked = {"max_width": width, "anyway": True}
+        asked = {"max_width": width, "ignore_limits": True}
         yield Case(f"steps of width, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.0, asked)
 
 

@@ -64,7 +64,7 @@ LINES = (
     "strip arch.txt --sheet pom-1 -o out --law 'kind = \"rod\", limits = [2, 5]'",
     "strip arch.txt --sheet pom-1 -o out --law 'kind = \"tube\", limits = [2, 6], bore = 0.7'",
     "strip arch.txt --sheet pom-1 -o out --nearest --law 'kind = \"leaves\", leaves = 4, width = 20'",
-    "strip long.txt --sheet birch-plywood-4 --max-width 90 -o out --lap 80 --stock 1525 800 --anyway",
+    "strip long.txt --sheet birch-plywood-4 --max-width 90 -o out --lap 80 --stock 1525 800 --ignore-limits",
     "strip corners.svg --split-corners --sheet card-200gsm --max-width 15 -o out --all --force",
     "strip corners.svg --curve b --sheet card-200gsm --max-width 15 -o out --smooth 0.5",
     "strip ring.svg --sheet card-200gsm --max-width 15 -o out --joint 40",

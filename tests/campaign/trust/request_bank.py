@@ -244,7 +244,7 @@ def strip(rng: random.Random) -> object:
     for number, sheet in enumerate(nest_pieces(strip_pieces(model.parts), sheet_size=STOCK_MM)):
         ec.save(sheet, f"nest-{number}.dxf")
     if rng.random() < WHOLE:
-        ec.save_model(model, "kit", step=False, pictures=False, anyway=True)
+        ec.save_model(model, "kit", step=False, pictures=False, ignore_limits=True)
     return strip_numbers(made)
 
 

@@ -45,7 +45,7 @@ def round_of(rng, folder):
     )
     ec.write_curves([curve], folder / "a.svg", force=True)
     (read,) = ec.read_curves(folder / "a.svg")
-    strip = ec.make_strip(read, "birch-plywood-0.8", max_width=30, label="A", anyway=True)
+    strip = ec.make_strip(read, "birch-plywood-0.8", max_width=30, label="A", ignore_limits=True)
     ec.save(strip.drawing(), folder / "a.dxf", force=True)
     ec.read_curves(folder / "a.dxf")
     if rng.random() < 0.1:

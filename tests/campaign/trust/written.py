@@ -72,7 +72,7 @@ def strip_of(rng):
     if rng.random() < 0.4:
         options["limits"] = ec.Limits(ratio=rng.uniform(1.5, 5.0))
     curve = ec.PlaneCurve.spline(points, degree=3)
-    return ec.make_strip(curve, sheet, style=style, label="R7", anyway=rng.random() < 0.5, **options)
+    return ec.make_strip(curve, sheet, style=style, label="R7", ignore_limits=rng.random() < 0.5, **options)
 
 
 def loops(path, layer):

@@ -322,7 +322,14 @@ def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
     assert refused.exit_code == 2
     assert "K1: only" in refused.output
     written = run(
-        "model", design, "-o", tmp_path / "out", "--anyway", "--no-effects", "--no-pictures", "--no-step"
+        "model",
+        design,
+        "-o",
+        tmp_path / "out",
+        "--ignore-limits",
+        "--no-effects",
+        "--no-pictures",
+        "--no-step",
     )
     assert written.exit_code == 0, written.output
     assert "Note: made anyway: K1: only" in written.stderr

@@ -225,7 +225,7 @@ def test_slots_far_wider_than_their_tabs_are_made_anyway_only(tmp_path):
         InputError, match=r"ring-start: the slot for strip \d+:1 \(and 19 more\) is 11.5 mm wide"
     ):
         ec.revolve(flat, 20, sheet=CARD, rings=MDF)
-    made = ec.revolve(flat, 20, sheet=CARD, rings=MDF, name="flat", anyway=True)
+    made = ec.revolve(flat, 20, sheet=CARD, rings=MDF, name="flat", ignore_limits=True)
     assert any("11.5 mm wide for a tab of 0.2 mm" in text for text in made.plates[0].warnings)
     ec.save_model(made, tmp_path / "kit", step=False, pictures=False, parts=False)
     reports = json.loads((tmp_path / "kit" / "flat.json").read_text())["reports"]

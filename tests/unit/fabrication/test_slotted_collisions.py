@@ -63,7 +63,9 @@ def test_slots_of_the_papers_width_are_asked_away_from_them_only(slotted_pairs):
 def test_kits_tell(slotted_pairs):
     model = slotted_pairs.pair(76)
     (told,) = (
-        text for text in kit_of(model, KitSpec(anyway=True), effects=False).notes if "also runs" in text
+        text
+        for text in kit_of(model, KitSpec(ignore_limits=True), effects=False).notes
+        if "also runs" in text
     )
     assert TOLD.fullmatch(told)
 

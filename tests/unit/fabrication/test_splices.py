@@ -106,7 +106,7 @@ def test_plates_move_a_strip_as_finite_elements_have_it():
     arch = arch.transformed(np.diag([1.0, 1.0, arch.length / 300]))
     for name, nu, width, joint in (("arch, nu 0", 0.0, 30.0, 150.0), ("arch, nu 0.3", 0.3, 20.0, 110.0)):
         sheet = ec.Sheet("ply", 0.8, 9000.0, 680.0, max_strain=0.02, poisson_ratio=nu)
-        bare = ec.make_strip(arch, sheet, max_width=width, anyway=True, compensate=False)
+        bare = ec.make_strip(arch, sheet, max_width=width, ignore_limits=True, compensate=False)
         joined = replace(bare, plates=LapPlates((joint,), rows[name]["lap"]))
         assert joined.held_deviation / 300 == pytest.approx(rows[name]["strayed"], rel=0.02)
 

@@ -65,7 +65,7 @@ def test_the_body_is_as_thick_as_the_law_says_and_weighs_what_the_strip_does():
 
 def test_a_radius_below_half_the_thickness_has_no_body():
     bow = PlaneCurve.ellipse((0, 0), (3.0, 3.2), start=0.0, end=np.pi)
-    strip = make_strip(bow, GLASS, law=ThicknessLaw(GLASS, 1.0, 8.0, width=20.0), anyway=True)
+    strip = make_strip(bow, GLASS, law=ThicknessLaw(GLASS, 1.0, 8.0, width=20.0), ignore_limits=True)
     with pytest.raises(InputError, match="radius below half its thickness"):
         BentSolid.layers(strip)
 

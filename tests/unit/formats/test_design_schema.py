@@ -46,7 +46,7 @@ smooth = 0
 shop = { least_width = 1, least_ligament = 0.5, least_bridge = 1, stock = [900, 600], lap = 40 }
 compensate = false
 creep = 0.1
-anyway = true
+ignore_limits = true
 [let]
 a = "2 * 3"
 [limits]
@@ -229,7 +229,7 @@ margin = 3
 """,
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\nthickness = 0.3\nstrips = 12\ngap = 9\n'
     "rings = 'card-200gsm'\nends = { length = 9 }\n"
-    "shop = { least_width = 1 }\nanyway = true\na = 0.2\nb = [0, 0.01]\nstart = [60, 0]\n"
+    "shop = { least_width = 1 }\nignore_limits = true\na = 0.2\nb = [0, 0.01]\nstart = [60, 0]\n"
     "angle = 1.2\nlength = 90\nring = 10\n",
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
     'points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, 140]]\n',

@@ -185,7 +185,7 @@ def test_refused_limits_are_told_with_advice(tmp_path):
 
 def test_a_refusal_looks_for_advice_when_it_is_read_and_keeps_it_between_processes():
     sought = []
-    told = NotMetError("missed.", lambda: sought.append(1) or ("Without it, met.",)).named("rib 3")
+    told = NotMetError("missed.", lambda: sought.append(1) or ("Without it, met.",)).at(strip="rib 3")
     assert (told.verdict, sought) == ("rib 3: missed.", [])
     assert str(told) == "rib 3: missed. Without it, met."
     assert str(pickle.loads(pickle.dumps(told))) == str(told)

@@ -42,7 +42,7 @@ def test_plain_strain_is_half_the_thickness_times_the_change_of_curvature():
     section = PlainSection(sheet(0.5, max_strain=0.01))
     (layer,) = section.strains([0.01, -0.05, 0.02], natural_curvature=0.01)
     assert layer.strain == pytest.approx([0.0, 0.015, 0.0025])
-    assert (layer.station, layer.exceeded) == (1, True)
+    assert (layer.station, layer.judged().allowed) == (1, False)
     assert section.curvature_limit == pytest.approx(1 / section.sheet.least_radius)
 
 
@@ -69,9 +69,11 @@ def test_each_layer_is_held_against_its_own_limit():
     outer, inner = section.strains(limit, 10.0, [0.0, 3.0, 10.0])
     closest = np.maximum(outer.strain / outer.limit, inner.strain / inner.limit)
     assert closest == pytest.approx([1.0, 1.0, 1.0])
-    assert not outer.exceeded
-    assert not inner.exceeded
-    assert any(layer.exceeded for layer in section.strains((1 + 1e-5) * limit, 10.0, [0.0, 3.0, 10.0]))
+    assert outer.judged().allowed
+    assert inner.judged().allowed
+    assert any(
+        not layer.judged().allowed for layer in section.strains((1 + 1e-5) * limit, 10.0, [0.0, 3.0, 10.0])
+    )
 
 
 def test_weight_law_of_a_laminate_touches_the_true_one():

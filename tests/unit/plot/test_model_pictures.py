@@ -142,7 +142,7 @@ def test_tabs_come_out_of_a_ring_whole(elevation):
     turns = 2 * np.pi * np.arange(8) / 8
     placed = tuple(Placed(leaning, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turns)
     tabs = [PlacedTab.of(leaning, "start", one.frame) for one in placed]
-    ring = ring_plate(tabs, Sheet.named("mdf-3"), anyway=True)
+    ring = ring_plate(tabs, Sheet.named("mdf-3"), ignore_limits=True)
     figure = plot.model(Model(placed, plates=(ring,)), elevation=elevation)
     (patches,) = figure.axes[0].collections
     colors = patches.get_facecolor()

@@ -90,7 +90,7 @@ MODEL_TABLES: dict[str, Keys] = {
         "gap": (NUMBER, "two rings at either end, so far apart, mm"),
         "ends": MAKING["ends"],
         "shop": MAKING["shop"],
-        "anyway": MAKING["anyway"],
+        "ignore_limits": MAKING["ignore_limits"],
     },
     "mirror pattern": {"mirror": (table("mirror"), "a mirror image")},
     "rotate pattern": {"rotate": (table("rotate"), "copies about an axis")},

@@ -61,7 +61,7 @@ MAKING: Keys = {
         either(table("law thickness"), table("law rod"), table("law tube"), table("law leaves")),
         "what stiffness is made of in place of width",
     ),
-    "anyway": (FLAG, "make what the workshop cannot, and say so"),
+    "ignore_limits": (FLAG, "make what the workshop cannot, and say so"),
 }  # fmt: skip
 """Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
 

@@ -21,7 +21,6 @@ from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.host.view_providers import dress
 from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
-from freecad.elastica_wb.solving.strain_use import is_beyond, strain_use, whole_percent
 from freecad.elastica_wb.solving.strip_cache import (
     bent_shape,
     find_nearest,
@@ -31,7 +30,7 @@ from freecad.elastica_wb.solving.strip_cache import (
     solve_strip,
 )
 
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError, StrainError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.reports.bent_blank import tell_blank
@@ -209,7 +208,7 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         )
         notes.append(f"it does not stay in this shape: the stability margin is {found.margin:.3g}{where}")
     taken = "A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve."
-    if is_beyond(strain_use(strip)):
+    if strip.strain_verdict.refused:
         breaks = "A strip bent beforehand would break on this curve."
         taken = breaks if bent else "A flat strip would break on this curve."
     elif changed is not None:
@@ -224,7 +223,7 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         Margin=0.0 if found is None else found.margin,
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
         LargestStrain=100 * strip.max_strain,
-        StrainUse=whole_percent(strain_use(strip)),
+        StrainUse=strip.strain_verdict.percent,
         Deviation=(rod.moved if changed is None else changed) + smoothed,
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
@@ -238,6 +237,10 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
         bent = "A strip bent beforehand cannot take this curve."
         verdict = bent if error.check.bent_beforehand else "A flat strip cannot take this curve."
         reasons = list(error.check.reasons)
+    elif isinstance(error, StrainError):
+        bent = "A strip bent beforehand would break on this curve."
+        verdict = bent if obj.NaturalCurvature else "A flat strip would break on this curve."
+        put(obj, StrainUse=error.refusal.values["percent"])
     put(
         obj,
         Verdict=worded(verdict),

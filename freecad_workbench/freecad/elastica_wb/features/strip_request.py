@@ -84,7 +84,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         compensate=True if obj.Compensate else None if obj.Anticlastic else False,
         creep=obj.Creep,
         law=law,
-        anyway=obj.Anyway,
+        ignore_limits=obj.Anyway,
     )
 
 

@@ -30,7 +30,7 @@ TYPED = (  # what the core's sentences tell those who type to write, and where t
         r"Smooth = \1",
     ),
     (re.compile(r"\bSmooth = ([\d.]*\d)(?![\d.]| ?mm)"), r"Smooth = \1 mm"),  # else 0.1 is read in inches
-    (re.compile(r"\banyway \(--anyway\)"), "Anyway"),
+    (re.compile(r"\bignore_limits \(--ignore-limits\)"), "Anyway"),
     (re.compile(r" \(--force, or force=True\)"), ""),
     (re.compile(r" \(--unit\)"), ""),
     (re.compile(r"\bshop=Shop\(least_width=\.\.\.\)"), "LeastWidth"),

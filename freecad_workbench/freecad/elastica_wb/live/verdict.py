@@ -8,14 +8,15 @@ from enum import Enum
 
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
-from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend, strain_use, whole_percent
+from freecad.elastica_wb.solving.strain_use import sharpest_bend
 
 from elastica_cad._counts import told_range
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.strain_rule import StrainVerdict, judge_strain
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 SLENDER = 2.0  # times its width a strip must be long before it bends as a rod does
@@ -54,10 +55,8 @@ def strip_answer(strip: Strip) -> Answer:
     spoiled = _too_wide(strip.rod.length, strip.width.extremes[1])
     if spoiled is not None:
         return spoiled
-    used = strain_use(strip)
-    if is_beyond(used):
-        strained = next(line for line in strip.warnings if line.startswith("strain"))
-        return Answer(Verdict.BREAKS, _breaks(used), strained)
+    if not strip.strain_verdict.allowed:
+        return Answer(Verdict.BREAKS, _strained(strip.strain_verdict), strip.strain_warnings[0])
     return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
 
 
@@ -65,6 +64,9 @@ def refusal_answer(error: ElasticaError) -> Answer:
     """Why there is no strip: the curve, or what is asked of the strip."""
     if isinstance(error, NotRealizable):
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(error))
+    if isinstance(error, StrainError):
+        told = f"{translate('Elastica', 'would break')}: {error.refusal.values['percent']} %"
+        return Answer(Verdict.BREAKS, told, sentence_of(error))
     return Answer(Verdict.BREAKS, translate("Elastica", "cannot be made"), sentence_of(error))
 
 
@@ -72,7 +74,7 @@ def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     """One sentence for the status bar."""
     if isinstance(answer, Strip):
         wide = f"{told_range(*answer.width.extremes, '.3g')} mm"
-        used = whole_percent(strain_use(answer))
+        used = answer.strain_verdict.percent
         if is_bent_beforehand(answer):
             return (
                 f"A strip bent beforehand takes this curve: {wide} wide, stiffness ratio "
@@ -102,15 +104,24 @@ def _too_wide(length: float, width: float | None) -> Answer | None:
 def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Answer | None:
     sheet = spec.material
     bend, place = sharpest_bend(curve, spec.natural_curvature, samples)
-    used = bend * sheet.thickness / 2 / sheet.max_strain
-    if not is_beyond(used):
+    judged = judge_strain(sheet, bend * sheet.thickness / 2, place)
+    if judged.allowed:
         return None
+    radius, least = f"{1 / bend:.4g}", f"{judged.used / bend:.4g}"
     words = (
-        f"It would break at {place:.3g} mm: its radius there is {1 / bend:.4g} mm, the sheet bears "
-        f"{used / bend:.4g} mm; use a thinner sheet or a gentler curve."
+        f"It would break at {place:.3g} mm: its radius there is {radius} mm, the sheet bears "
+        f"{least} mm; use a thinner sheet or a gentler curve."
     )
-    return Answer(Verdict.BREAKS, _breaks(used), words)
+    if not judged.refused:
+        words = (
+            f"It is strained beyond its limit at {place:.3g} mm: its radius there is {radius} mm, the sheet bears "
+            f"{least} mm; {judged.outcome}; use a thinner sheet or a gentler curve."
+        )
+    return Answer(Verdict.BREAKS, _strained(judged), words)
 
 
-def _breaks(used: float) -> str:
-    return f"{translate('Elastica', 'would break')}: {whole_percent(used)} %"
+def _strained(judged: StrainVerdict) -> str:
+    beyond = (
+        translate("Elastica", "would break") if judged.refused else translate("Elastica", "beyond its limit")
+    )
+    return f"{beyond}: {judged.percent} %"

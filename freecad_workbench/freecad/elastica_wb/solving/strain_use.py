@@ -1,33 +1,15 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""How much of the strain that a sheet bears is used, and how that is told: over 100 % where it breaks only."""
+"""The sharpest bend of a curve, of which the rule of strain is asked before there is a strip."""
 
 import numpy as np
 
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
-from elastica_cad.mechanics.material.section_limits import STRAIN_SLACK
 
 STEPS, FINER = 641, 21
-
-
-def strain_use(strip: Strip) -> float:
-    """Share of what the sheet bears; of two layers, of that which comes nearest to its limit."""
-    return float(strip.max_strain / strip.strain_limit)
-
-
-def is_beyond(used: float) -> bool:
-    """Is that more than the sheet bears? A curve that is drawn at the limit is not."""
-    return used > 1 + STRAIN_SLACK
-
-
-def whole_percent(used: float) -> int:
-    """As it is told: what is beyond the limit by a thousandth is no 100 %, and what is at the limit no more."""
-    percent = round(100 * used)
-    return max(percent, 101) if is_beyond(used) else min(percent, 100)
 
 
 def sharpest_bend(

@@ -11,7 +11,7 @@ from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.growing_cache import growing_cache
-from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend
+from freecad.elastica_wb.solving.strain_use import sharpest_bend
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError, NotMetError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
@@ -21,6 +21,7 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.strain_rule import STRAIN_SLACK
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
@@ -73,7 +74,7 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
         if near.found is None or not near.met:
             break
         used = sharpest_bend(near.curve, asked.natural_curvature)[0] / most
-        if not is_beyond(used):
+        if used <= 1 + STRAIN_SLACK:
             return near
         share *= 1 + BEYOND * (used - 1)
     return _found(asked)

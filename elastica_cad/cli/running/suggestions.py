@@ -1,0 +1,125 @@
+"""Suggestions below a refusal: a change that it names, shown only where a strip was made with it that holds."""
+
+import re
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import click
+import numpy as np
+
+from elastica_cad.cli.running.voice import voice
+from elastica_cad.errors import ElasticaError
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.strip_spec import StripSpec
+
+MOST_TRIED = 3
+"""Candidates of one refusal."""
+
+TRIAL_S, TRIAL_BYTES = 2.0, 300 * 2**20
+"""What all of them may take together, beyond what the refusal took."""
+
+LONGEST_REFUSED_S = 2.0
+"""A request that took longer is not tried again otherwise."""
+
+FAR_SHARE = 0.03
+"""Of the diagonal of the drawn curve's box: a strip that is farther away is another one."""
+
+WIDEST_SHARE = 0.5
+"""Of its length: what is wider bends as a plate."""
+
+SUGGEST = "elastica.suggest"
+"""Key, in click's `meta`, of the function that looks for a suggestion below the refusal of the running command."""
+
+Candidate: TypeAlias = "tuple[str, Callable[[], Sequence[StripSpec]]]"
+"""What would be said of it, and the requests of its strips."""
+
+
+def suggest_later(look: Callable[[ElasticaError], str]) -> None:
+    """Have a suggestion looked for where the running command is refused, once that is said."""
+    context = click.get_current_context()
+
+    def look_here(problem: ElasticaError) -> str:
+        with context.scope(cleanup=False):
+            return look(problem)
+
+    context.meta[SUGGEST] = look_here
+
+
+def suggestion_below(problem: ElasticaError) -> str:
+    """A sentence with what would work; empty where nothing was found."""
+    look = click.get_current_context().meta.get(SUGGEST)
+    return "" if look is None else look(problem)
+
+
+def first_that_holds(candidates: Iterable[Candidate]) -> str:
+    """A sentence with the first candidate of which strips were made that hold; empty where none was in time."""
+    if time.perf_counter() - voice().since > LONGEST_REFUSED_S:
+        return ""
+    with suppress(KeyboardInterrupt, TimeoutError, MemoryError), _limits():
+        for told, requests in islice(candidates, MOST_TRIED):
+            if held := _held(requests):
+                return f"This works: {told} ({held})."
+    return ""
+
+
+@contextmanager
+def _limits() -> Iterator[None]:
+    """Ends what runs inside by TimeoutError or MemoryError; where the system cannot do that, before it begins."""
+    try:
+        import resource
+        from signal import ITIMER_REAL, SIGALRM, setitimer, signal
+    except ImportError:  # Windows
+        raise TimeoutError from None
+    if threading.current_thread() is not threading.main_thread():
+        raise TimeoutError
+    most = resource.getrlimit(resource.RLIMIT_DATA)
+
+    def end(*_: object) -> None:
+        raise TimeoutError
+
+    before = signal(SIGALRM, end)
+    with suppress(OSError, ValueError):  # systems that do not tell have the limit of time alone
+        used = re.search(r"VmData:\s+(\d+) kB", Path("/proc/self/status").read_text(encoding="ascii"))
+        if used is not None:
+            resource.setrlimit(resource.RLIMIT_DATA, (1024 * int(used[1]) + TRIAL_BYTES, most[1]))
+    setitimer(ITIMER_REAL, TRIAL_S)
+    try:
+        yield
+    finally:
+        setitimer(ITIMER_REAL, 0)
+        signal(SIGALRM, before)
+        resource.setrlimit(resource.RLIMIT_DATA, most)
+
+
+def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
+    """How near strips come and how far they are strained; empty where one is not made or does not hold."""
+    from elastica_cad.forming.nearest.nearest_record import NearestRod
+    from elastica_cad.mechanics.stability.stability_verdict import stability
+
+    farthest, used, name = 0.0, 0, ""
+    try:
+        for spec in requests():
+            found = spec.rod_spec.solve()
+            made = spec.make(found)
+            away = spec.rod_spec.smoothing.moved + (found.deviation if isinstance(found, NearestRod) else 0.0)
+            size = float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))
+            wide = float(made.width.extremes[1]) > WIDEST_SHARE * made.rod.length
+            if wide or away > FAR_SHARE * size or not made.strain_verdict.allowed:
+                return ""
+            if not stability(made.rod).stable:
+                return ""
+            farthest, used, name = (
+                max(farthest, away),
+                max(used, made.strain_verdict.percent),
+                made.sheet.name,
+            )
+    except ElasticaError:
+        return ""
+    near = f"within {farthest:.2g} mm of the drawn curve" if farthest else "the curve as drawn"
+    return f"{near}, {used} % of the strain that {name} bears" if name else ""

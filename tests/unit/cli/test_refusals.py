@@ -1,0 +1,384 @@
+"""A refusal ends with a suggestion where one was made, and the suggestion is run as it is printed."""
+
+import json
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import click
+import pytest
+from click.testing import CliRunner
+
+import elastica_cad as ec
+from elastica_cad.cli.commands import elastica
+from elastica_cad.cli.running import suggestions
+from elastica_cad.formats import write_curves
+
+CURVES = {
+    "wave": [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)],  # no strip takes it
+    "tall": [(0, 0), (30, 120), (70, 130), (120, 60), (150, 0)],  # one does, with a neck of 2.3 mm
+}
+
+
+def typed(words, cwd):
+    return subprocess.run(
+        [sys.executable, "-m", "elastica_cad", *words], cwd=cwd, capture_output=True, text=True, check=False
+    )
+
+
+def ended_by_ctrl_c(words, cwd, first="pass"):
+    """What a command says before Ctrl-C and after it, and its exit code; `first` is run before it."""
+    heard = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"  # also behind a shell's &
+    )
+    run = [sys.executable, "-c", f"{heard}; {first}; from elastica_cad.cli import main; main()", *words]
+    with subprocess.Popen(run, cwd=cwd, stderr=subprocess.PIPE, bufsize=0) as running:
+        before = running.stderr.read(4096).decode()
+        running.send_signal(signal.SIGINT)
+        after = running.stderr.read().decode()
+    return before, after, running.returncode
+
+
+@pytest.fixture
+def zigzag(tmp_path):
+    """A drawing of which no strip comes near soon: the search for one takes seconds."""
+    (tmp_path / "zigzag.csv").write_text("".join(f"{10 * i},{20 * (i % 2)}\n" for i in range(40)))
+    return tmp_path
+
+
+@pytest.mark.campaign
+def test_a_neck_is_written_anyway_and_said(tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
+    words = [
+        "strip",
+        "tall.dxf",
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        "12",
+        "--ignore-limits",
+        "-o",
+        "out",
+    ]
+    made = typed(words, tmp_path)
+    assert made.returncode == 0, made.stderr
+    assert "made anyway: tall: only 2.3 mm wide" in made.stderr
+    assert "made anyway" in (tmp_path / "out" / "tall.json").read_text()
+
+
+@pytest.mark.campaign
+def test_the_margin_comes_with_a_word(tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
+    made = typed(["strip", "tall.dxf", "--sheet", "pom-0.5", "--max-width", "30", "-o", "out"], tmp_path)
+    assert re.search(r"stable, margin [0-9.]+ \((low|ample)\): it stays", made.stdout)
+
+
+@pytest.mark.campaign
+def test_a_long_thin_arch_is_refused(tmp_path):
+    arch = [(0, 0), (1500, 1900), (3500, 2000), (6000, 0)]
+    write_curves([ec.PlaneCurve.spline(arch, degree=3)], tmp_path / "long.dxf")
+    refused = typed(
+        ["strip", "long.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "3.6", "-o", "out"], tmp_path
+    )
+    assert refused.returncode == 2
+    assert "larger than the stock" in refused.stderr
+    assert not (tmp_path / "out").exists()
+
+
+CORNER, RING, SLIGHT = (
+    '<path d="M 10 100 C 40 60 70 60 100 100 C 130 60 160 60 190 100"/>',
+    '<circle cx="100" cy="100" r="50"/>',
+    '<path d="M 20 150 C 50 90 90 60 140 60.00000 C 190 60.10000 240 100 270 150"/>',  # 0.115 degrees
+)
+DESIGN = """
+schema = 1
+name = "kit"
+sheet = "birch-plywood-0.8"
+max_width = 12
+[[strips]]
+label = "K1"
+"""
+
+
+@pytest.fixture(scope="module")
+def desk(tmp_path_factory):
+    """A folder with drawings and designs, a slip of a letter in some names."""
+    folder = tmp_path_factory.mktemp("desk")
+    drawn = {name: ec.PlaneCurve.spline(points, degree=4) for name, points in CURVES.items()}
+    for name, curve in drawn.items():
+        write_curves([curve], folder / f"{name}.dxf")
+    write_curves(
+        [drawn["wave"], drawn["tall"].transformed([[1, 0, 300], [0, 1, 0], [0, 0, 1]])], folder / "two.dxf"
+    )
+    for name, paths in (("corner", CORNER), ("ring", RING), ("both", RING + CORNER), ("slight", SLIGHT)):
+        (folder / f"{name}.svg").write_text(
+            '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200">'
+            f"{paths}</svg>"
+        )
+    write_curves([drawn["tall"].transformed([[2, 0, 0], [0, 2, 0], [0, 0, 1]])], folder / "wide.dxf")
+    (folder / "arch.dxf").write_bytes((folder / "tall.dxf").read_bytes())
+    (folder / "design.toml").write_text(f'{DESIGN}curve = "wave.dxf"\n')
+    (folder / "thin.toml").write_text(f'{DESIGN}curve = "tall.dxf"\n')
+    made = typed(["new", "sections"], folder)
+    assert made.returncode == 0, made.stderr
+    return folder
+
+
+SUGGESTED = [
+    ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 12 -o out", 2, "--max-width 15."),
+    ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 4000 -o out", 2, "--max-width"),
+    ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--thickness 0.8"),
+    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--smooth 0.2"),
+    ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--split-corners"),
+    ("check slight.svg", 2, "--smooth 0.2 -o out"),
+    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 1.2 -o out --units inch", 2, "--smooth 0.2mm"),
+]
+
+
+@pytest.fixture
+def unhurried(monkeypatch):
+    """Time enough for suggestions on a busy machine."""
+    monkeypatch.setattr(suggestions, "TRIAL_S", 60.0)
+    monkeypatch.setattr(suggestions, "LONGEST_REFUSED_S", 60.0)
+
+
+@pytest.mark.campaign
+@pytest.mark.usefixtures("unhurried")
+@pytest.mark.parametrize(("words", "code", "told"), SUGGESTED)
+def test_a_suggestion_is_made_as_it_is_printed(words, code, told, desk, monkeypatch):
+    monkeypatch.chdir(desk)
+    refused = CliRunner().invoke(elastica, words.split())
+    assert refused.exit_code == code
+    *_, last = refused.output.splitlines()
+    (command,) = re.findall(r"^This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
+    assert told in command
+    made = CliRunner().invoke(elastica, shlex.split(command))
+    shutil.rmtree(desk / "out", ignore_errors=True)
+    assert made.exit_code == 0, made.output
+    assert "Warning: strain" not in made.output
+    assert "unstable" not in made.output
+
+
+@pytest.mark.usefixtures("unhurried")
+@pytest.mark.parametrize(
+    "words",
+    [
+        "check wave.dxf",  # the nearest strip is farther than 3 %
+        "strip wide.dxf --sheet birch-plywod-0.8 --max-width 12",
+        "strip wide.dxf --sheet birch-plywood-0.8 --max-width 12",  # writes over its own drawing
+        "bend corner.svg --to 100 0",
+    ],
+)
+def test_nothing_is_suggested_that_does_not_hold(words, desk, monkeypatch):
+    monkeypatch.chdir(desk)
+    refused = CliRunner().invoke(elastica, words.split())
+    assert refused.exit_code in (1, 2)
+    assert "This works" not in refused.output
+
+
+def test_a_request_that_took_long_is_not_tried_again(desk, monkeypatch):
+    monkeypatch.chdir(desk)
+    monkeypatch.setattr(suggestions, "LONGEST_REFUSED_S", -1.0)
+    refused = CliRunner().invoke(elastica, SUGGESTED[0][0].split())
+    assert refused.exit_code == 2
+    assert "This works" not in refused.output
+
+
+def test_a_trial_ends_with_its_time(monkeypatch):
+    def request():
+        ended.append(time.perf_counter())
+        while True:
+            time.sleep(0.01)
+
+    ended = []
+    monkeypatch.setattr(suggestions, "TRIAL_S", 0.2)
+    with click.Context(elastica.commands["strip"]):
+        assert suggestions.first_that_holds([("`it`", request)] * 9) == ""
+    assert len(ended) == 1
+    assert time.perf_counter() - ended[0] < 1.5
+
+
+def test_a_mistyped_command_is_told_the_near_one():
+    refused = CliRunner().invoke(elastica, ["chekc", "arch.dxf"])
+    assert refused.exit_code == 2
+    assert "Did you mean 'check'?" in refused.output
+
+
+def test_pieces_between_corners_carry_the_number_of_the_joint(desk, tmp_path):
+    words = "strip corner.svg --split-corners --sheet card-200gsm --max-width 12 --json"
+    made = typed([*words.split(), "-o", str(tmp_path)], desk)
+    assert made.returncode == 0, made.stderr
+    first, last = json.loads(made.stdout)["strips"]
+    assert (first["joints"], last["joints"]) == (["", "J1"], ["J1", ""])
+    assert first["length"] == pytest.approx(last["length"], rel=1e-6)
+    plain = typed([*words.split(), "--label", "", "--curves", "polyline", "-o", str(tmp_path / "bare")], desk)
+    assert plain.returncode == 0
+    engraved = [(tmp_path / "bare" / f"corner-{k}.dxf").read_text().count("ENGRAVE") for k in (1, 2)]
+    assert engraved[0] == engraved[1] > 2  # strokes of J and 1, at the end of one, at the start of the other
+
+
+@pytest.mark.campaign
+def test_all_strips_of_a_design_that_cannot_be_made_are_named(desk, tmp_path):
+    design = desk / "several.toml"
+    strip = '[[strips]]\nlabel = "K{}"\ncurve = "{}"\n'
+    named = [strip.format(2, "wide.dxf"), strip.format(3, "wide.dxf").replace("K3", "good")]
+    design.write_text(f'{DESIGN}curve = "wave.dxf"\n' + named[0] + named[1] + "max_width = 40\n")
+    refused = typed(["model", "several.toml", "--no-step", "--no-pictures", "-o", str(tmp_path)], desk)
+    design.unlink()
+    assert refused.returncode == 1
+    assert "K1: " in refused.stderr
+    assert "Also: K2: only 2.3" in refused.stderr
+    assert "good: " not in refused.stderr
+    assert "This works" not in refused.stderr  # one change mends not all
+
+
+def test_margins_of_bent_strips_come_with_a_word(tmp_path):
+    made = typed(["bend", "--straight", "200", "--to", "150", "0", "-o", "out"], tmp_path)
+    assert re.search(r"stable, margin [0-9.]+ \((low|ample)\)", made.stdout)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("out", ["taken", "taken/below"])
+def test_a_file_where_files_should_go_is_told_and_no_command_that_fails_as_well(out, desk, tmp_path):
+    """Trials write elsewhere: `--nearest` was told to work, into the same file."""
+    taken = tmp_path / "taken"
+    taken.write_text("mine")
+    words = [
+        "strip",
+        "wide.dxf",
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        "40",
+        "-o",
+        str(tmp_path / out),
+    ]
+    refused = typed(words, desk)
+    assert refused.returncode == 2
+    assert "choose another folder" in refused.stderr
+    assert "This works" not in refused.stderr
+    assert taken.read_text() == "mine"
+
+
+def test_an_option_is_no_folder(tmp_path):
+    asked = typed(["new", "lamp", "-o", "--json"], tmp_path)
+    assert asked.returncode == 2
+    assert "'--json' reads as an option: name a folder before it" in asked.stderr
+    assert not (tmp_path / "--json").exists()
+
+
+@pytest.mark.parametrize(
+    ("width", "told"),
+    [("2e7", "is 2e+07 mm: give a length of at most 1e+06 mm"), ("9e5", "is larger than the stock of")],
+)
+def test_an_absurd_width_is_told_at_once(width, told, desk):
+    asked = ["strip", "wide.dxf", "--sheet", "birch-plywood-0.8", "--max-width", width]
+    refused = typed(asked, desk)
+    assert refused.returncode == 2
+    assert told in refused.stderr
+
+
+@pytest.mark.parametrize("words", ["sheets --units", "strip arch.csv --max-width", "batten --stock 20"])
+def test_an_option_without_its_value_is_one_sentence(words, tmp_path):
+    refused = typed(words.split(), tmp_path)
+    assert refused.returncode == 2
+    assert "Traceback" not in refused.stderr
+    assert words.split()[-1 if "20" not in words else 1] in refused.stderr
+
+
+def test_handles_of_a_curve_that_is_not_there_are_refused(tmp_path):
+    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    write_curves([arch], tmp_path / "arch.dxf")
+    words = [
+        "reshape",
+        "arch.dxf",
+        "--top-right",
+        "120",
+        "80",
+        "--handle",
+        "200",
+        "-1e308",
+        "40",
+        "0.5",
+        "--curve",
+    ]
+    refused = typed([*words, "point = [0, 0], normal = [0, 1]", "-o", "out"], tmp_path)
+    assert refused.returncode == 2
+    assert "Traceback" not in refused.stderr
+    assert refused.stderr.startswith(("Error: ", "Usage: "))
+
+
+def test_no_command_is_told_where_the_folder_reads_as_an_option(tmp_path):
+    """Trials write elsewhere, so one had been told that is refused as well."""
+    write_curves([ec.PlaneCurve.spline([(0, 0), (40, 60), (100, 0)], degree=2)], tmp_path / "a.dxf")
+    words = ["strip", "a.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "12", "-o", "-o"]
+    refused = typed(words, tmp_path)
+    assert refused.returncode == 2
+    assert refused.stderr.endswith("name a folder before it, or write ./-o\n")
+
+
+FLATTER_THAN_THEY_CAN_BE = """schema = 1
+sheet = "card-200gsm"
+max_width = 20
+limits = { curvature = 0.001 }
+keep = { tangents = true, length = true }
+[[strips]]
+curve = { x = "t", y = "t * (120 - t) / 60", t = [0, 120] }
+label = "A"
+[[strips]]
+curve = { x = "t", y = "t * (120 - t) / 50", t = [0, 120] }
+label = "B"
+"""
+
+
+@pytest.mark.campaign
+def test_limits_that_two_strips_miss_are_told_before_what_would_help_the_first(tmp_path):
+    (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
+    slow = (
+        "import elastica_cad.forming.nearest.advice as a, time; a._ways_out = lambda _: time.sleep(60) or ()"
+    )
+    verdict, rest, code = ended_by_ctrl_c(["model", "pair.toml", "-o", "out"], tmp_path, first=slow)
+    assert verdict.startswith("Not within these limits: A: The limits cannot be met")
+    assert "Also: B: The limits cannot be met" in verdict
+    assert rest == "\n"
+    assert code == 1
+
+
+@pytest.mark.campaign
+def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
+    (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
+    counted = (
+        "import elastica_cad.forming.nearest.advice as a, sys; said = a._ways_out;"
+        "a._ways_out = lambda near: (print('sought'), said(near))[1]"
+    )
+    run = f"{counted}; from elastica_cad.cli import main; main()"
+    words = [sys.executable, "-c", run, "model", "pair.toml", "-o", "out"]
+    told = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert told.stdout == "sought\n"
+    verdict, advice = told.stderr.split("What would help the first: ")
+    assert "is missed" not in verdict
+    assert re.search(
+        r"Missed: the end position, by \d+(\.\d+)? mm\. Without the curvature limit all limits are met",
+        advice,
+    )
+    assert "Without the curvature limit all limits are met" in advice
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("check", "Missing argument 'CURVE': give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or"),
+        ("model", "Missing argument 'DESIGN': give a design file; `elastica new pavilion` writes one"),
+        ("sections", "Missing argument 'MESH': give the file of a mesh (OBJ, STL, PLY) or of a STEP body."),
+        ("strip arch.dxf", "Missing option '--sheet': give --sheet NAME|FILE. Material: a name of"),
+        ("batten --sheet pom-1", "Missing option '--length': give --length MM. Of the batten."),
+    ],
+)  # fmt: skip
+def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
+    refused = typed(words.split(), tmp_path)
+    assert refused.returncode == 2
+    assert f"Error: {told}" in refused.stderr

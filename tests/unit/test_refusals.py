@@ -1,0 +1,70 @@
+"""Errors carry a record: template, typed values, places and changes; old names of options say what they are now."""
+
+import pickle
+
+import click
+import pytest
+
+from elastica_cad import PlaneCurve
+from elastica_cad.cli.commands import elastica
+from elastica_cad.errors import (
+    Change,
+    InputError,
+    Length,
+    NotConvergedError,
+    UnknownOptionError,
+    refusing_old_names,
+)
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+FAR = InputError(
+    "the ends are {distance} apart: bring them closer",
+    distance=Length(1234.5),
+    where={"field": "end"},
+    changes=[Change("end", (90.0, 0.0))],
+)
+
+
+def test_a_template_is_filled_and_its_values_keep_their_types():
+    assert str(FAR) == "the ends are 1230 mm apart: bring them closer"
+    assert FAR.refusal.text == "the ends are {distance} apart: bring them closer"
+    assert FAR.refusal.values["distance"] == 1234.5
+    assert FAR.refusal.kind == "input"
+    assert FAR.refusal.severity == "error"
+    assert str(InputError("write {i} for the count")) == "write {i} for the count"
+
+
+def test_a_place_is_added_once_and_leaves_the_text():
+    problem = NotConvergedError("no rest shape").at(strip="A1").at(strip="A1", file="kit.toml")
+    assert str(problem) == "kit.toml: A1: no rest shape"
+    assert problem.refusal.text == "no rest shape"
+
+
+@pytest.mark.parametrize("kind", [InputError, NotRealizable])
+def test_errors_are_pickled_with_their_records(kind):
+    wave = PlaneCurve.spline([(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)], degree=4)
+    problem = FAR if kind is InputError else NotRealizable(check_equilibrium(wave))
+    again = pickle.loads(pickle.dumps(problem.at(strip="A1")))
+    assert type(again) is kind
+    assert isinstance(again, ValueError)
+    assert str(again) == str(problem)
+    assert again.refusal == problem.refusal
+    assert again.refusal.changes
+
+
+def test_old_names_are_refused_with_the_new_ones():
+    said = "anyway'? is now called ignore_limits"
+    with pytest.raises(UnknownOptionError, match=said):
+        StripSpec(PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2), "pom-0.5", anyway=True)
+    with pytest.raises(UnknownOptionError, match=said):
+        refusing_old_names(dict)(anyway=True)
+    with pytest.raises(InputError, match=said):
+        Table({"anyway": True}, "kit.toml", {}).only("ignore_limits")
+    with (
+        pytest.raises(InputError, match="--anyway is now called --ignore-limits"),
+        click.Context(elastica) as context,
+    ):
+        elastica.commands["strip"].make_context("strip", ["a.dxf", "--anyway"], parent=context)
