@@ -79,14 +79,14 @@ def save_figure(
 
 def _bytes_of(figure: Figure, kind: str, resolution: float) -> bytes:
     if kind == "png":
-        return draw_png(figure, resolution)
+        return _draw_png(figure, resolution)
     stream = BytesIO()
     undated = {"Date": None} if kind == "svg" else {"CreationDate": None}
     figure.savefig(stream, format=kind, dpi=resolution, metadata=undated)
     return stream.getvalue()
 
 
-def draw_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
+def _draw_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
     """A PNG file of what `savefig` shows, which itself would go through the whole figure twice."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image

@@ -81,10 +81,10 @@ REQUESTS = {
         BOW, thickness=0.3,
     ),
     "narrower than can be handled, of a faired curve": Request(
-        {"min_width": 1.5, "anyway": True, "smooth": 0.5, "shop": Shop(least_width=2.0)},
-        "--min-width 1.5 --anyway --smooth 0.5 --least-width 2",
+        {"min_width": 1.5, "ignore_limits": True, "smooth": 0.5, "shop": Shop(least_width=2.0)},
+        "--min-width 1.5 --ignore-limits --smooth 0.5 --least-width 2",
         """min_width = 1.5
-           anyway = true
+           ignore_limits = true
            smooth = 0.5
            shop = { least_width = 2 }""",
         {"MaxWidth": 0.0, "MinWidth": 1.5, "Anyway": True, "Smooth": 0.5, "LeastWidth": 2.0},

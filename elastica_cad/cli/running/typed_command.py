@@ -16,7 +16,7 @@ OTHER_FIELDS = {"limits": "nearest", "keep": "keep_ends", "loads": "hung", "ends
 """Parameters of options that set a field of another name."""
 
 
-def command_line(*words: str) -> str:
+def _command_line(*words: str) -> str:
     """A command as it is typed."""
     return f"{name_program()} {shlex.join(words)}"
 
@@ -30,7 +30,7 @@ def typed_line(*added: str, instead: str | None = None) -> str:
     words: Sequence[str] = context.meta.get(TYPED, ())
     if instead is not None:
         words = [instead if word == context.info_name else word for word in words if word != "--json"]
-    return command_line(*words, *added)
+    return _command_line(*words, *added)
 
 
 def typed_length(mm: float) -> str:

@@ -156,7 +156,7 @@ def test_corners_are_told_and_split(tmp_path):
     grid = np.meshgrid(x, [0.0, 50.0, 100.0], indexing="ij")
     mesh = written(tmp_path / "trough.obj", *sheet_of(*grid, np.broadcast_to(z[:, None], grid[0].shape)))
     whole = run("sections", mesh, "--parallel", 1, "--axis", 0, 1, 0, "-o", tmp_path)
-    assert "a corner to any strip: split it at its corners" in whole.stderr
+    assert "split it at its corners" in whole.stderr
     made = run(
         "sections", mesh, "--parallel", 1, "--axis", 0, 1, 0, "--split-corners", 45, "-o", tmp_path, "--force"
     )
@@ -186,7 +186,7 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
     design.write_text(design.read_text().replace("10, ", ""))
     none = run("model", design, "-o", tmp_path / "none")
     assert none.exit_code == 1
-    assert none.stderr.splitlines()[-1].startswith("Not realizable: S1 (section 1, from (")
+    assert "Not realizable: S1 (section 1, from (" in none.stderr
 
 
 @pytest.mark.parametrize(
