@@ -16,7 +16,7 @@ CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 """Handles of the box around the drawn curves, by name."""
 
 
-def box_around_curves(curves: Sequence[PlaneCurve]) -> FloatArray:
+def _box_around_curves(curves: Sequence[PlaneCurve]) -> FloatArray:
     """Lower left and upper right corner (2, 2) of the box around curves, mm."""
     return box_around(np.array([curve.bounds for curve in curves]))
 
@@ -39,7 +39,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
     for name in places:
         if name not in CORNERS:
             raise InputError(f"a box has no corner {name!r}: use {', '.join(CORNERS)}")
-    (left, low), (right, high) = box_around_curves(curves)
+    (left, low), (right, high) = _box_around_curves(curves)
     if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
         raise InputError(
             f"the box around the curve measures {right - left:.4g} by {high - low:.4g} mm: too thin for handles "
