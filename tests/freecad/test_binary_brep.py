@@ -120,7 +120,7 @@ def test_the_passing_file_goes_and_its_lack_is_a_sentence(record, tmp_path: path
 
 PLATE, HOLES = Path.rectangle(40, 20), [Path.circle((5, 5), 2), Path.circle((20, 10), 3).reversed()]
 ROUNDED = Path.polyline([(0, 0), (30, 0), (30, 20), (0, 20)], [0.3, -0.2, 0.3, 0], closed=True)
-SIDED = FlatSolid.of(make_strip(CURVES["wave"], "birch-plywood-0.8", max_width=30))
+SIDED = FlatSolid.of(make_strip(CURVES["wave"], "birch-plywood-0.8", max_width=30, ignore_limits=True))
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,7 @@ def test_the_nearest_curve_follows_its_sketch(document, drawn, move_pole):
     near = curves.nearest(document, source)
     near.LimitStrain = False
     made = strip.create(document, near)
+    made.Sheet = "card-200gsm"
     document.recompute()
     ok(near, made)
     assert near.Deviation.Value > 1
@@ -63,6 +64,7 @@ def test_a_nearest_curve_drawn_into_its_sketch(document, drawn):
     assert document.getObject("Nearest") is None
     assert source.Shape.Edges[0].Length == pytest.approx(length, rel=1e-6)
     made = strip.create(document, source)
+    made.Sheet = "card-200gsm"
     document.recompute()
     ok(made)
 

@@ -23,7 +23,9 @@ CURVES = {
 
 
 def bent(name, **options):
-    return BentSolid.of(make_strip(CURVES[name], "birch-plywood-0.8", max_width=30, **options))
+    return BentSolid.of(
+        make_strip(CURVES[name], "birch-plywood-0.8", max_width=30, ignore_limits=True, **options)
+    )
 
 
 def drawn(record):

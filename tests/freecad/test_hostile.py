@@ -79,6 +79,7 @@ def test_odd_weights(document, drawn, weights):
 )
 def test_odd_numbers(document, drawn, name, value, says):
     feature = strip.create(document, drawn(WAVE))
+    feature.Sheet = "card-200gsm"
     if name in ("Columns", "Rows", "OuterWidth"):
         feature.Style = "Perforated"
         feature.OuterWidth = 60
@@ -107,6 +108,8 @@ def test_edges_of_solids(document):
         (helix, (), "plane"),
     ]
     made = [strip.create(document, source, edges) for source, edges, _ in asked]
+    for one in made:
+        one.Sheet = "card-200gsm"
     for said, (_, edges, says) in zip(judged(document, *made), asked, strict=True):
         assert says in said, edges
         assert bool(says) == bool(said)

@@ -347,7 +347,6 @@ def refused_by_editor(folder):
     return set(re.findall(r"d-[^/\s\":]+\.toml", done.stderr))
 
 
-@pytest.mark.campaign
 def test_reader_and_editor_agree_on_every_key(folder):
     designs = [tomllib.loads(text) for text in DESIGNS]
     root = {"$ref": "#/definitions/design"}
