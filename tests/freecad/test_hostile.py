@@ -62,7 +62,7 @@ def test_odd_weights(document, drawn, weights):
         ("MaxWidth", 1e12, "kilometre"),
         ("StartTab", 1e9, "kilometre"),
         ("Thickness", 1e-6, "foil"),
-        ("Thickness", 1e3, "are needed"),
+        ("Thickness", 1e3, "fold over"),
         ("Samples", -5, "3 or more"),
         ("Samples", 200_000, "the most"),
         ("Quantity", 0, ""),

@@ -112,7 +112,8 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
 
 
 @pytest.mark.parametrize(("words", "sentence"), [
-    (("--max-width", "1e200"), b"--max-width is 1e+200"), (("--max-width", "30", "--smooth", "-1"), b"smooth is -1"),
+    (("--max-width", "1e200"), b"--max-width is 1e+200"),
+    (("--max-width", "30", "--smooth", "-1"), b"smooth is -1"),
     (("--max-width", "30", "--smooth", "nan"), b"nan or infinite"), (("--max-width", "inf"), b"nan or infinite"),
     (("--max-width", "30", "--samples", "9" * 20), b"at most 1e+09"),
 ])  # fmt: skip
