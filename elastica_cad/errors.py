@@ -3,13 +3,23 @@
 import re
 import sys
 from collections.abc import Callable, Iterable
+from datetime import date, time
 from functools import cache
 from math import ceil, floor, isfinite, log10
 from pathlib import Path
 from reprlib import Repr
 from typing import Self
 
-_QUOTED = Repr()
+
+class _Quoted(Repr):
+    def repr_date(self, value: date | time, _: int) -> str:
+        """As files have them."""
+        return value.isoformat()
+
+    repr_datetime = repr_time = repr_date
+
+
+_QUOTED = _Quoted()
 _QUOTED.maxstring = _QUOTED.maxother = 60
 
 

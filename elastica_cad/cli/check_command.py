@@ -16,7 +16,7 @@ from elastica_cad.cli.asking.asked_curves import (
 )
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
-from elastica_cad.cli.running.typed_command import MOST_CURES, cure_later, with_cure
+from elastica_cad.cli.running.typed_command import MOST_CURES, cure_later, first_told, with_cure
 from elastica_cad.cli.running.voice import answer, say_with_cure, voice, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.reports.check_report import report_check
@@ -55,7 +55,7 @@ def check(
     smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
-    of_file, supports, worst = list(voice().notes), Supports(start, end), 0
+    of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
     for one in asked:
@@ -69,13 +69,16 @@ def check(
         said = " ".join((found["advice"], *found.get("notes", ())))
         if "problem" in found:
             cure = look()
-            warn(with_cure(said, cure))
+            bad += 1
+            warn(with_cure(said, cure), told=bad <= MOST_CURES)
         else:
             head = f"{curve.name}, {one.drawn.called} of {one.count}:\n" if several else ""
             cure = say_with_cure(f"{head}{said}", look)
         found |= {"cure": cure} if cure else {}
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in found else NOT_REALIZABLE)
         answers.append(found)
+    if bad > MOST_CURES:
+        warn(f"{bad} of {len(asked)} curves are no open, smooth curves{first_told(bad)}")
     answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
     if worst:
         ctx.exit(worst)

@@ -20,7 +20,7 @@ from elastica_cad.cli.asking.lengths import LENGTH, Length
 from elastica_cad.cli.asking.options import holding_option, join_options, output_options
 from elastica_cad.cli.asking.strip_options import spec_from_options, strip_options
 from elastica_cad.cli.running.strip_cures import explained
-from elastica_cad.cli.running.typed_command import MOST_CURES, cure_of, with_cure
+from elastica_cad.cli.running.typed_command import MOST_CURES, cure_of, first_told, with_cure
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
@@ -118,15 +118,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                 raise
             wrong, refused = wrong + 1, refused + 1
             called, said = asked.drawn.called, problem.verdict
-            warn(with_cure(said if called in said else f"{called}: {said}", cure_of(problem)))
+            text = with_cure(said if called in said else f"{called}: {said}", cure_of(problem))
+            warn(text, told=refused <= MOST_CURES)
     answer({"strips": reports})
-    if refused > MOST_CURES:
-        warn(
-            f"commands that work were looked for only for the first {MOST_CURES}; --curve N tells that of another"
-        )
     if wrong:
         if len(curves) > 1:
-            warn(f"{wrong} of {len(curves)} curves made no strip as asked")
+            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}")
         ctx.exit(1)
 
 

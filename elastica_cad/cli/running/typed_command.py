@@ -22,8 +22,8 @@ TYPED = "elastica.typed"
 LONGEST_SEARCH_S = 10.0
 """For a command that would work: the user did not ask for this search, so nothing more is tried after so long."""
 
-MOST_CURES = 12
-"""Curves of a file for which a command is sought; each costs a few solves."""
+MOST_CURES = 7
+"""Curves of a file whose refusals are told, and for which a command is sought; each costs a few solves."""
 
 
 def command_line(*words: str) -> str:
@@ -85,3 +85,10 @@ def cure_of(problem: ElasticaError) -> str:
 def with_cure(said: str, cure: str) -> str:
     """Both as one text."""
     return f"{said}{'' if said.endswith(('.', '?', '!', '.)')) else '.'} {cure}" if cure else said
+
+
+def first_told(refused: int) -> str:
+    """Which of so many refusals of curves are told, behind how many there are."""
+    if refused <= MOST_CURES:
+        return ""
+    return f", of which the first {MOST_CURES} are told: -v tells all, --curve N what works for one"

@@ -150,3 +150,14 @@ def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, mon
     assert run("model", "d/bowl-sections.toml", "--no-step", "--no-pictures", "-o", "g").exit_code == 0
     cut = (tmp_path / "e" / "sections-cut-list.csv").read_text()
     assert ",felt-0.9,0.9," in cut
+
+
+def test_a_sheet_is_not_kept_where_there_is_no_place_for_settings(monkeypatch, tmp_path):
+    monkeypatch.setattr("elastica_cad.cli.coupon_command.library_folders", tuple)
+    words = ("coupon", "--thickness", 1, "--density", 700, "--measured", 160, 74, "--keep")
+    assert "--keep needs a place for settings, and there is no home folder" in run(*words).stderr
+    (tmp_path / "file").write_text("")  # a folder that cannot be made
+    monkeypatch.setattr(
+        "elastica_cad.cli.coupon_command.library_folders", lambda: (tmp_path / "file" / "sheets",)
+    )
+    assert "a folder is to be there: choose another folder" in run(*words).stderr

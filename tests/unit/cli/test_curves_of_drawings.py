@@ -199,3 +199,16 @@ def test_a_design_tells_of_an_unlikely_size_once(arch_in, tmp_path):
     done = elastica("model", design, "-o", tmp_path / "kit", "--no-step", "--no-pictures", "--no-effects")
     assert done.returncode == 0
     assert b"across" not in done.stderr
+
+
+def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
+    """At most ten lines; programs have all of them, and so has -v."""
+    specks = "".join(f'<path d="M0 {k}c1e-5 1e-5 2e-5 1e-5 3e-5 0"/>' for k in range(30))
+    path = tmp_path / "a.svg"
+    path.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" viewBox="0 0 300 300">{specks}</svg>'
+    )
+    told = elastica("check", path).stderr.decode().splitlines()
+    assert len(told) <= 10
+    assert told[-1].startswith("30 of 30 curves are no open, smooth curves, of which the first 7 are told")
+    assert len(elastica("check", path, "-v").stderr.decode().splitlines()) > 30
