@@ -3,6 +3,7 @@
 import re
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from datetime import date, time
 from functools import cache, wraps
 from math import ceil, floor, isfinite, log10
 from pathlib import Path
@@ -38,7 +39,16 @@ __all__ = [
 P = ParamSpec("P")
 R = TypeVar("R")
 
-_QUOTED = Repr()
+
+class _Quoted(Repr):
+    def repr_date(self, value: date | time, _: int) -> str:
+        """As files have them."""
+        return value.isoformat()
+
+    repr_datetime = repr_time = repr_date
+
+
+_QUOTED = _Quoted()
 _QUOTED.maxstring = _QUOTED.maxother = 60
 
 

@@ -18,7 +18,7 @@ from elastica_cad.cli.asking.asked_curves import (
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
 from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
-from elastica_cad.cli.running.typed_command import typed_length, typed_line
+from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, typed_length, typed_line
 from elastica_cad.cli.running.voice import answer, say, voice, warn
 from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.formats.reports.check_report import report_check
@@ -66,7 +66,7 @@ def check(
     smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
-    of_file, supports, worst = list(voice().notes), Supports(start, end), 0
+    of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
     for one in asked:
@@ -74,7 +74,8 @@ def check(
         good = found["realizable"]
         said = " ".join((found["advice"], *found.get("notes", ())))
         if "problem" in found:
-            warn(said)
+            bad += 1
+            warn(said, told=bad <= MOST_REFUSALS)
         else:
             say(f"{curve.name}, {one.drawn.called} of {one.count}:\n{said}" if several else said)
         if not (good or several or voice().quiet):
@@ -84,6 +85,8 @@ def check(
                 say(suggestion)
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in found else NOT_REALIZABLE)
         answers.append(found)
+    if bad > MOST_REFUSALS:
+        warn(f"{bad} of {len(asked)} curves are no open, smooth curves{first_told(bad)}")
     answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
     if worst:
         ctx.exit(worst)

@@ -175,10 +175,15 @@ def _known(sheet: str | None, thickness: float | None, density: float | None, na
 
 def _kept() -> Path:
     """The folder of the user's library."""
-    folder = next((place for place in library_folders() if place.suffix != ".toml"), None)
+    places = library_folders()
+    if not places:
+        raise InputError(
+            "--keep needs a place for settings, and there is no home folder: name a folder in the variable "
+            "ELASTICA_SHEETS, or leave out --keep"
+        )
+    folder = next((place for place in places if place.suffix != ".toml"), None)
     if folder is None:
         raise InputError("--keep needs a folder: the variable ELASTICA_SHEETS names files only")
-    folder.mkdir(parents=True, exist_ok=True)
     return folder
 
 

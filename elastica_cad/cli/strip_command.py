@@ -20,7 +20,7 @@ from elastica_cad.cli.asking.lengths import LENGTH, Length
 from elastica_cad.cli.asking.options import holding_option, join_options, output_options
 from elastica_cad.cli.asking.strip_options import spec_from_options, strip_options
 from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
-from elastica_cad.cli.running.typed_command import option_words, typed_line
+from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, option_words, typed_line
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
@@ -106,7 +106,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         every=chosen["every"],
         split=chosen["split_corners"],
     )
-    reports, wrong = [], 0
+    reports, wrong, refused = [], 0, 0
     for asked in curves:
         try:
             spec = spec_from_options(asked.curve, asked.name, chosen)
@@ -121,13 +121,13 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         except ElasticaError as problem:
             if len(curves) == 1 and not chosen["every"]:
                 raise
-            wrong += 1
+            wrong, refused = wrong + 1, refused + 1
             called, said = asked.drawn.called, str(problem)
-            warn(said if called in said else f"{called}: {said}")
+            warn(said if called in said else f"{called}: {said}", told=refused <= MOST_REFUSALS)
     answer({"strips": reports})
     if wrong:
         if len(curves) > 1:
-            warn(f"{wrong} of {len(curves)} curves made no strip as asked")
+            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}")
         ctx.exit(1)
 
 

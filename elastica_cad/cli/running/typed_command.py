@@ -15,6 +15,9 @@ OTHER_FIELDS = {"limits": "nearest", "keep": "keep_ends", "loads": "hung", "ends
                 "limit width": "width_range"}  # fmt: skip
 """Parameters of options that set a field of another name."""
 
+MOST_REFUSALS = 7
+"""Curves of a file whose refusals are printed."""
+
 
 def _command_line(*words: str) -> str:
     """A command as it is typed."""
@@ -53,3 +56,10 @@ def option_words(change: Change) -> tuple[str, ...]:
     if not option:
         return ()
     return (option,) if change.value is True else (option, typed_length(change.value))
+
+
+def first_told(refused: int) -> str:
+    """Which of so many refusals of curves are printed, behind how many there are."""
+    if refused <= MOST_REFUSALS:
+        return ""
+    return f", of which the first {MOST_REFUSALS} are told: -v tells all"

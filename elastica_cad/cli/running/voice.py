@@ -99,10 +99,13 @@ def say(text: str = "") -> None:
         echo(text)
 
 
-def warn(text: str) -> None:
-    """What people should know besides, on the other stream; programs find it among the notes."""
+def warn(text: str, *, told: bool = True) -> None:
+    """What people should know besides, on the other stream; programs find it among the notes.
+
+    Where it is not `told`, people read it with -v only.
+    """
     voice().notes.append(text)
-    if not voice().quiet:
+    if not voice().quiet and (told or voice().verbose):
         _clear_step()
         echo(text, err=True)
 

@@ -256,7 +256,7 @@ def collect_curves(
     return DrawnFile(path, curves, dict(sorted(skipped.items())), size, gaps)
 
 
-_SHOWN = 6  # curves named in a sentence
+_SHOWN = 6  # curves and kinds named in a sentence
 
 
 def _known(curves: Sequence[DrawnCurve]) -> str:
@@ -272,5 +272,14 @@ def _parts(name: str) -> tuple[str, ...]:
 
 
 def list_things(counted: Mapping[str, int]) -> str:
-    """For example "2 text, 1 image"."""
-    return ", ".join(f"{count} {kind}" for kind, count in counted.items())
+    """For example "2 text, 1 image"; the first where there are many kinds.
+
+    Examples
+    --------
+    >>> list_things({"text": 2, "image": 1}), list_things({f"kind {n}": 1 for n in range(40)})[-31:]
+    ('2 text, 1 image', '1 kind 5, and 34 of other kinds')
+    """
+    most = len(counted) if len(counted) <= _SHOWN + 1 else _SHOWN
+    told = [f"{count} {kind}" for kind, count in list(counted.items())[:most]]
+    others = sum(list(counted.values())[most:])
+    return ", ".join(told) + (f", and {others} of other kinds" if others else "")

@@ -49,12 +49,13 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     """
     try:
         data = json.loads(file.read_bytes())
-    except (ValueError, RecursionError) as error:  # a whole number of thousands of digits too
+    except RecursionError as error:
+        raise InputError("nests lists or records too deep: give a file that elastica wrote") from error
+    except ValueError as error:  # a whole number of thousands of digits too
         raise InputError(f"is not JSON ({str(error).partition(';')[0]}): export it anew") from error
     if not isinstance(data, dict):
         raise InputError(
-            f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}: give a file that "
-            "elastica wrote"
+            f"holds no record with the schema {CURVES_SCHEMA!r}: give a file that elastica wrote"
         )
     scale = _scale(data, unit)
     if "curve" in data:

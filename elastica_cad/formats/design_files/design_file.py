@@ -228,6 +228,10 @@ def _parse(path: Path) -> dict[str, Any]:
         return tomllib.loads(text)
     except UnicodeDecodeError as error:
         raise InputError(f"{path} is no TOML file, which are UTF-8: save it as text in UTF-8") from error
+    except RecursionError as error:
+        raise InputError(
+            f"{path} nests lists or tables too deep: write them one within a few others"
+        ) from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(
             f"{path} is no TOML file: {error}; {toml_slip(text, error)}, or begin with one of `elastica new`"

@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.design_files.tables import Table
 
 T = TypeVar("T")
@@ -34,9 +34,9 @@ def parse_line(
     inside = line.strip()
     try:
         data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(
-            f"{where}: {line!r} cannot be read: write keys and values, such as {example}"
+            f"{where}: {quoted(line)} cannot be read: write keys and values, such as {example}"
         ) from error
     table = Table(data["line"], where, {})
     with table.naming():

@@ -102,7 +102,7 @@ class Table:
         self, data: object, where: str, scope: Mapping[str, Value], defaults: "Table | None" = None
     ) -> None:
         if not isinstance(data, Mapping):
-            raise InputError(f"{where} must be a table of keys and values, not {data!r}")
+            raise InputError(f"{where} must be a table of keys and values, not {quoted(data)}")
         self.data: Mapping[str, Any] = data
         self.where = where
         self.scope = scope

@@ -17,8 +17,13 @@ _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", defaul
 
 _below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", default=())
 
-LARGEST_FILE = 256 * 2**20
-"""Bytes."""
+LARGEST_FILE = 64 * 2**20
+"""Bytes of a file of curves."""
+
+LARGEST_OF_KIND = {".toml": 16 * 2**20} | dict.fromkeys(
+    (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 2**20
+)
+"""Bytes of designs, which are read slowly, and of meshes and bodies, which are large."""
 
 MILLIMETRES = {
     "mm": 1.0,
@@ -58,12 +63,11 @@ def require_file(path: str | Path) -> Path:
         ) from error
     if empty:
         raise InputError(f"{path} is empty: save it anew in the program that made it")
-    size = path.stat().st_size
-    if size > LARGEST_FILE:
+    size, most = path.stat().st_size, LARGEST_OF_KIND.get(path.suffix.lower(), LARGEST_FILE)
+    if size > most:
         raise InputError(
-            f"{path} has {size / 2**20:.0f} MB, and at most {LARGEST_FILE // 2**20} MB are read: leave "
-            "out what is no "
-            "curve, or simplify it"
+            f"{path} has {size / 2**20:.0f} MB, and at most {most // 2**20} MB are read: leave out what is not "
+            "needed, or simplify it"
         )
     return path
 

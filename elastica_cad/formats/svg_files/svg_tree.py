@@ -3,12 +3,14 @@
 import re
 import zlib
 from collections import Counter
+from contextlib import suppress
 from dataclasses import dataclass, field
 from gzip import GzipFile
 from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO
 from xml.etree import ElementTree
+from xml.parsers.expat import ExpatError, ParserCreate
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
@@ -33,6 +35,7 @@ _NOT_SHOWN = (
 _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 _PACKED = b"\x1f\x8b"  # how gzip begins
+_HEAD = 4096  # bytes that are looked through at a time for where the first element begins
 _DEEPEST = 200  # elements within elements
 _MOST_ELEMENTS = 5 * MOST_SHAPES  # once clones are put in place: groups and texts take time too
 _MOST_TEXT = 64 * 2**20  # characters once clones are put in place
@@ -87,6 +90,7 @@ def svg_tree(path: Path) -> SvgTree:
         No SVG, nested too deep, or more shapes, clones expanded, than are read.
     """
     with open_svg(path) as file:
+        _refuse_entities(file)
         try:
             root = ElementTree.parse(file).getroot()
         except (ElementTree.ParseError, ValueError, LookupError) as error:
@@ -123,6 +127,27 @@ def open_svg(path: Path) -> BinaryIO:
             f"holds more than {LARGEST_FILE // 2**20} MB once unpacked: leave out what is no curve, or simplify it"
         )
     return BytesIO(data)
+
+
+def _refuse_entities(file: BinaryIO) -> None:
+    """Refuse declarations of entities, which stand before the first element: they may expand to anything."""
+    parser, in_head = ParserCreate(), True
+
+    def refuse(*_: object) -> None:
+        raise InputError(
+            "declares entities of XML, which are not expanded: save it as plain SVG (Illustrator: without its "
+            "editing capabilities)"
+        )
+
+    def begins(*_: object) -> None:
+        nonlocal in_head
+        in_head = False
+
+    parser.EntityDeclHandler, parser.StartElementHandler = refuse, begins
+    with suppress(ExpatError, LookupError):  # no XML: whoever reads all of it says so
+        while in_head and (data := file.read(_HEAD)):
+            parser.Parse(data)
+    file.seek(0)
 
 
 def _refuse_bombs(tree: SvgTree) -> None:

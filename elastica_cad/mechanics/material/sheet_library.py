@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from elastica_cad._values import require_path
-from elastica_cad.errors import InputError, toml_slip
+from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.mechanics.material.sheet_keys import (
     KEYS,
     NOMINAL_KEY,
@@ -37,6 +37,10 @@ _FIGURES = {
     "break_strain": ("break_strain", "break"),
 }
 _ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other figures, where they are not published
+
+
+LARGEST_FILE = 2**20
+"""Bytes of a file of sheets."""
 
 
 @lru_cache(maxsize=1)
@@ -140,9 +144,17 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
     path = require_path(path)
     if os.path.isdir(path):  # False, not an error, for a name that no disk takes
         raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
+    if os.path.exists(path) and not path.is_file():
+        raise InputError(f"{path} is no file but a device or a pipe: name a file of sheets")
     try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise InputError(
+                f"{path} has more than {LARGEST_FILE // 2**20} MB, which is no file of sheets: name one"
+            )
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         data = tomllib.loads(text)
+    except RecursionError as error:
+        raise InputError(f"{path} nests lists or tables too deep for a file of sheets") from error
     except OSError as error:
         raise InputError(
             f"{path} cannot be read: {error.strerror or error}; name a file that is there"
@@ -156,7 +168,7 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
             raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")
     if data.get("schema", SCHEMA) != SCHEMA:
         raise InputError(
-            f"{path}: schema {data['schema']!r} is not known; this version reads schema {SCHEMA}"
+            f"{path}: schema {quoted(data['schema'])} is not known; this version reads schema {SCHEMA}"
         )
     return figures_from_table(data.get("sheets", {}), str(path))
 
@@ -172,7 +184,7 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
     """Fields of one sheet."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
-        raise InputError(f"{where} must be a table [sheets.{name}], got {entry!r}")
+        raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
     values: dict[str, Any] = {}
     for key, value in entry.items():
         if key not in KEYS:
@@ -182,11 +194,13 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             values[field_name] = finite_number(value, f"{where}: {key}")
         elif kind in ("text", "grain"):
             if not isinstance(value, str):
-                raise InputError(f"{where}: {key} is {value!r}; it must be text in quotes")
+                raise InputError(f"{where}: {key} is {quoted(value)}; it must be text in quotes")
             values[field_name] = value
         elif kind == "range":
             if not isinstance(value, list) or len(value) != 2:
-                raise InputError(f"{where}: {key} is {value!r}; it must be two numbers, [lowest, highest]")
+                raise InputError(
+                    f"{where}: {key} is {quoted(value)}; it must be two numbers, [lowest, highest]"
+                )
             values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
             number = plausible_number(value, key, where)

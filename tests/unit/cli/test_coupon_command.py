@@ -166,3 +166,14 @@ def test_readings_that_contradict_each_other_are_told(tmp_path, droops, contradi
     result = run("coupon", "--sheet", "card-200gsm", *readings, "-o", tmp_path)
     assert result.exit_code == 0, result.output
     assert ("contradict each other: a droop of 25 mm over 150 mm" in result.stderr) == contradict
+
+
+def test_a_sheet_is_not_kept_where_there_is_no_place_for_settings(monkeypatch, tmp_path):
+    monkeypatch.setattr("elastica_cad.cli.coupon_command.library_folders", tuple)
+    words = ("coupon", "--thickness", 1, "--density", 700, "--measured", 160, 74, "--keep")
+    assert "--keep needs a place for settings, and there is no home folder" in run(*words).stderr
+    (tmp_path / "file").write_text("")  # a folder that cannot be made
+    monkeypatch.setattr(
+        "elastica_cad.cli.coupon_command.library_folders", lambda: (tmp_path / "file" / "sheets",)
+    )
+    assert "a folder is to be there: choose another folder" in run(*words).stderr

@@ -214,3 +214,16 @@ def test_a_gap_between_two_curves_is_told(tmp_path):
     )
     told = elastica("check", drawing).stderr.decode()
     assert "curve 1 and curve 2 end 0.2 mm apart near (100, -40) mm and are two strips" in told
+
+
+def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
+    """At most ten lines; programs have all of them, and so has -v."""
+    specks = "".join(f'<path d="M0 {k}c1e-5 1e-5 2e-5 1e-5 3e-5 0"/>' for k in range(30))
+    path = tmp_path / "a.svg"
+    path.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" viewBox="0 0 300 300">{specks}</svg>'
+    )
+    told = elastica("check", path).stderr.decode().splitlines()
+    assert len(told) <= 10
+    assert told[-1].startswith("30 of 30 curves are no open, smooth curves, of which the first 7 are told")
+    assert len(elastica("check", path, "-v").stderr.decode().splitlines()) > 30

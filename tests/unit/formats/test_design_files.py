@@ -10,9 +10,12 @@ from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.formats.design_files.one_line import parse_line
+from elastica_cad.formats.design_files.strip_records import read_slot
 from elastica_cad.formats.design_files.tables import Slips
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.mechanics.material.sheet import load_sheets
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 ARC = "curve.ellipse = { semi_axes = [90, 60], start = 0.2, end = 2.9 }"
@@ -503,3 +506,23 @@ def test_a_design_of_a_windows_editor_is_read(tmp_path):
     design.write_bytes(text.encode("utf-16"))
     with pytest.raises(InputError, match="save it as text in UTF-8"):
         read_design(design, read_curves)
+
+
+def test_lists_nested_a_thousand_deep_are_refused(tmp_path):
+    """They had ended in a traceback."""
+    path = tmp_path / "deep.toml"
+    path.write_text("a = " + 1000 * "[" + 1000 * "]")
+    with pytest.raises(InputError, match="nests lists or tables too deep"):
+        read_design(path, read_curves)
+    path.write_text("[sheets.a]\nkerf_mm = " + 1000 * "[" + 1000 * "]")
+    with pytest.raises(InputError, match="nests lists or tables too deep"):
+        load_sheets(path)
+    with pytest.raises(InputError, match="cannot be read: write keys and values"):
+        parse_line("at = " + 1000 * "[" + 1000 * "]", "--slot", read_slot)
+
+
+def test_dates_are_quoted_as_the_file_has_them(tmp_path):
+    path = tmp_path / "dates.toml"
+    path.write_text("schema = 1\nsheet = 2020-01-02\n[[strips]]\n")
+    with pytest.raises(InputError, match="sheet is 2020-01-02: it must be text"):
+        read_design(path, read_curves)

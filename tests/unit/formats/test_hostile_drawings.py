@@ -11,6 +11,7 @@ import pytest
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_curves, read_drawing
 from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 pytest.importorskip("svgelements")
@@ -314,3 +315,35 @@ def test_a_number_that_holds_half_the_file_is_told_in_part(tmp_path):
     rows = ("0", "SECTION", "2", "ENTITIES", "0", "LINE", "8", "0", "10", "1.5" + "\0uous" * 400, "20", "0.0")
     path.write_text("\n".join((*rows, "11", "9.0", "21", "4.0", "0", "ENDSEC", "0", "EOF", "")))
     refused(path, r"is damaged \(.*'1\.5.*\.\.\.")
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_entities_are_refused_before_they_are_expanded(tmp_path, encoding):
+    """Below the parser's own limit they were expanded."""
+    head = '<!DOCTYPE svg [<!ENTITY a "M0 0C10 20 30 20 40 0">]>'
+    path = tmp_path / "a.svg"
+    path.write_text(f'{head}<svg xmlns="http://www.w3.org/2000/svg"><path d="&a;"/></svg>', encoding=encoding)
+    refused(path, "declares entities of XML, which are not expanded")
+
+
+@pytest.mark.parametrize(("suffix", "most"), [(".svg", 64), (".toml", 16), (".stl", 256)])
+def test_a_file_that_is_too_large_is_refused_by_its_size(tmp_path, suffix, most):
+    path = tmp_path / f"a{suffix}"
+    with path.open("wb") as file:
+        file.write(b"<")
+        file.truncate((most + 1) * 2**20)
+    with pytest.raises(InputError, match=f"has {most + 1} MB, and at most {most} MB are read"):
+        require_file(path)
+
+
+def test_of_many_kinds_that_are_left_out_the_first_are_named(tmp_path):
+    document = ezdxf.new("R2010", units=4)
+    space = document.modelspace()
+    space.add_arc((0, 0), 50, 10, 170)
+    for number in range(500):
+        document.layers.add(f"L{number}").off()
+        space.add_line((0, 0), (9, 9), dxfattribs={"layer": f"L{number}"})
+    document.saveas(tmp_path / "a.dxf")
+    told = read_drawing(tmp_path / "a.dxf").left_out
+    assert told.endswith("and 494 of other kinds")
+    assert len(told) < 300

@@ -453,8 +453,8 @@ def test_a_packed_drawing_is_unpacked(tmp_path):
         (tmp_path / "broken.svgz").write_bytes(broken)
         with pytest.raises(InputError, match=r"broken\.svgz: is packed and cannot be unpacked: save it anew"):
             read_curves(tmp_path / "broken.svgz")
-    (tmp_path / "large.svgz").write_bytes(gzip.compress(bytes(2**20), 9) * 257)
-    with pytest.raises(InputError, match="more than 256 MB once unpacked"):
+    (tmp_path / "large.svgz").write_bytes(gzip.compress(bytes(2**20), 9) * 65)
+    with pytest.raises(InputError, match="more than 64 MB once unpacked"):
         read_curves(tmp_path / "large.svgz")
 
 

@@ -105,7 +105,7 @@ def sheet_from_text(name: str, text: str) -> Sheet:
 
     try:
         return sheets_from_table(tomllib.loads(text)["sheets"], where="this document")[name]
-    except (tomllib.TOMLDecodeError, KeyError) as error:
+    except (tomllib.TOMLDecodeError, RecursionError, KeyError) as error:
         raise InputError(
             f"the sheet {name!r} kept in this document cannot be read: choose another one"
         ) from error
