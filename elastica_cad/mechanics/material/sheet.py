@@ -1,6 +1,6 @@
 """Sheets that strips are cut from: thickness, elasticity, weight, strain limit and kerf."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from elastica_cad._notebook import html_table
-from elastica_cad._values import is_number, require_number
+from elastica_cad._values import is_number, is_one_of, is_series, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
@@ -133,7 +133,7 @@ class Sheet:
         G = self.shear_modulus
         if G is not None and not finite_number(G, f"sheet {self.name!r}: shear_modulus") > 0:
             raise InputError(f"sheet {self.name!r}: shear_modulus is {G:g}; it must be positive, in MPa")
-        sides = tuple(self.stock) if isinstance(self.stock, Iterable) else ()
+        sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")
         object.__setattr__(self, "stock", sides or None)
@@ -144,7 +144,7 @@ class Sheet:
         asked: object = self.grain
         if is_number(asked):
             object.__setattr__(self, "grain", self._grain_at(asked))
-        if self.grain not in get_args(Grain):
+        if not is_one_of(self.grain, get_args(Grain)):
             raise InputError(
                 f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
             )
