@@ -104,6 +104,7 @@ campaign-mutants: $(VENV)/test-installed
 campaign-fuzz: $(VENV)/test-installed
 	-$(RECORD) "fuzz: files" $(TRUST).files --cases 100000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
 	-$(RECORD) "fuzz: commands" $(TRUST).commands --runs 3000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+	-$(RECORD) "fuzz: nonsense in Python" $(TRUST).nonsense --calls 20000 --seed $(SEED)
 	-$(RECORD) "fuzz: compiled code" $(TRUST).kernels --cases 20000
 	-$(RECORD) "fuzz: limits that are met" $(TRUST).met_checks --solves 10000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
 	-$(RECORD) "fuzz: cutting files" $(TRUST).written --strips 1000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign

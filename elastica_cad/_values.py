@@ -1,7 +1,6 @@
 """Checks of what users fill records with: numbers, names of files, and records of a kind."""
 
 from collections.abc import Iterable
-from math import isfinite
 from os import PathLike
 from pathlib import Path
 from types import UnionType
@@ -12,23 +11,23 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, quoted
 
+LARGEST = 1e100
+"""Of numbers that mean something here: their squares and cubes are numbers still."""
+
 
 def is_number(value: object) -> TypeGuard[float]:
-    """A finite number? Texts, truth values and rows of numbers are none.
+    """A finite number? Texts, truth values, rows of numbers and what no drawing holds, beyond 1e100, are none.
 
     Examples
     --------
     >>> is_number(3), is_number(np.float64(0.5)), is_number("3"), is_number(float("nan")), is_number(True)
     (True, True, False, False, False)
     """
-    if type(value) is float:  # nearly all are
-        return isfinite(value)
-    if isinstance(value, bool | np.bool_) or not isinstance(value, float | int | np.integer | np.floating):
+    if type(value) is not float and (  # nearly all are
+        isinstance(value, bool | np.bool_) or not isinstance(value, float | int | np.integer | np.floating)
+    ):
         return False
-    try:
-        return isfinite(value)
-    except OverflowError:  # a whole number larger than all floats
-        return False
+    return bool(-LARGEST <= value <= LARGEST)
 
 
 def is_whole(value: object) -> TypeGuard[int]:
@@ -97,6 +96,52 @@ def numbers(values: object, what: str) -> FloatArray:
     return array
 
 
+def alike(**values: object) -> tuple[FloatArray, ...]:
+    """Numbers of shapes that go together, by their names, each as it is.
+
+    Raises
+    ------
+    InputError
+        No numbers, or of shapes that do not.
+
+    Examples
+    --------
+    >>> alike(curvature=[1, 2], rest=0.0)
+    (array([1., 2.]), array(0.))
+    """
+    arrays = tuple(numbers(value, name) for name, value in values.items())
+    try:
+        np.broadcast_shapes(*(array.shape for array in arrays))
+    except ValueError:
+        shapes = " and ".join(f"{name} {array.shape}" for name, array in zip(values, arrays, strict=True))
+        raise InputError(f"the shapes of {shapes} do not go together: give as many of each, or one") from None
+    return arrays
+
+
+def require_flag(value: object, what: str) -> bool:
+    """Yes or no; refused where it is neither.
+
+    Raises
+    ------
+    InputError
+        `what` names the value.
+    """
+    if not isinstance(value, bool | np.bool_ | int):
+        raise InputError(f"{what} is {quoted(value)}: give True or False")
+    return bool(value)
+
+
+def is_one_of(value: object, choices: Iterable[object]) -> bool:
+    """Is it one of these? An array, which would answer for each of its elements, is none."""
+    return not isinstance(value, np.ndarray) and value in choices
+
+
+def is_series(value: object) -> TypeGuard[Iterable[Any]]:
+    """Can it be gone through? A text stands for itself, and an array of one number for that number."""
+    alone = isinstance(value, str) or (isinstance(value, np.ndarray) and value.ndim == 0)
+    return isinstance(value, Iterable) and not alone
+
+
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
     """Refuse what is no such record; `cure` says what to give.
 
@@ -134,8 +179,7 @@ def several(
     InputError
         Something else among them.
     """
-    alone = isinstance(values, record | str) or (isinstance(values, np.ndarray) and values.ndim == 0)
-    many = isinstance(values, Iterable) and not alone
+    many = is_series(values) and not isinstance(values, record)
     found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for one in found:
         if not isinstance(one, record):

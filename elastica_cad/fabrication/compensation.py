@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_positive, require_record
+from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import Seats, strayed
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -63,7 +63,7 @@ def compensate_widths(
     True
     """
     require_record(strip, Strip, "what is compensated", "a Strip")
-    if largest != np.inf:
+    if not is_one_of(largest, [np.inf]):
         require_positive(largest, "the largest change of width", "shares of it")
     for seat in (start, end):
         if seat is not None:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.sheets.cut_list import CutList, CutListRow
@@ -31,6 +32,7 @@ class LeafStack:
     strip: Strip
 
     def __post_init__(self) -> None:
+        require_record(self.strip, Strip, "what is of leaves", "a Strip")
         if self.strip.layout.stack is None:
             raise InputError("the strip is not of leaves: make it with law=LeavesLaw(sheet, leaves, width)")
 

@@ -11,6 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._values import require_flag
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curve_editing.control_point_constraints import (
     CollinearInflections,
@@ -154,7 +155,7 @@ def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool)
         found.append(
             EndTangents(along.start_normal if at_start else None, along.end_normal if at_end else None)
         )
-    if length:
+    if require_flag(length, "length"):
         found.append(FixedLength(curve.length))
     return tuple(found)
 

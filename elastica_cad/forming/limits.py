@@ -1,6 +1,6 @@
 """What a strip may be (limits, all hard) and what of the drawn curve must stay (keep)."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from numbers import Real
 from typing import Literal, TypeAlias
@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, require_positive
+from elastica_cad._values import is_number, is_one_of, is_series, require_positive
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -172,7 +172,7 @@ class Limits:
             if not 0 < low <= high:
                 raise InputError(f"limit {name}={value!r} must be a range (least, largest) of positive mm")
             object.__setattr__(self, name, (float(low), float(high)))
-        several = isinstance(self.keep_out, Iterable)
+        several = is_series(self.keep_out)
         keep_out = tuple(self.keep_out) if several else (self.keep_out,)
         for region in keep_out:
             if not isinstance(region, (HalfPlane, Box)):
@@ -254,11 +254,11 @@ class Keep:
         for name in ("ends", "tangents"):
             value = getattr(self, name)
             alone = isinstance(value, (bool, np.bool_))
-            both = (value, value) if alone else tuple(value) if isinstance(value, Iterable) else ()
+            both = (value, value) if alone else tuple(value) if is_series(value) else ()
             if len(both) != 2 or not all(isinstance(v, (bool, np.bool_)) for v in both):
                 raise InputError(f"keep {name}={value!r}: use True, False, or a pair for (start, end)")
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
-        if self.symmetry not in (None, "mirror", "turn"):
+        if not is_one_of(self.symmetry, (None, "mirror", "turn")):
             raise InputError(f"keep symmetry={self.symmetry!r}: use 'mirror', 'turn' (a half turn) or None")
         points = np.atleast_1d(_numbers("keep points", self.points))
         if points.ndim != 1 or not np.all(np.isfinite(points)):

@@ -6,6 +6,7 @@ from itertools import islice
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
+from elastica_cad._values import is_series
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
@@ -69,7 +70,7 @@ def nearest_rods(
     >>> [near.met for near in nearest_rods([arch, arch.reversed()], Limits(ratio=1.6))]
     [True, True]
     """
-    if isinstance(curves, PlaneCurve | str) or not isinstance(curves, Iterable):
+    if isinstance(curves, PlaneCurve) or not is_series(curves):
         raise InputError(f"nearest_rods takes a list of curves, not a {type(curves).__name__}")
     _require_executor(executor)
     if not (progress is None or callable(progress)):
@@ -137,7 +138,7 @@ def stream_nearest_rods(
     >>> [(i, near.met) for i, near in stream_nearest_rods(arches, Limits(ratio=1.6))]
     [(0, True), (1, True), (2, True)]
     """
-    if isinstance(curves, PlaneCurve | str) or not isinstance(curves, Iterable):
+    if isinstance(curves, PlaneCurve) or not is_series(curves):
         raise InputError(f"stream_nearest_rods takes curves to be read, not a {type(curves).__name__}")
     _require_executor(executor)
     _require_options("stream_nearest_rods", options)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_series
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.edges import Edge as DrawnEdge
 from elastica_cad.formats.curve_files.edges import Run
@@ -85,7 +86,7 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):
-        if isinstance(shape, str) or not isinstance(shape, Iterable):
+        if not is_series(shape):
             raise InputError(
                 f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}: through points draw a "
                 "spline first, of a builder give its line"

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._counts import told_apart
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.model.assembly import layer_names
@@ -165,6 +165,7 @@ def travel_of(rib: StripBody, end: Point) -> Travel:
     InputError
         A body that is not bent, a point off the plane in which it bends, or as `Travel`.
     """
+    require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:
         raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
     return Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))

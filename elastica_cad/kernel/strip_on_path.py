@@ -1,10 +1,11 @@
 """The strip of a curve drawn in a CAD kernel, given as numbers, or made before."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypedDict
 
+from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -198,7 +199,7 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
     from elastica_cad.kernel.shape_sections import shape_surface
 
     if not isinstance(planes, SectionSpec):
-        alone = isinstance(planes, Frame | str) or not isinstance(planes, Iterable)
+        alone = isinstance(planes, Frame) or not is_series(planes)
         rows = (planes,) if alone else tuple(planes)
         if not rows:
             raise InputError(

@@ -8,7 +8,7 @@ from textwrap import fill
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_whole, require_number, several
+from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.holders.base_plate import BasePlate
@@ -110,8 +110,10 @@ def bodies(
         No meshes, or arrays of another shape.
     """
     patches, colors = [], []
+    if not is_series(meshes) or not all(is_series(mesh) and len(tuple(mesh)) == 3 for mesh in meshes):
+        raise InputError("meshes are a list of (vertices, triangles, color)")
     for vertices, triangles, color in meshes:
-        points, rows = np.asarray(vertices, dtype=float), np.asarray(triangles, dtype=int)
+        points, rows = numbers(vertices, "vertices"), numbers(triangles, "triangles").astype(int)
         if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
             raise InputError("a mesh is vertices (n, 3) in mm and triangles (m, 3) of their rows")
         patches.append(points[rows])

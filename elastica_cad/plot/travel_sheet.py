@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from elastica_cad._values import require_record
 from elastica_cad.fabrication.travel import Travel
 from elastica_cad.plot.canvas import INK, Figure, Panel, new_page
 
@@ -13,6 +14,7 @@ FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 def travel(moved: Travel) -> Figure:
     """All shapes of a travel above, force along the way and bending energy below."""
+    require_record(moved, Travel, "what is drawn", "a Travel")
     figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)
     colors = _blend(FIRST, LAST, steps)

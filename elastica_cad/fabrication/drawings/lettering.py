@@ -1,6 +1,6 @@
 """A single-stroke alphabet for engraving: every letter is a few lines and arcs that the tool runs once."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path as FilePath
@@ -8,7 +8,7 @@ from unicodedata import combining, normalize
 
 import numpy as np
 
-from elastica_cad._values import is_number, require_record
+from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.paths.path import Path, move_paths
 
@@ -52,7 +52,7 @@ class Text:
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
             raise InputError(f"the text to engrave is {quoted(self.text)}: give a text")
-        place = tuple(self.position) if isinstance(self.position, Iterable) else ()
+        place = tuple(self.position) if is_series(self.position) else ()
         sizes = (*place, self.height, self.angle)
         if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
             raise InputError(

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, is_one_of
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -218,8 +218,9 @@ def base_plate(
     """
     sheet = Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
-    check_sizes(name, play=play, clearance=clearance, slot_width=slot_width or 0.0, border=border)
-    if shape not in ("hull", "rectangle", "ring"):
+    slot_width = 0.0 if slot_width is None else slot_width
+    check_sizes(name, play=play, clearance=clearance, slot_width=slot_width, border=border)
+    if not is_one_of(shape, ("hull", "rectangle", "ring")):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
     require_ends(ends)
     widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
@@ -235,9 +236,7 @@ def base_plate(
             "longer tabs, or hold ends that come from below by rings"
         )
     slots = tuple(
-        tab_slot(
-            tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width or 0.0, name=name
-        )
+        tab_slot(tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width, name=name)
         for tab, _ in standing
     )
     deep = [

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, require_record
+from elastica_cad._values import is_number, is_one_of, require_record
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
@@ -143,9 +143,7 @@ class EndFixture:
         The pocket leans against the strip's force and moment, so that the tab lies as designed when it has taken up
         the clearance.
         """
-        if not (isinstance(end, str) and end in ENDS):
-            raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
-        require_record(strip, Strip, "the strip", "a Strip")
+        _require_end(strip, end)
         require_holdable(strip)
         return cls(PlacedTab.of(strip, end, frame), floor, number=number, **sizes).leaning(strip, end)
 
@@ -155,6 +153,7 @@ class EndFixture:
         The walls that the tab is pressed against touch it where it is straight and in place; how far it then
         bends is told by `Strip.held`.
         """
+        _require_end(strip, end)
         straight = replace(self, lean=(0.0, 0.0)).seat
         lean = lean_against(strip.as_made.loaded, ENDS.index(end), straight)
         return replace(self, lean=(lean.shift, lean.turn))
@@ -334,3 +333,9 @@ def end_fixtures(
 def _polygon(corners: FloatArray) -> Path:
     path = Path.polygon(corners)
     return path if path.area > 0 else path.reversed()
+
+
+def _require_end(strip: object, end: object) -> None:
+    if not is_one_of(end, ENDS):
+        raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
+    require_record(strip, Strip, "the strip", "a Strip")

@@ -170,6 +170,8 @@ def through_slots(
 
 def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     """The plane that suits the tabs: through the lowest of their origins, z against the way they go."""
+    if not tabs:
+        raise InputError(f"{name}: no tab of these strips can be held: give placed strips with tabs")
     points = np.array([tab.frame.origin for tab in tabs])
     outs = np.array([tab.frame.x_axis for tab in tabs])
     down = outs.mean(axis=0)

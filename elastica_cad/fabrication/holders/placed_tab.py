@@ -63,6 +63,8 @@ class PlacedTab:
         out = way * place.direction([np.cos(alpha), np.sin(alpha)])
         origin = place.point(strip.rod.position[k])
         tab, own = strip.ends[k], strip.end_widths[k]
+        if name is not None:
+            require_record(name, str, "the name of a tab", "a text")
         called = name or strip.label or "strip"
         return cls(
             Frame(origin, out, way * place.z_axis),

@@ -6,6 +6,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
@@ -78,7 +79,7 @@ def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
 
 def require_holders(holders: object) -> tuple[object, ...]:
     """Holders as a tuple; refuses what cannot be gone through."""
-    if not isinstance(holders, Iterable) or isinstance(holders, str):
+    if not is_series(holders):
         raise InputError(
             f"holders are {quoted(holders)}: give a list of base plates, rings, frames and fixtures"
         )

@@ -47,7 +47,7 @@ class TabSeat:
     def __post_init__(self) -> None:
         for side in ("left", "right"):
             edges = numbers(getattr(self, side), f"{side} edges of a seat")
-            if edges.size and edges.shape[-1] != 2:
+            if edges.ndim == 0 or (edges.size and edges.shape[-1] != 2):
                 raise InputError(
                     f"{side} edges of a seat are rows (k, 2) of the record, in mm, not {edges.shape}"
                 )

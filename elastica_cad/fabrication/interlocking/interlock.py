@@ -8,7 +8,7 @@ from typing import Literal, TypeVar
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_whole, numbers, require_number
+from elastica_cad._values import is_number, is_one_of, is_series, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.alike_strips import (
     SAME_TURN,
@@ -132,7 +132,7 @@ def interlock(
         Strips that touch along a line or cross where one of them ends, slots that meet, a clearance larger
         than a strip.
     """
-    if fit not in ("exact", "paper"):
+    if not is_one_of(fit, ("exact", "paper")):
         raise InputError(f'fit is "exact" or "paper", not {fit!r}')
     if not (is_number(clearance) and clearance >= 0):
         raise InputError(f"clearance is {clearance!r}: it must be 0 mm or more")
@@ -178,7 +178,7 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
     if pairs is None:
         return list(combinations(range(count), 2))
     found = []
-    for pair in tuple(pairs) if isinstance(pairs, Iterable) else (pairs,):
+    for pair in tuple(pairs) if is_series(pairs) else (pairs,):
         if not isinstance(pair, Sequence) or len(pair) != 2 or not all(map(is_whole, pair)):
             raise InputError(f"pair {pair!r}: name two different strips by their places 0 to {count - 1}")
         i, j = pair

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike
-from elastica_cad._values import is_whole, require_record
+from elastica_cad._values import is_whole, require_number, require_record, several
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
@@ -143,6 +143,12 @@ def revolve(
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
     require_record(shop, Shop, "the shop", "a Shop")
+    if ends is not None:
+        ends = several("ends", ends, Tab, "Tab")
+        if len(ends) != 2:
+            raise InputError(f"ends are {len(ends)} tabs: give two, for start and end")
+    if gap is not None:
+        require_number(gap, "gap", "mm")
     asked = _Asked(strips, sheet, ends, rings, gap, shop, ignore_limits)
     try:
         placed, plates, told = asked.made(meridian)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_number
+from elastica_cad._values import require_flag, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.geometry.curves.line_intersections import line_crossings
@@ -81,6 +81,7 @@ def touching_widths(
     count = len(pairs)
     if count < 2:
         raise InputError("strips touch their neighbours: give two of them or more")
+    require_flag(closed, "closed")
     found = []
     for i, (curve, frame) in enumerate(pairs):
         around = {(i - 1) % count, (i + 1) % count} if closed else {i - 1, i + 1} & set(range(count))

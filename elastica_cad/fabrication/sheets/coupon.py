@@ -9,6 +9,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet_keys import require_printable
 
 BEST_LOAD = 5.0
 """w L^3 / EI at which a clamped strip drops by half its length: there the droop says most about E."""
@@ -94,7 +95,7 @@ def coupon_drawing(
             "is long"
         )
     scale, figures = _scale(free, width)
-    name = sheet.name if label is None else label
+    name = sheet.name if label is None else require_printable(label, "the label")
     texts = (*figures, *_label(name, width, clamp))
     outline = Path.rectangle(clamp + free, width, corner=(-clamp, -width / 2))
     return Drawing(name=f"coupon-{sheet.name}", paths=(*scale, LayeredPath(CUT_OUTER, outline)), texts=texts)

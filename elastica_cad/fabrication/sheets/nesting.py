@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._values import is_number, several
+from elastica_cad._values import is_number, is_series, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.fabrication.sheets.pieces import Piece
@@ -134,7 +134,7 @@ def nest_pieces(
     problems, EJOR 141, 2002). Boxes are the exact bounds of what is cut, so boxes that keep the margin prove
     that curves keep it.
     """
-    sides = tuple(sheet_size) if isinstance(sheet_size, Iterable) else ()
+    sides = tuple(sheet_size) if is_series(sheet_size) else ()
     if len(sides) != 2 or not all(map(is_number, sides)):
         raise InputError(f"sheet size is {sheet_size!r}: give its width and height, two finite numbers of mm")
     width, height = map(float, sides)

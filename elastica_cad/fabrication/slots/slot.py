@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, is_one_of, numbers
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -29,6 +29,13 @@ _SLOTS = 512  # whose sides are kept: an outline is cut by slots that other stri
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
+
+
+def _center_line(path: object, widths: object, here: str) -> tuple[FloatArray, FloatArray]:
+    rows, across = numbers(path, f"{here}: path"), numbers(widths, f"{here}: widths")
+    if rows.ndim != 2 or rows.shape[1] != 2 or len(rows) < 2 or across.shape != (len(rows),):
+        raise InputError(f"{here}: path has two or more rows (x, y), widths one number for each")
+    return rows, across
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +92,7 @@ class Slot:
         here = f"slot at {self.at:.6g} mm"
         if self.width <= 0 or (self.depth is not None and self.depth <= 0):
             raise InputError(f"{here}: width and depth must be positive, in mm")
-        if self.side not in ("upper", "lower") or self.relief not in ("square", "round"):
+        if not (is_one_of(self.side, ("upper", "lower")) and is_one_of(self.relief, ("square", "round"))):
             raise InputError(
                 f'{here}: side is "upper" or "lower" and relief "square" or "round", not {self.side!r} and '
                 f"{self.relief!r}"
@@ -95,9 +102,7 @@ class Slot:
         if (self.path is None) != (self.widths is None):
             raise InputError(f"{here}: path and widths go together")
         if self.path is not None:
-            path, widths = np.array(self.path, dtype=float), np.array(self.widths, dtype=float)
-            if path.ndim != 2 or path.shape[1] != 2 or len(path) < 2 or widths.shape != (len(path),):
-                raise InputError(f"{here}: path has two or more rows (x, y), widths one number for each")
+            path, widths = (array.copy() for array in _center_line(self.path, self.widths, here))
             if not np.all(np.isfinite(path)) or not np.all(widths > 0):
                 raise InputError(f"{here}: path and widths must be finite, widths positive, in mm")
             for name, array in (("path", path), ("widths", widths)):
@@ -109,7 +114,7 @@ class Slot:
         cls, path: ArrayLike, widths: ArrayLike, *, side: Side, relief: Relief = "square", mate: str = ""
     ) -> "Slot":
         """A slot along a centre line (k, 2) from its inner end to the edge, as wide as `widths` (k,) say."""
-        rows, across = np.asarray(path, dtype=float), np.asarray(widths, dtype=float)
+        rows, across = _center_line(path, widths, "slot along a path")
         return cls(
             float(rows[0, 0]), float(across[0]), side=side, relief=relief, mate=mate, path=rows, widths=across
         )

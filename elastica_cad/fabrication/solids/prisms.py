@@ -7,6 +7,7 @@ from math import cos, sin, tan
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
@@ -114,6 +115,10 @@ class PrismSolid:
     joints: Mapping[str, Frame] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        kinds = {"added": FlatSolid, "removed": FlatSolid | RoundGroove}
+        for name, kind in kinds.items():
+            found = several(f"the {name} prisms", getattr(self, name), kind, "FlatSolid or RoundGroove")
+            object.__setattr__(self, name, found)
         if not self.added:
             raise InputError("a body of prisms needs at least one prism")
 

@@ -259,7 +259,8 @@ class BentSolid:
         NotConvergedError
             A curve too wild to be followed to 1e-6 mm.
         """
-        return next(cls._layers(strip, frame))
+        require_record(strip, Strip, "what is bent", "a Strip")
+        return next(cls._layers(strip, frame_or_plain(frame)))
 
     @classmethod
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
@@ -369,7 +370,7 @@ class BentSolid:
         loops = [in_smooth_pieces(loop) for loop in (outline, *several("holes", holes, Path, "Path"))]
         pattern = cut_across(loops[0], loops[1:], stations)
         maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
-        made = cls(pattern, maps, (lower, upper), frame, joints or {}, between)
+        made = cls(pattern, maps, (lower, upper), frame, {} if joints is None else joints, between)
         if not made.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
         return made

@@ -12,6 +12,7 @@ from elastica_cad.fabrication.strip.styles import (
     Layout,
     Width,
     refine_stations,
+    require_laid_out,
     stations_of,
     width_profile,
 )
@@ -85,6 +86,7 @@ class Laminated:
         InputError
             No scale keeps the backing within the base: says where, and which thickness would do.
         """
+        require_laid_out(rod, sheet, max_width, min_width)
         base = width_profile(self.width, rod.length, "the width of the base")
         section = LaminatedSection(sheet, self.backing)
         least = max(self.least_backing, min_width or 0.0)

@@ -6,10 +6,17 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, require_positive
+from elastica_cad._values import is_number, is_one_of, require_positive
 from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
-from elastica_cad.fabrication.strip.styles import Layout, Width, refine_stations, stations_of, width_profile
+from elastica_cad.fabrication.strip.styles import (
+    Layout,
+    Width,
+    refine_stations,
+    require_laid_out,
+    stations_of,
+    width_profile,
+)
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.material.plain_section import PerforatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
@@ -87,7 +94,7 @@ class Perforated:
             require_positive(getattr(self, name), name)
         if not (is_number(self.corner_radius) and self.corner_radius >= 0):
             raise InputError(f"corner_radius is {self.corner_radius!r}: it must be 0 mm or more")
-        if self.sides not in ("spline", "arc"):
+        if not is_one_of(self.sides, ("spline", "arc")):
             raise InputError(f'sides are "spline" or "arc", not {self.sides!r}')
 
     @property
@@ -110,6 +117,7 @@ class Perforated:
         InputError
             No scale keeps ligaments and holes wide enough: says where, and what would do.
         """
+        require_laid_out(rod, sheet, max_width, min_width)
         outer = width_profile(self.width, rod.length, "the width of the outline")
         fit = _Fit(self, rod, sheet, outer)
         scale = fit.scale(max_width, min_width)

@@ -8,6 +8,8 @@ from operator import is_
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
 from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, label_on_tabs, mating_marks
@@ -86,7 +88,9 @@ class Layer:
 
     def material(self, s: ArrayLike) -> FloatArray:
         """Summed width (n,), mm, that is really left at stations `s` (n,)."""
-        return material_width(self.outline, self.holes, s)
+        if (stations := numbers(s, "stations")).ndim > 1:
+            raise InputError(f"stations are numbers (n,) in mm, not of shape {stations.shape}")
+        return material_width(self.outline, self.holes, stations)
 
 
 def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:

@@ -8,7 +8,7 @@ from typing import Protocol, TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_positive
+from elastica_cad._values import require_number, require_positive, require_record
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.flat_outline import Ends, long_sides
@@ -225,6 +225,7 @@ class Plain:
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
         """One of the widths sets the scale; a rod that knows its bending stiffness sets it itself."""
+        require_laid_out(rod, sheet, max_width, min_width)
         if rod.section is not None:
             sized = _of_section(rod, rod.section, sheet)
             _within(sized.width, rod, min_width, max_width, slack=SAME_SCALE)
@@ -248,6 +249,15 @@ def require_style(style: object) -> None:
         raise InputError(
             f"style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
         )
+
+
+def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
+    """Refuse what no style lays out."""
+    require_record(rod, Rod, "what is laid out", "a Rod")
+    require_record(sheet, Sheet, "the sheet", "a Sheet")
+    for width in widths:
+        if width is not None:
+            require_number(width, "a width", "mm")
 
 
 def _within(

@@ -7,12 +7,14 @@ what they say, are in `keys`.
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, fields, replace
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from elastica_cad._equality import value_key
+from elastica_cad._values import several
 from elastica_cad.errors import (
     ElasticaError,
     InputError,
@@ -174,6 +176,7 @@ def read_design(
         named.
     """
     path = require_file(path)
+    below = several("folders to read from", below, str | PathLike, "path")
     with read_below(path.parent, Path(), *below):
         return _read(path, read_curves, read_surface)
 

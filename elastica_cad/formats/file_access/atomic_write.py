@@ -65,6 +65,10 @@ def write_atomically(
     ...     write_atomically(folder + "/note.txt", b"done").read_bytes()
     b'done'
     """
+    if not (callable(content) or isinstance(content, bytes | bytearray | memoryview)):
+        raise InputError(
+            f"what is written is a {type(content).__name__}: give bytes, or a function that writes them"
+        )
     target = check_target(path, force=force)
     temporary = target.with_name(f".{target.name[:100]}.{os.urandom(6).hex()}.part")
     try:

@@ -129,7 +129,8 @@ class NearestRod:
         """The record of a curve for which nothing could be computed."""
         return cls(
             found=None, target=target, status=Status.FAILED, deviation=np.inf, mean_deviation=np.inf, binding=(),
-            violation=np.inf, iterations=0, limits=limits or Limits(), keep=keep or Keep(), message=message,
+            violation=np.inf, iterations=0, limits=Limits() if limits is None else limits,
+            keep=Keep() if keep is None else keep, message=message,
         )  # fmt: skip
 
     @property

@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers
+from elastica_cad._values import is_one_of, numbers
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.curve_distance import (
@@ -291,13 +291,13 @@ class NearestTask:
 
     def distance(self, measure: Measure) -> Distance:
         """The measure of the distance from the target."""
-        if measure == "mean":
-            return self.mean_distance
+        if not is_one_of(measure, ("mean", "closest", "max")):
+            raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
         if measure == "closest":
             return ClosestDistance(self.target, self._shares)
         if measure == "max":
             return LargestDistance(self.target, self.weights / self.weights.max())
-        raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
+        return self.mean_distance
 
     @cached_property
     def mean_distance(self) -> MeanDistance:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, is_whole
+from elastica_cad._values import as_floats, is_whole, require_flag
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.forming.plane_sections.triangle_mesh import FARTHEST_MM
 from elastica_cad.geometry.frame import Frame
@@ -95,7 +95,7 @@ def planes_along(
     points = _numbers("path", path)
     if points.ndim != 2 or points.shape[1] != 3:
         raise InputError(f"a path is points (n, 3) in mm, not {points.shape}")
-    if not is_whole(count) or not 1 <= count <= MOST_PLANES or (ends and count < 2):
+    if not is_whole(count) or not 1 <= count <= MOST_PLANES or (require_flag(ends, "ends") and count < 2):
         raise InputError(
             f"count={quoted(count)}: a path is cut by a whole number of planes, one plane at least, two with "
             f"ends=True, and {MOST_PLANES} at most"

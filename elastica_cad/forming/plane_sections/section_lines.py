@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import require_flag
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.frame import Frame
@@ -186,7 +187,7 @@ def collect_section(
     missed : callable
         What the plane does where there is no line, in words.
     """
-    if half:
+    if require_flag(half, "half"):
         chains = [part for chain in chains for part in _clip_to_right_half(chain)]
     lines = [line for line in (tidy_points(chain, apart) for chain in chains) if len(line) > 1]
     lines.sort(key=lambda line: -lengths_along(line)[-1])

@@ -23,6 +23,7 @@ from elastica_cad.geometry.polynomials.bernstein import (
 
 ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 
+SHARPEST = 1e100  # of a curve of unit size: rounding has made a corner of it long before
 _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
@@ -100,6 +101,8 @@ def curvature_level_places(
     size = _extent(bezier)
     bezier, edges, smooth = _evenly_weighted(_unit_sized(bezier), edges, smooth)
     level *= size
+    if abs(level) > SHARPEST:
+        return ()
     degree = bezier.shape[1] - 1
     numerator, noise = _curvature_numerator(bezier)
     weight = bezier[..., 2]

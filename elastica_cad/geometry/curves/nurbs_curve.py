@@ -8,7 +8,7 @@ from typing import Any, Self
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_whole, numbers, require_number
+from elastica_cad._values import is_whole, numbers, require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.continuity import in_millimetres, refuse_standstill
@@ -64,6 +64,7 @@ class NurbsCurve:
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
         drawn = self.provenance
+        require_record(drawn, Provenance | None, "provenance", "what read_curves gives, or None")
         shown, rounding = (in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
         refuse_standstill(self._pieces, self.control_points, shown, rounding)
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, svg_of_lines
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
-from elastica_cad._values import is_number, numbers, require_number
+from elastica_cad._values import is_number, numbers, require_flag, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves import curvature_zeros as zeros
 from elastica_cad.geometry.curves.continuity import (
@@ -72,17 +72,19 @@ class PlaneCurve(NurbsCurve):
     def curvature_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Signed curvature, 1/mm, at parameters t."""
         t = numbers(t, "parameters")
-        return curvature(*self._pieces.at(t.ravel(), 2, left=left)[1:]).reshape(t.shape)
+        return curvature(*self._pieces.at(t.ravel(), 2, left=require_flag(left, "left"))[1:]).reshape(t.shape)
 
     def curvature_slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Derivative of the curvature by arc length, 1/mm2, at parameters t."""
         t = numbers(t, "parameters")
-        return curvature_slope(*self._pieces.at(t.ravel(), 3, left=left)[1:]).reshape(t.shape)
+        return curvature_slope(*self._pieces.at(t.ravel(), 3, left=require_flag(left, "left"))[1:]).reshape(
+            t.shape
+        )
 
     def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Turning angle, rad, at parameters t: continuous along the curve, in [-pi, pi] at its start."""
         t = numbers(t, "parameters")
-        _, d1 = self._pieces.at(t.ravel(), 1, left=left)
+        _, d1 = self._pieces.at(t.ravel(), 1, left=require_flag(left, "left"))
         return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)
 
     def __repr__(self) -> str:

@@ -9,7 +9,7 @@ from math import dist
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers, several
+from elastica_cad._values import is_number, numbers, require_flag, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_around, boxes_about
 from elastica_cad.geometry.curves.nurbs_curve import FAR_SIZES
@@ -68,7 +68,7 @@ class Path:
         object.__setattr__(
             self, "segments", several("the segments of a path", segments, Segment, "Line, Arc and Spline")
         )
-        object.__setattr__(self, "closed", bool(closed))
+        object.__setattr__(self, "closed", require_flag(closed, "closed"))
         if not self.segments:
             raise InputError("a path needs at least one segment")
         following = self.segments[1:] + (self.segments[:1] if closed else ())
@@ -91,7 +91,7 @@ class Path:
         b = np.zeros(len(p)) if bulges is None else numbers(bulges, "the bulges of a polyline")
         if b.shape != (len(p),) or not np.all(np.isfinite(b)):
             raise InputError("a polyline needs one finite bulge per point")
-        after = np.roll(p, -1, axis=0) if closed else p[1:]
+        after = np.roll(p, -1, axis=0) if require_flag(closed, "closed") else p[1:]
         segments = [
             segment_from_bulge(start, end, float(bulge))
             for start, end, bulge in zip(p, after, b, strict=False)

@@ -8,7 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_number
+from elastica_cad._values import numbers, require_flag, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -85,7 +85,7 @@ class Line:
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
         """Derivative (..., 2) of `at` by u, mm."""
-        return np.broadcast_to(self.end - self.start, (*np.shape(u), 2)).copy()
+        return np.broadcast_to(self.end - self.start, (*numbers(u, "u").shape, 2)).copy()
 
     def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
         """The point (2,) at u and its derivative by u, mm."""
@@ -327,7 +327,9 @@ class Spline:
 
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]; at a corner the one after it, with `left` the one before."""
-        d = np.asarray(self.curve.evaluate(self.parameter(u), 1, left=left), dtype=float)
+        d = np.asarray(
+            self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
+        )
         return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:

@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats
+from elastica_cad._values import as_floats, is_one_of, require_flag
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.bifurcation import is_straight, leave_straight, stretch
 from elastica_cad.mechanics.bending.newton_continuation import Reached, follow, is_balanced, relax
@@ -110,11 +110,11 @@ def bend(
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]
     start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
-    if samples is not None and samples != rod.s.size:
+    if samples is not None and not is_one_of(samples, [rod.s.size]):
         rod = resample(rod, samples)
-    if not (gravity is None or isinstance(gravity, Gravity) or gravity == "keep"):
+    if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
         raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
-    if side not in (None, 1, -1):
+    if not is_one_of(side, (None, 1, -1)):
         raise InputError(f"side must be +1 or -1, got {side!r}")
     whole_number(mode, "mode", 1)
     wanted = replace(
@@ -123,6 +123,7 @@ def bend(
         supports=rod.supports if supports is None else require_supports(supports),
     )
     system = system_of(wanted, rod, start, end, angles, force=force, moment=moment)
+    require_flag(settle, "settle")
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
     reached = reach(state, side, mode)
     balanced = reached.arrived and is_balanced(reached.state)

@@ -1,6 +1,6 @@
 """The elastica between two clamps, or from one to where weight and a force lead its free end."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
@@ -9,7 +9,7 @@ from math import radians
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, require_positive
+from elastica_cad._values import is_number, is_one_of, is_series, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -132,7 +132,7 @@ def elastica_between(
     first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
     if not (is_number(length) or isinstance(length, float)):
         raise InputError(f"length must be a number, mm, more than the distance of the ends, got {length!r}")
-    if side not in (1, -1):
+    if not is_one_of(side, (1, -1)):
         raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
     if end is None:
         require_positive(length, "length")
@@ -187,7 +187,7 @@ def _led_by_loads(
     bent = rod
     for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
         # a push along the strip leaves it straight, which would settle on either side
-        settle = mode == 1 and bool(np.ptp(bent.angle) > 0)
+        settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         found = step()
         if _side(found) * _side(bent) < 0:
@@ -241,7 +241,7 @@ def _pair(point: object) -> FloatArray | None:
     """Two numbers, or a point of a CAD library that has no z."""
     given = point.toTuple() if hasattr(point, "toTuple") else point
     try:
-        place = np.array(list(given) if isinstance(given, Iterable) else (), dtype=float)
+        place = np.array(list(given) if is_series(given) else (), dtype=float)
     except (TypeError, ValueError):
         return None
     if place.shape == (3,) and abs(place[2]) <= OFF_PLANE:
@@ -264,7 +264,7 @@ def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
 
 
 def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
-    pair = angles if isinstance(angles, Sequence | np.ndarray) else ()
+    pair = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
     if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
         raise InputError(
             f"angles must be two, at start and end, None where the strip turns freely, got {angles!r}"

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers, require_positive
+from elastica_cad._values import alike, is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.section_limits import matched
 from elastica_cad.mechanics.material.stiffness_law import at_stations
@@ -129,7 +129,7 @@ def plate_width(
     """
     h, nu = _checked(thickness, poisson_ratio)
     aim, kappa, rest = np.broadcast_arrays(
-        *(np.asarray(value, dtype=float) for value in (effective, curvature, natural_curvature))
+        *alike(effective=effective, curvature=curvature, natural_curvature=natural_curvature)
     )
     wanted = np.log(aim)
     found, last, error, slope = wanted, wanted, np.zeros(aim.shape), np.ones(aim.shape)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers, require_number
+from elastica_cad._values import alike, is_number, is_one_of, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.material.anticlastic import SheetCurl, anticlastic_factor, plate_width
@@ -66,7 +66,8 @@ class PlainSection:
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
         """Skin strain h/2 |kappa - kappa_0| of curvatures (n,), 1/mm; one layer."""
-        bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
+        kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
+        bend = np.abs(kappa - rest)
         return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
 
     @property
@@ -137,7 +138,7 @@ class WidthLaw:
 
     def __post_init__(self) -> None:
         low = require_number(self.least, "width limit")
-        high = np.inf if self.largest == np.inf else require_number(self.largest, "width limit")
+        high = np.inf if is_one_of(self.largest, [np.inf]) else require_number(self.largest, "width limit")
         if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
             raise InputError(
                 f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
@@ -165,8 +166,8 @@ class WidthLaw:
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
         """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
-        before = numbers(rest, "rest curvature")
-        return replace(self, curvature=numbers(curvature, "curvature") + before, natural_curvature=before)
+        bend, before = alike(curvature=curvature, rest=rest)
+        return replace(self, curvature=bend + before, natural_curvature=before)
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
         """How the stiffness of widths (n,), mm, follows their bend; None for a sheet that does not curl."""

@@ -78,6 +78,8 @@ class ScaleRange:
         low_EI, high_EI, K = matched(
             numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K
         )
+        if not K.size:
+            raise InputError("there is no station to find a scale for: give one stiffness or more")
         c_min, c_max = low_EI / K, high_EI / K
         low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
         return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)

@@ -1,6 +1,6 @@
 """Sheets that strips are cut from: thickness, elasticity, weight, strain limit and kerf."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from elastica_cad._notebook import html_table
-from elastica_cad._values import is_number, require_number
+from elastica_cad._values import is_number, is_one_of, is_series, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
@@ -142,7 +142,7 @@ class Sheet:
             raise InputError(
                 f"sheet {self.name!r}: break_strain is {broken:g}; it must be positive, 0.01 for 1 %"
             )
-        sides = tuple(self.stock) if isinstance(self.stock, Iterable) else ()
+        sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")
         object.__setattr__(self, "stock", sides or None)
@@ -153,7 +153,7 @@ class Sheet:
         asked: object = self.grain
         if is_number(asked):
             object.__setattr__(self, "grain", self._grain_at(asked))
-        if self.grain not in get_args(Grain):
+        if not is_one_of(self.grain, get_args(Grain)):
             raise InputError(
                 f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
             )

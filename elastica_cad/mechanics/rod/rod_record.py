@@ -366,7 +366,10 @@ class Rod:
         `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1. A wide strip that
         `bend` answered keeps the curl of the widths that it had: change the stiffness before it is bent.
         """
-        if not isinstance(stiffness, Profile) and np.size(stiffness) not in (1, self.s.size):
+        if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
+            1,
+            self.s.size,
+        ):
             raise InputError(
                 f"stiffness has {np.size(stiffness)} values, the rod {self.s.size} nodes: give one a node, "
                 "or a Profile"

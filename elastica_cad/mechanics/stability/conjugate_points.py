@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_record
+from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, solve_bordered
@@ -122,6 +122,12 @@ def determinant_gradient(
     -------
     (n+1,) array
     """
+    require_record(rod, DiscreteRod, "what is asked", "a DiscreteRod")
+    for name, values in (("weights", weights), ("moments", moments)):
+        if numbers(values, name).shape != (rod.angles.size + 1,):
+            raise InputError(
+                f"{name} are numbers ({rod.angles.size + 1},) of this rod: one more than it has edges"
+            )
     n, lengths, T, rows = rod.angles.size, rod.edge_lengths, rod.tangents, rod.constraint_rows
     z = stability_determinant(rod)
     X, p = z.fields, z.fields.shape[1] - 1

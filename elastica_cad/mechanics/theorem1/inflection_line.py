@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
+from elastica_cad.errors import InputError
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,10 @@ class InflectionLine:
 
     def distance(self, position: FloatArray) -> FloatArray:
         """Signed distances (n,) of points (n, 2), mm."""
-        return np.asarray((numbers(position, "positions") - np.asarray(self.point)) @ self.b)
+        points = numbers(position, "positions")
+        if points.shape[-1:] != (2,):
+            raise InputError(f"positions are points (n, 2), in mm, not of shape {points.shape}")
+        return np.asarray((points - np.asarray(self.point)) @ self.b)
 
     def as_dict(self) -> dict[str, Any]:
         """For reports."""
