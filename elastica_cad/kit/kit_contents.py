@@ -24,6 +24,7 @@ from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces, widened_by
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
+from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
@@ -216,4 +217,21 @@ def _held(model: Model, holders: Sequence[Holder]) -> tuple[dict[str, HeldShape]
             notes.append(f"{name}: {shape}")
         else:
             found[name] = shape
-    return found, tuple(notes)
+    return found, (*notes, *_strays(model, found))
+
+
+def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
+    """Which strips that lock into others rest farther from their design than their slots have room."""
+    names = distinct_names(model.placed)
+    locked = {names[k] for joint in model.joints for k in joint.members}
+    far = [
+        f"{name} {held[name].deviation:.2g} mm"
+        for name in names
+        if name in locked and name in held and held[name].deviation > CLEARANCE_MM
+    ]
+    if not far:
+        return ()
+    return (
+        f"strips rest farther from their design than slots have room ({CLEARANCE_MM:g} mm), so they may have to be "
+        f"pushed into each other: {', '.join(far)}",
+    )

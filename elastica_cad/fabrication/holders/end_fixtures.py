@@ -150,12 +150,13 @@ class EndFixture:
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """The fixture with its pocket leaned against what an end of the strip does to it.
 
-        The walls that the tab is pressed against touch it where it is straight and in place; how far it then
-        bends is told by `Strip.held`.
+        The tab bends between the walls that it is pressed against, as it does between two plates: the body of a
+        straight tab runs into them a little.
         """
         _require_end(strip, end)
-        straight = replace(self, lean=(0.0, 0.0)).seat
-        lean = lean_against(strip.as_made.loaded, ENDS.index(end), straight)
+        index, straight = ENDS.index(end), replace(self, lean=(0.0, 0.0)).seat
+        loaded = strip.as_made.loaded
+        lean = lean_against(loaded, index, straight, strip.as_made.tab_ratios(loaded)[index])
         return replace(self, lean=(lean.shift, lean.turn))
 
     @property

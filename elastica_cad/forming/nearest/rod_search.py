@@ -37,7 +37,9 @@ _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
 _BENT_STARTS, _FIRST_BENT_STARTS = 20, 4
 _BENT_RAD = 0.4  # typical size of the waves by which such a start is bent off the target
 _EVEN_RATIO = 1.4  # of a rod that is nearly even
-_NEAR = 0.015  # mean distance, in diagonals, below which the first start's valley is believed
+_NEAR = 0.015  # mean distance, in diagonals, up to which a like search that goes on is believed
+_FOLLOWS = 0.009  # the same, above which a longer rod may be nearer: it waves more often
+_LONGER = 1.03  # lengths of such a rod to start from
 _FAR = 0.03  # the same, above which other valleys are looked for
 _BENT_ENOUGH = 0.02  # the same of the first bent starts
 _WEIGHTS = (0.0, 0.25, 0.5)  # shares of the weight on the way from the weightless rod
@@ -320,7 +322,7 @@ def _attempts(
         yield _Attempt(np.inf, partial(_from_pulled, task, problem, tension))
     length = problem.grid.unknowns.length
     if problem.lower[length] < problem.upper[length]:
-        yield _Attempt(_NEAR, lambda: _Route(_start(task, problem, same_length=True)))
+        yield _Attempt(_FOLLOWS, lambda: _Route(_start(task, problem, length=_LONGER)))
     if measure != "mean":
         yield _Attempt(_FAR, lambda: _Route(first, [pose_problem(task, "mean")]))
     if task.limits.margin is not None:
@@ -366,7 +368,7 @@ def _start(
     problem: RodProblem,
     *,
     lifts: int = LIFTS,
-    same_length: bool = False,
+    length: float | None = None,
     stiffness: float | None = None,
     seed: int | None = None,
     force: FloatArray | None = None,
@@ -389,7 +391,8 @@ def _start(
         for k in range(1, 6):
             angles += rng.normal(scale=_BENT_RAD / k) * np.sin(np.pi * k * places + rng.uniform(0, 2 * np.pi))
     z[u.position], z[u.angle], z[u.length] = target.position[0], angles[0], 1.0
-    if same_length:
+    if length is not None:
+        z[u.length] = length
         problem = problem.with_given(u.length, z[u.length])
     if force is not None:
         problem = problem.with_given(u.force, force)

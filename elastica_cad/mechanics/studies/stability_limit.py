@@ -14,6 +14,7 @@ from elastica_cad.mechanics.bending.bifurcation import is_straight
 from elastica_cad.mechanics.bending.newton_continuation import correct, relax
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import PointMass
+from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.discrete_rod import Margin
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem, Step
@@ -264,15 +265,25 @@ def _lost(course: _Course, t: float, state: RodState, visited: list[tuple[float,
 
 
 def _kind(course: _Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
-    """At a fold the load works on the critical mode; at a bifurcation it does not."""
-    margin, norm = state.discrete.margin, np.linalg.norm
+    """At a fold the load works on the critical mode; at a bifurcation it does not.
+
+    The work is compared with the size of what the rod would do without its axial force: the turn of an end is a
+    large imbalance of one edge, which grows with the number of edges, but a smooth response.
+    """
+    margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
     a, b = course.around(t)
     before, after = (state.under(course.system(end)).residual for end in (a, b))
     imbalance, miss = after.imbalance - before.imbalance, after.miss - before.miss
-    nu = margin.multipliers[list(state.system.held)]
-    work = float(margin.mode @ imbalance - nu @ miss)
-    size = float(norm(margin.mode) * norm(imbalance) + norm(nu) * norm(miss))
-    rounding = 1e-8 * (b - a) * state.scale * float(norm(margin.mode, 1))
+    mode, nu = margin.mode, margin.multipliers[list(state.system.held)]
+    diagonal, off = rod.hessian
+    elastic = diagonal + rod.edge_length * rod.pull + rod.edge_lengths / state.system.length**2
+    response = solve_tridiagonal(elastic, off, imbalance)
+    moments = elastic * mode
+    moments[:-1] += off * mode[1:]
+    moments[1:] += off * mode[:-1]
+    size = float(norm(moments) * norm(response) + norm(nu) * norm(miss))
+    work = float(mode @ imbalance - nu @ miss)
+    rounding = 1e-8 * (b - a) * state.scale * float(norm(mode, 1))
     return "snap" if abs(work) > 1e-3 * size + rounding else "bifurcation"
 
 

@@ -235,6 +235,9 @@ def test_what_slots_do_is_told(crossed, tmp_path):
         assert 0 < held[name]["parts"]["slots"] < 5
     model = read_design(crossed, ec.read_curves).model()
     assert held["A"]["deviation"] == pytest.approx(model.held()[0].deviation, abs=1e-3)
+    (note,) = (line for line in result.stderr.splitlines() if "farther from their design" in line)
+    assert f"A {held['A']['deviation']:.2g} mm" in note
+    assert f"B {held['B']['deviation']:.2g} mm" in note
 
 
 def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path):

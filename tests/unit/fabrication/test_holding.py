@@ -173,8 +173,8 @@ def test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it(strip):
     assert set(free.parts) >= {"start: pocket", "end: pocket"}
     seats = [block.seat for block in blocks]
     leaned = strip.held(*seats)
-    assert leaned.deviation < 0.5 * free.deviation
-    assert compensate_widths(strip, *seats).held(*seats).deviation < 0.8 * leaned.deviation
+    # the tab bends between the walls that it is pressed against: pockets for a stiff one left 2.9e-3
+    assert leaned.deviation < 1e-4 * length
 
 
 def test_causes_are_listed_each_alone(rod):

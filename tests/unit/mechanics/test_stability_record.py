@@ -146,6 +146,14 @@ class TestLimits:
         assert np.all(np.diff(limit.parameters) >= 0)
         assert limit.margins[0] == pytest.approx(stability(arch).margin)
 
+    @pytest.mark.parametrize("nodes", [21, 1601])
+    def test_turning_one_clamp_of_an_arch_comes_to_a_fold(self, nodes):
+        """Continuation by arc length with an integrator of scipy has the fold at 0.565 rad, with any nodes."""
+        arch = bend(Rod.straight(100.0, samples=nodes), end=(90.0, 0.0))
+        limit = stability_limit(arch, [{"angles": (0.0, 3.0)}])
+        assert limit.kind == "snap"
+        assert limit.at["angles"][1] == pytest.approx(0.565, rel=0.025)
+
     def test_load_factors_begin_at_the_load_that_the_rod_carries(self):
         """A column of its own weight, 1 / 1.3 of the one that buckles it: w L^3 / (E I) = 7.837."""
         column = Rod.straight(
