@@ -85,7 +85,8 @@ def test_html():
 
 def test_tracebacks():
     error = ec.InputError(NAME)
-    assert str(error) == str(error.named(SEEN[:5])) == SEEN
+    assert str(error) == SEEN
+    assert str(error.at(strip=BACKWARDS)) == f"\\u202e\\u2066: {SEEN}"
     assert str(ec.NotConvergedError(NAME)) == SEEN
 
 

@@ -218,10 +218,10 @@ def test_a_gap_between_two_curves_is_told(tmp_path):
 
 def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
     """At most ten lines; programs have all of them, and so has -v."""
-    specks = "".join(f'<path d="M0 {k}c1e-5 1e-5 2e-5 1e-5 3e-5 0"/>' for k in range(30))
+    corners = "".join(f'<path d="M0 {9 * k}h10v10"/>' for k in range(30))
     path = tmp_path / "a.svg"
     path.write_text(
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" viewBox="0 0 300 300">{specks}</svg>'
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" viewBox="0 0 300 300">{corners}</svg>'
     )
     told = elastica("check", path).stderr.decode().splitlines()
     assert len(told) <= 10

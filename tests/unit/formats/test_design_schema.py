@@ -140,6 +140,7 @@ thickness_mm = 1
 youngs_modulus_MPa = 20
 density_kg_m3 = 300
 max_strain = 0.1
+break_strain = 0.2
 kerf_mm = 0.2
 poisson_ratio = 0.3
 grain = "along"

@@ -92,7 +92,7 @@ def test_what_is_saved_is_read_back(tmp_path, suffix):
     ("name", "text", "told"),
     [
         ("one.csv", "3,4\n", "needs two different points or more: draw it anew, or leave it out"),
-        ("null.json", "null", "holds NoneType.*: give a file that elastica wrote"),
+        ("null.json", "null", "holds no record.*: give a file that elastica wrote"),
         ("other.json", "{}", "reports of strips: give one of those"),
         ("far.svg", '<svg><path d="M 0 0 L 1e40 2"/></svg>', "has the number 1e40 in a path: export it anew"),
     ],
