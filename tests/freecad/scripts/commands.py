@@ -415,6 +415,8 @@ def style_commands(document, strip):
     choose(strip)
     count = len(document.Objects)
     panel = open_panel("Elastica_Laminate")
+    strip.Anyway = True  # two layers of plywood would break
+    at_rest()
     panel.accept()
     wait(100)
     answers["laminated"] = (strip.State, len(strip.Shape.Solids), len(document.Objects) - count)
@@ -519,6 +521,7 @@ def dragging():
     document.UndoMode = 1
     drawn = sketch(document, WAVE)
     feature = strip.create(document, drawn)
+    feature.Sheet = "card-200gsm"
     document.recompute()
     Gui.ActiveDocument.setEdit(drawn.Name)
     until(lambda: live.session() is not None)
@@ -568,7 +571,7 @@ def dragging():
     answers["closed"] = live.session() is None
     # a curve that cannot be bent: the nearest one is shown beside it
     bad = sketch(document, [(0, 0), (40, 60), (80, -60), (120, 25), (160, 30), (180, 0)], name="Bad")
-    strip.create(document, bad)
+    strip.create(document, bad).Sheet = "card-200gsm"
     document.recompute()
     Gui.ActiveDocument.setEdit(bad.Name)
     until(lambda: live.session() is not None)

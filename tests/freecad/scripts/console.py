@@ -82,10 +82,10 @@ def work():
     answers["hidden"] = not feature.Visibility
     feature.Follow = "Nearest"
     feature.RatioLimit = 6
-    feature.StrainLimit = 5
+    feature.StrainLimit, feature.Anyway = 5, True
     document.recompute()
     answers["nearest"] = [feature.State, feature.Verdict, feature.Deviation.Value, feature.getStatusString()]
-    feature.Follow = "Exactly"
+    feature.Follow, feature.Anyway = "Exactly", False
     redraw(sketch, ARCH)
     document.recompute()
     assert feature.State == ["Up-to-date"]
