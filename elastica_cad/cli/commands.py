@@ -142,7 +142,8 @@ def elastica() -> None:
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
     Lengths are mm, or as they say: 1.5in, 4cm. Every command knows --json, -q and -v; those that read files
-    --watch. Exit code: 0 done, 1 not realizable (or too much strain with --strict), 2 bad input.
+    --watch. Exit code: 0 done, 1 not realizable (or too much strain with --strict), 2 bad input,
+    130 ended by Ctrl-C.
     """
 
 

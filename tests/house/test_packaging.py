@@ -66,7 +66,7 @@ def built(project_root, folder, **environment):
     leave_out = shutil.ignore_patterns("__pycache__", "*.so")
     for name in ("elastica_cad", "freecad_workbench", "tests", "examples"):
         shutil.copytree(project_root / name, source / name, ignore=leave_out)
-    for name in ("pyproject.toml", "README.md", "LICENSE"):
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
         shutil.copy(project_root / name, source)
     result = run("-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--disable-pip-version-check",
                  "--wheel-dir", str(folder), ".", cwd=source, **environment)  # fmt: skip
@@ -112,4 +112,5 @@ def test_wheel_needs_no_compiler_where_it_is_installed(project_root, tmp_path):
 def test_wheel_is_built_without_a_compiler(project_root, tmp_path):
     """What Python does more slowly is left to it."""
     wheel = built(project_root, tmp_path, CC="/no/compiler/here")
+    assert wheel.name.endswith("-py3-none-any.whl")
     assert kernels_of(wheel, tmp_path / "installed") == ("False", "True")
