@@ -168,7 +168,7 @@ def judged(said, folder, ended):
     if seconds > (LONGEST_REFUSAL_S if code == 2 else LONGEST_S):
         found.append(f"{seconds:.0f} s of the processor")
     left = [path.name for path in (folder / "out").rglob("*")] if (folder / "out").is_dir() else []
-    if code == 2 and left and "Error: this takes " not in err:  # what was done within a budget is kept
+    if code == 2 and left:
         found.append(f"left behind: {left[:5]}")
     hidden = [path.name for path in folder.rglob(".*") if path.name not in (".out", ".err")]
     if hidden:

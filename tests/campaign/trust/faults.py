@@ -1,4 +1,4 @@
-"""Runs that are killed, disks that are full, workers that are lost: nothing half written, nothing left behind.
+"""Runs that are killed, disks that are full, workers that are lost: nothing half written, others lose nothing.
 
 python -m tests.campaign.trust.faults --kills 200 --full 20 --lost 20 --seed 1
 """
@@ -32,9 +32,36 @@ def quietly(words, folder, **options):
     )
 
 
+STRANGERS = (
+    ".elastica-notes/a.txt",
+    "out/.elastica-1/a.txt",
+    "out/.bow.dxf.00.part",
+    "out/b.txt",
+    "kit/.elastica-2/a.txt",
+)
+"""Files of others where runs write, some by names like those of temporary files."""
+
+
+def put_strangers(folder):
+    """The files of others, an hour old."""
+    for name in STRANGERS:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(name)
+        for one in (path, path.parent):
+            os.utime(one, (time.time() - 3600,) * 2)
+
+
+def lost_strangers(folder):
+    """Those that are no longer as they were."""
+    paths = {name: folder / name for name in STRANGERS}
+    return [name for name, path in paths.items() if not path.is_file() or path.read_text() != name]
+
+
 def contents(folder):
     files = (folder / "out").iterdir() if (folder / "out").is_dir() else ()
-    return {path.name: path.read_bytes() for path in files if path.is_file()}
+    names = {name.rpartition("/")[2] for name in STRANGERS}
+    return {path.name: path.read_bytes() for path in files if path.is_file() and path.name not in names}
 
 
 def left(folder):
@@ -42,8 +69,9 @@ def left(folder):
 
 
 def kills(count, rng, folder):
-    """Kill `elastica strip` at random moments: each file is the old or the new one; the next run cleans up."""
+    """Kill `elastica strip` at random moments: each file is the old or the new one, and those of others stay."""
     wrong, between = [], 0
+    put_strangers(folder)
     (folder / "bow.txt").write_text(BOW)
     took = []
     for _ in range(2):
@@ -64,12 +92,37 @@ def kills(count, rng, folder):
         broken = [name for name, data in found.items() if data not in (old.get(name), new.get(name))]
         mixed = {found == old, found == new} == {False}
         between += mixed
-        if broken or set(found) != set(old):
-            wrong.append({"kill": number, "half": broken, "files": sorted(found)})
+        lost = lost_strangers(folder)
+        if broken or lost or set(found) != set(old):
+            wrong.append({"kill": number, "half": broken, "files": sorted(found), "lost": lost})
     quietly(command(*STRIP), folder).communicate()
-    if left(folder):
-        wrong.append({"left behind": left(folder)})
-    return {"kills": count, "mixed sets": between, "wrong": wrong}
+    wrong += [{"lost": lost} for lost in lost_strangers(folder)]
+    return {"kills": count, "mixed sets": between, "left behind": len(left(folder)), "wrong": wrong}
+
+
+def kills_of_new_kits(count, rng, folder):
+    """Kill `elastica model` as it writes to a folder that is not there: the whole kit, or none of it."""
+    wrong, whole = [], 0
+    put_strangers(folder)
+    quietly(command("new", "arch"), folder).communicate()
+    words = ("model", "arch.toml", "--no-step", "--no-pictures", "-o")
+    took = []
+    for number in range(2):
+        since = time.monotonic()
+        quietly(command(*words, f"sound{number}"), folder).communicate()
+        took.append(time.monotonic() - since)
+    sound = {path.name for path in (folder / "sound0").rglob("*")}
+    for number in range(count):
+        process = quietly(command(*words, f"kit{number}"), folder)
+        time.sleep(rng.uniform(0.2, 1.1) * min(took))
+        process.kill()
+        process.communicate()
+        found = {path.name for path in (folder / f"kit{number}").rglob("*")}
+        whole += bool(found)
+        lost = lost_strangers(folder)
+        if found not in (set(), sound) or lost:
+            wrong.append({"kill": number, "files": sorted(found), "lost": lost})
+    return {"kills of kits": count, "whole": whole, "wrong": wrong}
 
 
 def full_disks(count, rng, folder):
@@ -105,7 +158,7 @@ def full_disks(count, rng, folder):
 
 
 def two_writers(count, folder):
-    """Two runs write to one folder at the same time: both sets are whole, and one of them is there."""
+    """Two runs write to one folder at the same time: each file is there, and whole."""
     wrong = []
     for number in range(count):
         base = folder / str(number)
@@ -168,6 +221,7 @@ def main():
         lambda folder: full_disks(asked.full, rng, folder),
         lambda folder: two_writers(asked.pairs, folder),
         lambda folder: kills(asked.kills, rng, folder),
+        lambda folder: kills_of_new_kits(asked.kills, rng, folder),
     ):
         with TemporaryDirectory() as folder:
             found.append(part(Path(folder)))

@@ -9,6 +9,7 @@ import argparse
 import json
 import os
 import random
+import re
 import resource
 import signal
 import subprocess
@@ -28,6 +29,11 @@ LONGEST_S = 10.0
 
 MOST_MEMORY = 4 * 2**30
 """Address space of the reading process, bytes: what a bomb would pass."""
+
+PYTHON = re.compile(
+    r"<class|object at 0x|argument must be|invalid literal|could not convert|NoneType|datetime\.|dtype|ndarray"
+)
+"""What no sentence about a file holds."""
 
 LONGEST_SENTENCE = 1500
 LOOKED_AT = 20  # curves of one file
@@ -80,6 +86,8 @@ def verdict(path: Path) -> tuple[str, str]:
             return "traceback", traceback.format_exc(limit=-6)
     if warned:
         return "warning", f"{warned[0].filename}:{warned[0].lineno}: {warned[0].message}"
+    if PYTHON.search(said):
+        return "speaks Python", said
     if "\n" in said or len(said) > LONGEST_SENTENCE:
         return "sentence too long", said[:2000]
     return ("curves", "") if said == "curves" else ("sentence", said)
