@@ -67,8 +67,9 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
                 mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # parsers of trimesh raise errors of any kind
-            said = " ".join(str(error).split())[:200]
-            raise InputError(f"this is no {suffix[1:].upper()} mesh ({said}): export it anew") from error
+            raise InputError(
+                f"this is no {suffix[1:].upper()} mesh that can be read: export it anew"
+            ) from error
         if not len(faces):
             raise InputError("holds no faces: export a mesh, not points or lines")
         found = Mesh(vertices * factor, faces)

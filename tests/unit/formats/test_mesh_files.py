@@ -79,3 +79,9 @@ def test_without_trimesh(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "trimesh", None)
     with pytest.raises(MissingDependencyError, match="pip install trimesh"):
         read_mesh(written(tmp_path, "a.obj", TENT))
+
+
+def test_a_damaged_mesh_is_refused_without_words_of_python(tmp_path):
+    file = written(tmp_path, "a.obj", "v 0 0 0\nv 9 0 0\nv 9 9 5\nf 1 2 ..\n")
+    with pytest.raises(InputError, match=r"a\.obj: this is no OBJ mesh that can be read: export it anew$"):
+        read_mesh(file, unit="mm")
