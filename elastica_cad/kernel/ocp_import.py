@@ -96,6 +96,8 @@ def library_trouble(library: str, error: ImportError) -> str:
 
 def _unsound(error: Exception) -> MissingDependencyError:
     """OCP that is there and cannot be used: two releases in one place, or a library of the system missing."""
+    if isinstance(error.__cause__, KeyboardInterrupt):  # Ctrl-C while its compiled part began
+        raise error.__cause__
     reason = f"OpenCASCADE (OCP) is installed but cannot be loaded ({error})"
     brought = {
         name: version

@@ -82,3 +82,14 @@ def test_the_page_for_scripts_names_what_is_tested():
     for library, found in installed.items():
         have = tuple(map(int, found.split(".")[:3]))
         assert have in named[library] or have > max(named[library])
+
+
+def test_ctrl_c_while_the_kernel_is_loaded_ends_the_program(monkeypatch):
+    """OCP makes an ImportError of it; the command had gone on, and said that OCP was broken."""
+
+    def interrupted(name):
+        raise ImportError("initialization failed") from KeyboardInterrupt()
+
+    monkeypatch.setattr(ocp_import, "import_module", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        ocp_import.kernel.__wrapped__()
