@@ -14,6 +14,7 @@ class Wheel(bdist_wheel):
         self.run_command("build_ext")
         built = all(map(os.path.exists, self.get_finalized_command("build_ext").get_outputs()))
         if not built:
+            self.distribution.ext_modules = []  # its files belong where pure packages lie
             self.root_is_pure, self.py_limited_api = True, False
         super().run()
 
