@@ -85,7 +85,8 @@ def test_html():
 
 def test_tracebacks():
     error = ec.InputError(NAME)
-    assert str(error) == str(error.named(SEEN[:5])) == SEEN
+    assert str(error) == error.verdict == SEEN
+    assert str(error.at(strip=NAME)) == f"{SEEN}: {SEEN}"
     assert str(ec.NotConvergedError(NAME)) == SEEN
 
 

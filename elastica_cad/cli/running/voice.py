@@ -67,13 +67,13 @@ class Voice:
         _clear_step()
         advice = suggestion = ""
         with suppress(KeyboardInterrupt):
-            click.echo(said, nl=False, err=True)
+            echo(said, nl=False, err=True)
             advice = " ".join(problem.advice)
         with suppress(KeyboardInterrupt):
-            click.echo(f" {advice}" if advice else "", err=True)
+            echo(f" {advice}" if advice else "", err=True)
             suggestion = "" if self.quiet else suggest()
         if suggestion:
-            click.echo(suggestion, err=True)
+            echo(suggestion, err=True)
         if self.as_json:
             record = {"command": self.command, "error": f"{said} {advice}".rstrip(), "exit_code": code}
             found = {"suggestion": suggestion} if suggestion else {}
