@@ -98,7 +98,7 @@ class ElasticaError(Exception):
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return printable(str(self.refusal))  # a traceback shows it on a terminal
+        return str(self.refusal)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__
@@ -167,7 +167,7 @@ class NotMetError(NotConvergedError):
         self._advise = advise
 
     def __str__(self) -> str:
-        return " ".join((self.verdict, *self.advice))
+        return printable(" ".join((self.verdict, *self.advice)))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (str(self),)

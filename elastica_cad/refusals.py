@@ -4,6 +4,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from elastica_cad._printable import printable
+
 Severity = Literal["error", "warning", "note"]
 
 PLACES = ("file", "strip")
@@ -90,7 +92,7 @@ class Refusal:
         said = self.sentence
         for name in (str(self.where[place]) for place in reversed(PLACES) if self.where.get(place)):
             said = said if said.startswith(name) else f"{name}: {said}"
-        return said
+        return printable(said)  # a traceback shows it on a terminal
 
     def at(self, **where: Any) -> "Refusal":
         """The same with more places."""

@@ -8,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
-from elastica_cad._values import require_positive, several
+from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.asked_gravity import AskedGravity, hung_weight, lightened, pull_in_plane
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
@@ -386,6 +386,7 @@ class StripSpec(EqualByValue):
         >>> spec.with_change(Change("max_width", 12.0)).max_width, spec.with_change(Change("unit", "cm"))
         (12.0, None)
         """
+        require_record(change, Change, "a change", "a Change")
         if change.field == "nearest":
             if self.may_change:
                 return None

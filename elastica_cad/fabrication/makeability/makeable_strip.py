@@ -3,6 +3,7 @@
 from contextlib import suppress
 from dataclasses import replace
 
+from elastica_cad._values import require_flag
 from elastica_cad.errors import Change, InputError, StrainError
 from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.makeability.shop import Shop
@@ -44,7 +45,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
         With the place, the radius there and the least one; not with `ignore_limits`, where the strip warns of it.
     """
     judged = strip.strain_verdict
-    if ignore_limits or not judged.refused:
+    if require_flag(ignore_limits, "ignore_limits") or not judged.refused:
         return
     thinner = thinner_for(strip.sheet, strip.max_strain)
     raise StrainError(

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from elastica_cad._values import require_positive
+from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -76,6 +76,7 @@ def coupon_drawing(
     >>> drawing.paths[-1].path.bounds.tolist()
     [[-40.0, -10.0], [160.0, 10.0]]
     """
+    require_record(sheet, Sheet, "the sheet", "a Sheet")
     free = coupon_overhang(sheet) if overhang is None else overhang
     for value, name in ((free, "overhang"), (width, "width"), (clamp, "clamp")):
         require_positive(value, f"coupon {name}")

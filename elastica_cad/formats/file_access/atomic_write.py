@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
-from elastica_cad._values import require_path
+from elastica_cad._values import require_flag, require_path
 from elastica_cad.errors import InputError
 
 
@@ -18,6 +18,7 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
     InputError
         It is a folder, its folder is missing, or it exists and `force` is not set.
     """
+    require_flag(force, "force")
     target = Path(os.path.realpath(require_path(path)))
     if target.is_dir():
         raise InputError(f"{path} is a folder: give the name of a file in it")
