@@ -283,11 +283,7 @@ def test_fixtures_hold_every_end(document, standing):
     assert blocks.Shape.distToShape(made.Shape)[0] < 1e-3
     # pockets lean for tabs that bend; the straight tabs of the bodies, of some 600 mm3, run into them a little
     assert blocks.Shape.common(made.Shape).Volume < 60
-    # 0.15 mm on either face of tabs 10 mm long: 0.3 in 10, either way less than twice that, as pockets lean
-    (said,) = blocks.Reports
-    low, high = re.fullmatch(r"pocket leaves its tabs 0 mm across and (\S+) to (\S+) degrees", said).groups()
-    assert 1.7 < float(high) - float(low) < 2 * 1.72
-    assert min(abs(float(low)), abs(float(high))) == 0
+    assert ["no play" in said for said in blocks.Reports] == [True]
     single = fixtures.create(document, [standing[0]])
     document.recompute()
     assert len(single.Shape.childShapes()) == 2
