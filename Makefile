@@ -38,7 +38,7 @@ programs:
 	tests/smoke/setup.sh
 
 test-main: lint test-oldest
-	$(BIN)/python -m pytest -n 2 --durations=30 --ignore=tests/freecad --ignore=tests/smoke --ignore=tests/benchmarks
+	$(BIN)/python -m pytest -n 2 --durations=30 --ignore=tests/freecad --ignore=tests/smoke --ignore=tests/oldest --ignore=tests/benchmarks
 
 # FreeCAD's own Python modules are loaded into this process, so it is one of its own.
 test-windows: $(VENV)/test-installed
