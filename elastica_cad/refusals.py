@@ -63,7 +63,7 @@ class Refusal:
     values : mapping
         By name, of their own types.
     where : mapping
-        Places by kind: "file", "strip", "field" (of the request), "at" (mm along the curve).
+        Places by kind: "file", "strip", "field" (or several, of the request), "at" (mm along the curve).
     changes : tuple of Change
         Each of which may help; none of them was tried.
     severity : "error", "warning" or "note"

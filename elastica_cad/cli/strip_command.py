@@ -160,7 +160,7 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
         changed = spec.with_change(change)
         return [] if changed is None else [changed]
 
-    if _is_taken(asked, chosen):
+    if not problem.refusal.changes or _is_taken(asked, chosen):
         return ""
     found = ((change, option_words(change)) for change in problem.refusal.changes)
     return first_that_holds(

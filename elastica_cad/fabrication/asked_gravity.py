@@ -38,7 +38,8 @@ def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tup
     if frame is None:
         raise InputError(
             f"gravity {direction} is a direction in space: give frame, the plane of the curve, or two numbers, "
-            "the direction in the drawing"
+            "the direction in the drawing",
+            where={"field": "gravity"},
         )
     own = sheet.elasto_gravity_length
     felt = Gravity.in_plane(own, direction, frame.x_axis, frame.y_axis)
@@ -66,6 +67,7 @@ def _direction(given: object) -> tuple[float, ...]:
     if len(row) not in (2, 3) or not all(is_number(one) for one in row) or not any(row):
         raise InputError(
             f"gravity is {given!r}: give True, a Gravity record, or the direction in which things fall as two "
-            "numbers in the drawing or three in space, not all zero, such as (0, -1) or (0, 0, -1)"
+            "numbers in the drawing or three in space, not all zero, such as (0, -1) or (0, 0, -1)",
+            where={"field": "gravity"},
         )
     return tuple(float(one) for one in row)

@@ -98,7 +98,7 @@ def limits_beside(
             raise InputError(
                 f"{name} is {width:g} mm, outside the limit width of {low:g} to {high:g} mm: change one of them, "
                 "or leave the limit out",
-                where={"field": name},
+                where={"field": (name, "limit width")},
             )
     narrowest, widest = min_width or low, max_width or high
     if narrowest > widest:  # refused where the widths are compared

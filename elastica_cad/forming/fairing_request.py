@@ -100,10 +100,13 @@ def check_smooth(smooth: object) -> float | None:
     if smooth is None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):
-        raise InputError(f"smooth is {smooth!r}: give a distance in mm, 0 for none, or None")
+        raise InputError(
+            f"smooth is {smooth!r}: give a distance in mm, 0 for none, or None", where={"field": "smooth"}
+        )
     if not 0 <= smooth <= LARGEST_SMOOTH:
         raise InputError(
-            f"smooth is {smooth}: a curve is made fair within 0 (not at all) to {LARGEST_SMOOTH:g} mm"
+            f"smooth is {smooth}: a curve is made fair within 0 (not at all) to {LARGEST_SMOOTH:g} mm",
+            where={"field": "smooth"},
         )
     return float(smooth)
 

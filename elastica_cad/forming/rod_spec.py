@@ -111,20 +111,24 @@ class RodSpec(EqualByValue):
         if self.layers is not None and (self.may_change or self.natural_curvature != 0.0):
             raise InputError(
                 "a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, "
-                "keep and natural_curvature, or gravity"
+                "keep and natural_curvature, or gravity",
+                where={"field": ("limits", "natural_curvature", "gravity")},
             )
         if self.weight is not None and self.gravity is None:
             raise InputError(
                 "loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in "
-                "that plane, or leave loads out"
+                "that plane, or leave loads out",
+                where={"field": ("gravity", "loads")},
             )
         if self.may_change and self.samples is not None:
             raise InputError(
-                "samples are of a strip that follows its curve exactly: leave limits and keep out, or samples"
+                "samples are of a strip that follows its curve exactly: leave limits and keep out, or samples",
+                where={"field": ("limits", "samples")},
             )
         if self.may_change and self.weight is not None:
             raise InputError(
-                "a strip with loads hung on it follows its curve exactly: leave limits and keep out, or the loads"
+                "a strip with loads hung on it follows its curve exactly: leave limits and keep out, or the loads",
+                where={"field": ("limits", "loads")},
             )
 
     @property

@@ -213,7 +213,9 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
             **{name: chosen[name] for name in SAME_NAME},
         )
     except InputError as problem:
-        problem.at(option=option_of(str(problem.refusal.where.get("field", ""))))
+        named = problem.refusal.where.get("field", ())
+        fields = (named,) if isinstance(named, str) else named
+        problem.at(option=", ".join(filter(None, map(option_of, fields))))
         raise
 
 

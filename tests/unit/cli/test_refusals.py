@@ -382,3 +382,20 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     refused = typed(words.split(), tmp_path)
     assert refused.returncode == 2
     assert f"Error: {told}" in refused.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "options"),
+    [
+        ("--smooth -1", "(--smooth)"),
+        ("--nearest --samples 99", "(--nearest, --samples)"),
+        ("--hang 20 5", "(--gravity, --hang)"),
+        ("--nearest --width-range 10 15 --max-width 20", "(--max-width, --width-range)"),
+    ],
+)
+def test_the_options_that_set_a_refused_field_are_named(words, options, tmp_path):
+    (tmp_path / "arch.csv").write_text("0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n")
+    asked = ["strip", str(tmp_path / "arch.csv"), "--sheet", "pom-0.5", "--max-width", "20", *words.split()]
+    refused = CliRunner().invoke(elastica, [*asked, "-o", str(tmp_path / "out")])
+    assert refused.exit_code == 2
+    assert options in refused.output

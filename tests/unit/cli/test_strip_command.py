@@ -143,10 +143,13 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
         "--label",
         "T",
     )
-    loose = elastica(*arguments, "--force")
+    broken = elastica(*arguments)
+    assert broken.returncode == 1
+    assert broken.stderr.startswith("Would break: strain 2.00 % at")
+    loose = elastica(*arguments, "--ignore-limits")
     assert loose.returncode == 0
-    assert "strain" in loose.stderr
-    assert elastica(*arguments, "--force", "--strict").returncode == 1
+    assert "Warning: strain" in loose.stderr
+    assert elastica(*arguments, "--ignore-limits", "--force", "--strict").returncode == 1
 
 
 @pytest.mark.campaign
