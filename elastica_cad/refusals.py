@@ -1,6 +1,6 @@
 """The record of a refusal: its English template, the values in it, where it is, and which changes would mend it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
@@ -97,7 +97,3 @@ class Refusal:
     def at(self, **where: Any) -> "Refusal":
         """The same with more places."""
         return replace(self, where={**self.where, **where})
-
-    def with_changes(self, changes: Iterable[Change]) -> "Refusal":
-        """The same with other changes that may help."""
-        return replace(self, changes=tuple(changes))

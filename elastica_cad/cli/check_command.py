@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 import numpy as np
@@ -17,7 +17,7 @@ from elastica_cad.cli.asking.asked_curves import (
 )
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
-from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
+from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
 from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, typed_length, typed_line
 from elastica_cad.cli.running.voice import answer, say, voice, warn
 from elastica_cad.errors import Change, ElasticaError
@@ -27,9 +27,6 @@ from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-
-if TYPE_CHECKING:
-    pass
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
@@ -114,8 +111,7 @@ def _suggestion(
 
     def requests(sheet: str) -> Sequence[StripSpec]:
         spec = StripSpec(curve, sheet, max_width=width, supports=supports, smooth=smooth)
-        changed = spec.with_change(change)
-        return [] if changed is None else [changed]
+        return changed_requests(spec, change)
 
     def told(sheet: str) -> str:
         words = ("--sheet", sheet, "--max-width", typed_length(width), *added, "-o", "out")

@@ -1,6 +1,5 @@
 """`elastica model`: from a design file to a folder with everything that is needed to build it."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import count
@@ -10,11 +9,10 @@ import click
 
 from elastica_cad._counts import and_more, counted
 from elastica_cad.cli.asking.options import holding_option, output_options
-from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
+from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import Design, read_design
@@ -97,17 +95,13 @@ def _suggestion(design: Design, problem: ElasticaError) -> str:
         return ""
     (entry,) = asked
 
-    def requests(change: Change) -> Sequence[StripSpec]:
-        changed = entry.spec.with_change(change)
-        return [] if changed is None else [changed]
-
     def told(change: Change) -> str:
         line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
         return f"`{line}` in the table of strip {entry.called}"
 
     tried = ("nearest", "lap", "max_width", "smooth", "thickness")
     found = (change for change in problem.refusal.changes if change.field in tried)
-    return first_that_holds((told(change), partial(requests, change)) for change in found)
+    return first_that_holds((told(change), partial(changed_requests, entry.spec, change)) for change in found)
 
 
 def _read_told(path: Path, *, unit: str | None = None) -> CurveList:

@@ -19,7 +19,7 @@ from elastica_cad.cli.asking.asked_curves import (
 from elastica_cad.cli.asking.lengths import LENGTH, Length
 from elastica_cad.cli.asking.options import holding_option, join_options, output_options
 from elastica_cad.cli.asking.strip_options import spec_from_options, strip_options
-from elastica_cad.cli.running.suggestions import first_that_holds, suggest_later
+from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
 from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, option_words, typed_line
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, InputError, NotConvergedError, how_to_install
@@ -157,8 +157,7 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
             drawn = spec.curve.degree > 1  # straight strips are not what a row of points means
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
-        changed = spec.with_change(change)
-        return [] if changed is None else [changed]
+        return changed_requests(spec, change)
 
     if not problem.refusal.changes or _is_taken(asked, chosen):
         return ""

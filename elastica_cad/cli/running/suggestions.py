@@ -13,7 +13,7 @@ import click
 import numpy as np
 
 from elastica_cad.cli.running.voice import voice
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import Change, ElasticaError
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.strip_spec import StripSpec
@@ -40,6 +40,10 @@ Candidate: TypeAlias = "tuple[str, Callable[[], Sequence[StripSpec]]]"
 """What would be said of it, and the requests of its strips."""
 
 
+class _OutOfTimeError(BaseException):
+    """The trials have taken as long as they may; no reader of files takes it for an error of the system."""
+
+
 def suggest_later(look: Callable[[ElasticaError], str]) -> None:
     """Have a suggestion looked for where the running command is refused, once that is said."""
     context = click.get_current_context()
@@ -57,11 +61,17 @@ def suggestion_below(problem: ElasticaError) -> str:
     return "" if look is None else look(problem)
 
 
+def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]":
+    """The request with a change; none where the change says nothing new of it."""
+    changed = spec.with_change(change)
+    return [] if changed is None else [changed]
+
+
 def first_that_holds(candidates: Iterable[Candidate]) -> str:
     """A sentence with the first candidate of which strips were made that hold; empty where none was in time."""
     if time.perf_counter() - voice().since > LONGEST_REFUSED_S:
         return ""
-    with suppress(KeyboardInterrupt, TimeoutError, MemoryError), _limits():
+    with suppress(KeyboardInterrupt, _OutOfTimeError, MemoryError), _limits():
         for told, requests in islice(candidates, MOST_TRIED):
             if held := _held(requests):
                 return f"This works: {told} ({held})."
@@ -70,18 +80,18 @@ def first_that_holds(candidates: Iterable[Candidate]) -> str:
 
 @contextmanager
 def _limits() -> Iterator[None]:
-    """Ends what runs inside by TimeoutError or MemoryError; where the system cannot do that, before it begins."""
+    """Ends what runs inside by an error of its own or MemoryError; where the system cannot, before it begins."""
     try:
         import resource
         from signal import ITIMER_REAL, SIGALRM, setitimer, signal
     except ImportError:  # Windows
-        raise TimeoutError from None
+        raise _OutOfTimeError from None
     if threading.current_thread() is not threading.main_thread():
-        raise TimeoutError
+        raise _OutOfTimeError
     most = resource.getrlimit(resource.RLIMIT_DATA)
 
     def end(*_: object) -> None:
-        raise TimeoutError
+        raise _OutOfTimeError
 
     before = signal(SIGALRM, end)
     with suppress(OSError, ValueError):  # systems that do not tell have the limit of time alone
@@ -114,11 +124,8 @@ def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
                 return ""
             if not stability(made.rod).stable:
                 return ""
-            farthest, used, name = (
-                max(farthest, away),
-                max(used, made.strain_verdict.percent),
-                made.sheet.name,
-            )
+            farthest, used = max(farthest, away), max(used, made.strain_verdict.percent)
+            name = made.sheet.name
     except ElasticaError:
         return ""
     near = f"within {farthest:.2g} mm of the drawn curve" if farthest else "the curve as drawn"

@@ -8,12 +8,10 @@ nothing but nonsense. A seed and a number name a call: --only 4711 makes it agai
 
 import argparse
 import contextlib
-import doctest
 import importlib
 import inspect
 import io
 import os
-import pkgutil
 import random
 import resource
 import signal
@@ -27,7 +25,7 @@ from enum import Enum
 import numpy as np
 
 from elastica_cad.errors import ElasticaError
-from tests.properties.test_public_doors import INNER
+from tests.properties.test_public_doors import INNER, example_calls
 
 FLOORS = ("geometry", "mechanics", "forming", "fabrication", "formats", "plot", "published")
 FRONT_ENDS = ("build123d", "cadquery")
@@ -87,27 +85,11 @@ def arguments_of(value):
 
 
 def sound_calls(wanted):
-    """The arguments of the calls that the examples make, by code."""
+    """The arguments of the first three calls of each that the examples make, by code."""
     calls = {}
-
-    def watch(frame, event, _argument):
-        if event == "call" and frame.f_code in wanted:
-            code = frame.f_code
-            kept = calls.setdefault(code, [])
-            if len(kept) < 3:
-                names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-                kept.append({name: frame.f_locals[name] for name in names if name in frame.f_locals})
-
     for floor in FLOORS + FRONT_ENDS:
-        package = importlib.import_module(f"elastica_cad.{floor}")
-        for module in [package, *pkgutil.walk_packages(package.__path__, f"{package.__name__}.")]:
-            tests = module if module is package else importlib.import_module(module.name)
-            sys.setprofile(watch)
-            try:
-                with contextlib.redirect_stdout(io.StringIO()):
-                    doctest.testmod(tests)
-            finally:
-                sys.setprofile(None)
+        for code, made in example_calls(floor, wanted, most=3).items():
+            calls[code] = [*calls.get(code, ()), *made][:3]
     return calls
 
 
