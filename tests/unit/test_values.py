@@ -1,5 +1,7 @@
 """The checks that public callables share, on what a fuzz of nonsense had found them to answer otherwise."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -23,6 +25,7 @@ CALLS = {
     "slot along": lambda: ec.Slot.along(0, TABLE, side="upper"),
     "slot side": lambda: ec.Slot(10, 1, side=TWO),
     "grain": lambda: ec.Sheet("x", 1, 3000, 600, 0.01, grain=TWO),
+    "ragged stations": lambda: dataclasses.replace(ROD, s=[[1, 2], [3]]),
     "no strip": lambda: LeafStack(None),
     "prisms": lambda: PrismSolid(NONE),
     "seat": lambda: TabSeat(True, True, 1.0),

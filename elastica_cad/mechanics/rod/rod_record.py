@@ -100,7 +100,7 @@ class Rod:
     moved: float = 0.0
 
     def __post_init__(self) -> None:
-        n = np.size(self.s)
+        n = numbers(self.s, "rod s").size
         for name, shape in {
             "s": (n,), "position": (n, 2), "angle": (n,), "curvature": (n,), "stiffness": (n,),
             "moment": (n,), "force": (n, 2),
