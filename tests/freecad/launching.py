@@ -84,7 +84,7 @@ def _run(command: list[str], folder: Path, timeout: float, environment: dict[str
         timeout=timeout,
         cwd=folder,
     )
-    said = f"{done.stdout[-4000:]}\n{done.stderr[-4000:]}"
+    said = f"{done.stdout[-40000:]}\n{done.stderr[-40000:]}"
     answers = folder / "answers.json"
     assert answers.exists(), f"FreeCAD gave no answer (exit code {done.returncode}):\n{said}"
     found = json.loads(answers.read_text())

@@ -424,9 +424,9 @@ def test_a_workshop_that_measures_links_and_renames(tmp_path):
     assert found["not lost"]
     for place in ("blocks", "blocks moved"):
         assert found[place] == pytest.approx([0, 0], abs=1e-3), "they hold the link, not what it shows"
-    assert found["told"] == "Cone"
+    assert found["told"] == "Ring"
     assert found["told then"] == ["Hat", "Hat"]
-    assert found["told at last"] == ["Cone", "Cone"]
+    assert found["told at last"] == ["Ring", "Ring"]
 
 
 @pytest.mark.campaign

@@ -47,6 +47,19 @@ def middle_of(sketch):
     return edge.valueAt(edge.getParameterByLength(edge.Length / 2))
 
 
+def test_half_planes_through_the_poles_of_an_egg(document):
+    """FreeCAD 0.20 ends when some of these wires are divided whole: they are divided edge by edge."""
+    egg = document.addObject("Part::Ellipsoid", "Egg")
+    egg.Radius1, egg.Radius2 = 100, 60
+    document.recompute()
+    curves, remarks = curves_of(cut(egg, Family("parallel", 5, "X")), closed=CLOSED[1])
+    assert (len(curves), remarks) == (10, [])
+    curves, remarks = curves_of(cut(egg, Family("about an axis", 5, "Z")))
+    assert (len(curves), remarks) == (5, [])
+    for found in curves:
+        assert found.curve.length == pytest.approx(255.27, abs=0.05)
+
+
 def test_parallel_planes_through_a_surface(document, shell):
     sections = cut(shell, Family("parallel", 3, "X"))
     curves, remarks = curves_of(sections, tolerance=0.02)

@@ -78,17 +78,17 @@ for look in $(seq 120); do
     [ -n "$window" ] && break
     sleep 0.5
 done
-sleep 4
-xdotool windowfocus "$window"
-for typed in "${@:2}"; do
-    xdotool type --delay 20 "$typed"
-    xdotool key Return
-    sleep 0.5
-done
-for look in $(seq 30); do
-    xdotool key ctrl+s
-    sleep 1
-    head -c 40 "$1" | grep -q dxfrw && break
+for try in $(seq 30); do  # a window that is shown does not take keys at once: type until an arc is in the file
+    xdotool windowfocus "$window"
+    for typed in "${@:2}"; do
+        xdotool type --delay 20 "$typed"
+        xdotool key Return
+    done
+    xdotool key Escape Escape ctrl+s
+    for look in $(seq 10); do
+        head -c 40 "$1" | grep -q dxfrw && grep -q "^ARC" "$1" && break 2
+        sleep 0.2
+    done
 done
 kill $program
 """
@@ -110,15 +110,17 @@ def test_librecad_saves_a_strip_of_ours_and_an_arc_drawn_beside_it(tmp_path):
     subprocess.run(words, cwd=tmp_path, env=here, check=False, capture_output=True, timeout=180)
     assert b"dxfrw" in (tmp_path / "ours.dxf").read_bytes()[:40], "LibreCAD has not saved it"
     after = list(read_drawing(tmp_path / "ours.dxf"))
-    assert len(after) == len(before) + 1
     for one in after:
         if one.layer != "0":
             curve = before[one.layer + str(one.number)]
             assert one.curve.length == pytest.approx(curve.length, abs=1e-6)
             np.testing.assert_allclose(one.curve.bounds, curve.bounds, atol=1e-6)
-    (drawn,) = (one.curve for one in after if one.layer == "0")
-    assert drawn.length == pytest.approx(2 * 65 * np.arcsin(60 / 65), abs=1e-6)  # of a radius of 65 mm
-    assert check_equilibrium(drawn).realizable
+    typed = [one.curve for one in after if one.layer == "0"]  # once or more: see above
+    assert typed
+    assert len(after) == len(before) + len(typed)
+    for drawn in typed:
+        assert drawn.length == pytest.approx(2 * 65 * np.arcsin(60 / 65), abs=1e-6)  # of a radius of 65 mm
+        assert check_equilibrium(drawn).realizable
 
 
 def test_parts_drawn_in_librecad_are_read():

@@ -148,29 +148,29 @@ def held_in_place(document, strip):
 
 def renamed(document):
     """Sentences speak of things by the names that they have now."""
-    cone = document.addObject("Part::Cone", "Cone")
-    cone.Radius1, cone.Radius2, cone.Height = 60, 20, 100
+    ring = document.addObject("Part::Torus", "Ring")
+    ring.Radius1, ring.Radius2 = 100, 20
     document.recompute()
-    choose(cone)
+    choose(ring)
     press("Elastica_Section")
     shown()
-    fill(panel(), Family="about an axis", Axis="Z")
+    fill(panel(), Family="about an axis", Axis="X")
     button()
     section = document.getObject("Section")
     answers["told"] = section.Reports[0].split(",")[0]
-    tree, item = tree_row(cone)
+    tree, item = tree_row(ring)
     click(tree.viewport(), at=tree.visualItemRect(item).center())
     keys("F2")
     until(lambda: tree.viewport().findChildren(QtWidgets.QLineEdit), 10)
     keys("ctrl+a")
     mouse("type", "--delay", 15, "Hat")
     keys("Return")
-    until(lambda: cone.Label == "Hat", 10)
+    until(lambda: ring.Label == "Hat", 10)
     until(lambda: section.Reports[0].startswith("Hat"), 10)
-    answers["told then"] = [cone.Label, section.Reports[0].split(",")[0]]
+    answers["told then"] = [ring.Label, section.Reports[0].split(",")[0]]
     trigger("Std_Undo")
-    until(lambda: cone.Label == "Cone" and section.Reports[0].startswith("Cone"), 10)
-    answers["told at last"] = [cone.Label, section.Reports[0].split(",")[0]]
+    until(lambda: ring.Label == "Ring" and section.Reports[0].startswith("Ring"), 10)
+    answers["told at last"] = [ring.Label, section.Reports[0].split(",")[0]]
 
 
 def work():

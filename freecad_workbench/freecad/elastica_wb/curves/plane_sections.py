@@ -31,7 +31,7 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-SECTION_POINTS = 240  # along a wire of a section, and for each of its edges a quarter of that
+SECTION_POINTS = 240  # along each edge of a section
 PATH_POINTS = 400  # planes along a path stand across it to a fraction of a degree
 JOIN_MM = 1e-4  # OpenCASCADE's sections leave gaps of up to 1e-5 mm between faces
 
@@ -147,7 +147,7 @@ def box_of(source: Any) -> Any:
     """Bounding box in the document."""
     mesh = _mesh(source)
     if mesh is None:
-        return _shape(source).BoundBox
+        return _shape(source).optimalBoundingBox(False)  # that of poles is wider
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
         box.add(App.Vector(*point.tolist()))
@@ -272,18 +272,27 @@ def _has_faces(obj: Any) -> bool:
 def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> PlaneSection:
     """As `mesh_sections` answers, for a shape."""
     wires = shape.slice(App.Vector(*frame.z_axis), float(frame.z_axis @ frame.origin))
-    pieces = []
-    for wire in wires:
-        count = max(SECTION_POINTS, SECTION_POINTS // 4 * len(wire.Edges))
-        points = np.array([tuple(p) for p in wire.discretize(Number=count)])
-        if wire.isClosed():
-            points[-1] = points[0]
-        pieces.append(points)
-    closed = [p for p in pieces if np.all(p[0] == p[-1])]
-    runs = join_runs([(Edge.polyline(p),) for p in pieces if not np.all(p[0] == p[-1])], JOIN_MM)
-    whole = closed + [np.concatenate([run[0].points, *(e.points[1:] for e in run[1:])]) for run in runs]
+    chains = [chain for wire in wires for chain in _joined(map(_edge_points, wire.OrderedEdges))]
+    closed = [points for points in chains if np.all(points[0] == points[-1])]
+    whole = closed + _joined(points for points in chains if not np.all(points[0] == points[-1]))
     flat = [frame.local(points)[:, :2] for points in whole]
     return collect_section(name, frame, flat, half=half, apart=JOIN_MM)
+
+
+def _edge_points(edge: Part.Edge) -> FloatArray:
+    """Points (n, 3) along an edge of a section. Some wires of sections through a pole end FreeCAD when whole."""
+    return np.array([tuple(p) for p in edge.discretize(Number=SECTION_POINTS)])
+
+
+def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
+    """Lines that follow each other as one, first and last point the same where it is closed."""
+    joined = []
+    for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM):
+        points = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
+        if np.linalg.norm(points[-1] - points[0]) <= JOIN_MM:
+            points[-1] = points[0]
+        joined.append(points)
+    return joined
 
 
 def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
