@@ -245,6 +245,16 @@ def test_a_strip_that_breaks_says_so_in_german(document, sketch):
     assert not re.search(r"\b(the|strain|curve)\b", said), said
 
 
+@pytest.mark.usefixtures("german")
+def test_on_which_side_the_backing_lies_is_told_in_german(document, sketch):
+    from freecad.elastica_wb.features import strip
+
+    made = strip.create(document, sketch)
+    made.Style, made.Backing, made.Anyway = "Laminated", made.Sheet, True
+    document.recompute()
+    assert any("die Verstärkung" in reason and "SIDE" in reason for reason in made.Reasons), made.Reasons
+
+
 REFUSED = [
     {"Loads": ["at = 50, mass = 20"]},
     {"Loads": ["at 50"], "Gravity": True},

@@ -1919,6 +1919,22 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>bent, the backing lies inside at the start (the end at x = 0 of the cutting files), on the other side of the bend beyond each inflection: INSIDE AT START is engraved on both sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bent, the backing lies outside at the start (the end at x = 0 of the cutting files), on the other side of the bend beyond each inflection: OUTSIDE AT START is engraved on both sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bent, the backing lies inside: INSIDE is engraved on both sheets, on the faces that look there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bent, the backing lies outside: OUTSIDE is engraved on both sheets, on the faces that look there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in that plane, or leave loads out</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1923,6 +1923,22 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>bent, the backing lies inside at the start (the end at x = 0 of the cutting files), on the other side of the bend beyond each inflection: INSIDE AT START is engraved on both sheets</source>
+        <translation>gebogen liegt die Verstärkung am Anfang innen (das Ende bei x = 0 der Schneiddateien), nach jedem Wendepunkt auf der anderen Seite der Biegung: INSIDE AT START ist in beide Platten graviert</translation>
+    </message>
+    <message>
+        <source>bent, the backing lies outside at the start (the end at x = 0 of the cutting files), on the other side of the bend beyond each inflection: OUTSIDE AT START is engraved on both sheets</source>
+        <translation>gebogen liegt die Verstärkung am Anfang außen (das Ende bei x = 0 der Schneiddateien), nach jedem Wendepunkt auf der anderen Seite der Biegung: OUTSIDE AT START ist in beide Platten graviert</translation>
+    </message>
+    <message>
+        <source>bent, the backing lies inside: INSIDE is engraved on both sheets, on the faces that look there</source>
+        <translation>gebogen liegt die Verstärkung innen: INSIDE ist in beide Platten graviert, auf den Flächen, die dorthin zeigen</translation>
+    </message>
+    <message>
+        <source>bent, the backing lies outside: OUTSIDE is engraved on both sheets, on the faces that look there</source>
+        <translation>gebogen liegt die Verstärkung außen: OUTSIDE ist in beide Platten graviert, auf den Flächen, die dorthin zeigen</translation>
+    </message>
+    <message>
         <source>loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in that plane, or leave loads out</source>
         <translation>Lasten hängen, wo die Schwerkraft in der Ebene der Kurve zieht: Gravity setzen, mit GravityDirection in dieser Ebene, oder die Lasten weglassen</translation>
     </message>

@@ -1923,6 +1923,22 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>bent, the backing lies inside at the start (the end at x = 0 of the cutting files), on the other side of the bend beyond each inflection: INSIDE AT START is engraved on both sheets</source>
+        <translation>弯曲后，背衬在起点（切割文件中 x = 0 的一端）位于内侧，每过一个拐点换到弯曲的另一侧：两块板上都刻有 INSIDE AT START</translation>
+    </message>
+    <message>
+        <source>bent, the backing lies outside at the start (the end at x = 0 of the cutting files), on the other side of the bend beyond each inflection: OUTSIDE AT START is engraved on both sheets</source>
+        <translation>弯曲后，背衬在起点（切割文件中 x = 0 的一端）位于外侧，每过一个拐点换到弯曲的另一侧：两块板上都刻有 OUTSIDE AT START</translation>
+    </message>
+    <message>
+        <source>bent, the backing lies inside: INSIDE is engraved on both sheets, on the faces that look there</source>
+        <translation>弯曲后，背衬位于内侧：两块板朝向内侧的面上刻有 INSIDE</translation>
+    </message>
+    <message>
+        <source>bent, the backing lies outside: OUTSIDE is engraved on both sheets, on the faces that look there</source>
+        <translation>弯曲后，背衬位于外侧：两块板朝向外侧的面上刻有 OUTSIDE</translation>
+    </message>
+    <message>
         <source>loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in that plane, or leave loads out</source>
         <translation>载荷只在重力作用于曲线平面内时起作用：请设置 Gravity，并使 GravityDirection 位于该平面内，或去掉载荷</translation>
     </message>

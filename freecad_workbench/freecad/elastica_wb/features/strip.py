@@ -201,7 +201,7 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     """Write what was found: mm between the nearest curve and the one searched for, that and the drawn one."""
     rod, found = strip.rod, judged(strip.rod)
     bent = is_bent_beforehand(strip)
-    notes = [*([tell_blank(strip)] if bent else []), *strip.warnings]
+    notes = [*([tell_blank(strip)] if bent else []), *filter(None, [strip.backing_side]), *strip.warnings]
     if found is not None and not found.stable:
         where = (
             "" if found.conjugate_point is None else f" (conjugate point at {found.conjugate_point:.4g} mm)"
