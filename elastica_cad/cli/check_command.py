@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -66,22 +67,26 @@ def check(
     of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
-    for one in asked:
-        found = _judged(one, supports, natural_curvature, smooth, alone=not several)
-        good = found["realizable"]
-        said = " ".join((found["advice"], *found.get("notes", ())))
-        if "problem" in found:
-            bad += 1
+    for said, alike in groupby(
+        ((one, _judged(one, supports, natural_curvature, smooth, alone=not several)) for one in asked),
+        key=lambda pair: " ".join((pair[1]["advice"], *pair[1].get("notes", ()))),
+    ):
+        curves, found = zip(*alike, strict=True)
+        one, last, answered = curves[0], curves[-1], found[-1]
+        good = answered["realizable"]
+        if "problem" in answered:
+            bad += len(curves)
             warn(said, told=bad <= MOST_REFUSALS)
         else:
-            say(f"{curve.name}, {one.drawn.called} of {one.count}:\n{said}" if several else said)
+            which = one.drawn.called if one is last else f"{one.drawn.called} to {last.drawn.called}"
+            say(f"{curve.name}, {which} of {one.count}:\n{said}" if several else said)
         if not (good or several or voice().quiet):
             suggestion = _suggestion(one, supports, natural_curvature, smooth)
             if suggestion:
-                found |= {"suggestion": suggestion}
+                answered |= {"suggestion": suggestion}
                 say(suggestion)
-        worst = max(worst, 0 if good else BAD_INPUT if "problem" in found else NOT_REALIZABLE)
-        answers.append(found)
+        worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
+        answers.extend(found)
     if bad > MOST_REFUSALS:
         warn(f"{bad} of {len(asked)} curves are no open, smooth curves{first_told(bad)}")
     answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])

@@ -43,6 +43,17 @@ def test_every_curve_is_judged_for_itself(drawing):
     assert "left out, for they are no curves: 1 text" in told
 
 
+def test_a_verdict_that_many_curves_have_is_said_once(tmp_path):
+    path = '<path id="a{0}" d="M 0,{0} C 20,{1} 80,{1} 100,{0}"/>'
+    paths = "".join(path.format(60 * i, 60 * i + 40) for i in range(5))
+    (tmp_path / "five.svg").write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">{paths}</svg>'
+    )
+    said = elastica("check", tmp_path / "five.svg").stdout.decode()
+    assert "curve 1 (a0) to curve 5 (a240) of 5:" in said
+    assert said.count("A flat strip can take this curve") == 1
+
+
 @pytest.mark.parametrize("choice", [("--curve", "bow"), ("--curve", "3"), ("--layer", "Notes")])
 def test_a_curve_is_chosen_by_number_id_or_layer(drawing, choice):
     answers = json.loads(elastica("check", drawing, *choice, "--json").stdout)
