@@ -364,7 +364,7 @@ class _Row:
         sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
-        return Path.of_sound(close_chain([*lower, *upper]), closed=True)
+        return Path(close_chain([*lower, *upper]), closed=True)
 
 
 @dataclass(frozen=True, eq=False)

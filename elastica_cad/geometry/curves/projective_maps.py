@@ -99,15 +99,6 @@ def _vanishing(piece: FloatArray) -> FloatArray:
     return np.asarray(piece[0])
 
 
-def keeps_shape(matrix: ArrayLike) -> bool:
-    """Does a 3 x 3 matrix only move, turn, mirror and scale evenly?"""
-    m = np.asarray(matrix, dtype=float)
-    gram = m[:2, :2].T @ m[:2, :2]
-    return not m[2, :2].any() and bool(
-        np.abs(gram - gram.trace() / 2 * np.eye(2)).max() <= 1e-9 * gram.trace()
-    )
-
-
 def _place(point: FloatArray) -> str:
     x, y = point.round(9) + 0.0
     return f"({x:.4g}, {y:.4g}) mm"

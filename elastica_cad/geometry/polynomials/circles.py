@@ -19,27 +19,6 @@ def points_on_circles(
     return np.asarray(centers + reach * np.stack([np.cos(angles), np.sin(angles)], axis=-1), dtype=float)
 
 
-def circles_of_bulges(
-    starts: FloatArray, ends: FloatArray, bulges: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Of arcs between points (n, 2) centres (n, 2), radii, and angles of start and end (n,), as `Arc.from_bulge`.
-
-    Examples
-    --------
-    >>> center, radius, _, _ = circles_of_bulges(np.array([[0.0, 0.0]]), np.array([[2.0, 0.0]]), np.array([1.0]))
-    >>> center.tolist(), radius.tolist()
-    ([[1.0, 0.0]], [1.0])
-    """
-    chords = ends - starts
-    squares = np.array([bulge**2 for bulge in bulges.tolist()])  # rounded as of one number
-    left = np.column_stack([-chords[:, 1], chords[:, 0]])
-    centers = (starts + ends) / 2 + left * (1 - squares)[:, None] / (4 * bulges)[:, None]
-    radii = np.hypot(chords[:, 0], chords[:, 1]) * (1 + squares) / (4 * np.abs(bulges))
-    x, y = (starts - centers).T
-    first = np.arctan2(y, x)
-    return centers, radii, first, first + 4 * np.arctan(bulges)
-
-
 def swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
     """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
     triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]

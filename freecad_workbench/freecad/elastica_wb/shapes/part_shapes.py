@@ -76,7 +76,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 def _plane_of(frame: Frame) -> Frame:
     """The plane of a frame with the axes that OpenCASCADE gives it: how exactly areas are read hangs on them."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
-    return Frame.of_sound(frame.origin, about.x_axis, about.y_axis)
+    return Frame(frame.origin, about.x_axis, about.y_axis)
 
 
 @lru_cache(maxsize=16)
