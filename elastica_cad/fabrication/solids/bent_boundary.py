@@ -27,7 +27,7 @@ from elastica_cad.fabrication.solids.pattern_strips import Piece, Region
 from elastica_cad.fabrication.strip.flat_outline import graphs
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 
 ROUNDED_MM = 1e-12
 """Between the x of both ends of a line straight across: two sides reach its station by different sums."""

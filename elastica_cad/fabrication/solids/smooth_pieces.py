@@ -13,8 +13,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
 from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
-from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
+from elastica_cad.geometry.polynomials.splines import interpolated, interpolation_sites, knot_runs
 
 SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""

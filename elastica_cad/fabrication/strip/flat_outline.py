@@ -12,7 +12,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
+from elastica_cad.geometry.polynomials.splines import greville, knot_runs
 
 Ends = tuple[Tab, Tab]
 

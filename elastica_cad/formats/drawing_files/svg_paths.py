@@ -7,8 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.circles import points_on_circles
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, points_on_circles
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 _LETTERS = {2: "Q", 3: "C"}

@@ -16,7 +16,7 @@ from elastica_cad.geometry.polynomials.bernstein import (
     raise_degree,
     sums_in_pieces,
 )
-from elastica_cad.geometry.polynomials.bezier_pieces import Spans
+from elastica_cad.geometry.polynomials.splines import Spans
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,11 +15,14 @@ from elastica_cad.geometry.curves.continuity import in_millimetres, refuse_stand
 from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, quotient
 from elastica_cad.geometry.curves.projective_maps import map_spline
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.conics import unit_circle_arc
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-from elastica_cad.geometry.polynomials.fit_points import fit_spline
-from elastica_cad.geometry.polynomials.spline_checks import check_knots, finite, whole_degree
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline, fit_spline
+from elastica_cad.geometry.polynomials.splines import (
+    bezier_spans,
+    check_knots,
+    finite,
+    unit_circle_arc,
+    whole_degree,
+)
 
 SAME_KNOT = 1e-12
 """Share of the domain within which a place is a knot: spans of rounding size are never made."""

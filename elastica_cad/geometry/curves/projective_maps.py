@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import subdivide
-from elastica_cad.geometry.polynomials.spline_checks import finite
+from elastica_cad.geometry.polynomials.splines import finite
 
 _MOST_HALVINGS = 30  # of a piece, until its weights are even
 

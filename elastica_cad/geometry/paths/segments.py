@@ -18,8 +18,7 @@ from elastica_cad.geometry.plane_matrices import (
     similarity_of,
     transform_points,
 )
-from elastica_cad.geometry.polynomials.circles import points_on_circles, swept_by
-from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
+from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 
 _FLATTEST_MM = 1e-7
 """An arc that rises less than this over its chord (mm) is a line."""
@@ -360,3 +359,31 @@ def point(value: ArrayLike, name: str) -> FloatArray:
         raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
     p.setflags(write=False)
     return p
+
+
+def points_on_circles(
+    centers: FloatArray, radii: FloatArray | float, angles: FloatArray | float
+) -> FloatArray:
+    """Points (..., 2) at angles (...), rad, from the x axis.
+
+    Examples
+    --------
+    >>> points_on_circles(np.array([[3.0, 4.0]]), np.array([2.0]), np.array([0.0])).tolist()
+    [[5.0, 4.0]]
+    """
+    reach = np.asarray(radii)[..., None]
+    return np.asarray(centers + reach * np.stack([np.cos(angles), np.sin(angles)], axis=-1), dtype=float)
+
+
+def swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
+    """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
+    triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
+    segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
+    return np.asarray(0.5 * (triangle + segment), dtype=float)
+
+
+def _beyond_sine(x: FloatArray) -> FloatArray:
+    """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
+    y = x * x
+    near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
+    return np.where(np.abs(x) > 0.3, x - np.sin(x), near)

@@ -25,7 +25,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 
 OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
 ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm
