@@ -1,4 +1,4 @@
-"""Compiled parts of scipy by themselves: LAPACK, B-splines, Brent's method without the packages around them.
+"""Compiled parts of scipy by themselves: LAPACK, Brent's method without the packages around them.
 
 `scipy.linalg` and `scipy.optimize` import some hundred modules before the first function can be called, a fifth
 and a third of a second. The functions used here are compiled ones in one file each, loaded alone in milliseconds.
@@ -38,16 +38,6 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
     if info != 0:
         raise LinAlgError("the singular values of a matrix do not converge")
     return u, sigma, vt
-
-
-@cache
-def collocation() -> Any | None:
-    """`fill(sites, knots, degree, bands)`: scipy's B-splines at sites as a band matrix for `dgbsv`.
-
-    None where a scipy keeps it otherwise: newer than 1.14.
-    """
-    found = _alone("interpolate", "_bspl", "_colloc")
-    return None if found is None else found._colloc
 
 
 def crossing(

@@ -52,13 +52,6 @@ class Frame:
             raise InputError("frame x_axis and y_axis must be two directions at right angles to each other")
         self._hold(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
 
-    @classmethod
-    def of_sound(cls, origin: FloatArray, x_axis: FloatArray, y_axis: FloatArray) -> "Frame":
-        """The frame of numbers that need no check: unit axes at right angles, which a frame gave."""
-        made = object.__new__(cls)
-        made._hold(origin, x_axis, y_axis)
-        return made
-
     def _hold(self, *rows: FloatArray) -> None:
         """Take checked rows: origin and unit axes."""
         for row in rows:
@@ -123,7 +116,7 @@ class Frame:
             require_number(shift, f"the shift along {axis}", "mm")
         origin = self.point((x, y, z))
         _require_finite("origin", origin)
-        made = Frame.of_sound(origin, self.x_axis, self.y_axis)
+        made = Frame(origin, self.x_axis, self.y_axis)
         vars(made)["axes"] = self.axes
         return made
 

@@ -24,7 +24,7 @@ from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 from elastica_cad.kernel.ocp_import import Shape, kernel
 
 CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges

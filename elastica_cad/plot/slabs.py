@@ -6,7 +6,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.paths.chords import chord_errors
-from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
@@ -43,7 +42,7 @@ def trapezoids(
     >>> len(found), float(width @ height)
     (4, 36.0)
     """
-    polygons = polylines(loops, tolerance)
+    polygons = [loop.points(tolerance) for loop in loops]
     if blur > 0:
         polygons = _blurred(polygons, blur)
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])

@@ -10,9 +10,9 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross, norm
 from elastica_cad.geometry.curves.tangent_angle import turn_between
 from elastica_cad.geometry.paths.chords import chord_points
-from elastica_cad.geometry.paths.many_segments import ManySegments
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, place
+from elastica_cad.geometry.paths.trim import trim_segment
 
 SMOOTH_RAD = 0.02
 """Corners that turn by less stay: fitted sides meet so."""
@@ -77,7 +77,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
         return []
-    many, sizes = ManySegments(segments), _sizes(segments)
+    sizes = _sizes(segments)
     ends = np.cumsum([len(path.segments) for path in paths])
     rings = [
         list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
@@ -88,12 +88,15 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
         before = np.array([k for ring in left.values() for k in ring.sides])
         after = np.array([k for ring in left.values() for k in (*ring.sides[1:], ring.sides[0])])
         gaps = [gap for ring in left.values() for gap in ring.gaps]
-        corners = _corners(many, before, after, np.array([bool(gap) for gap in gaps]), radius)
+        corners = _corners(segments, before, after, np.array([bool(gap) for gap in gaps]), radius)
         first, last = np.zeros(len(segments)), np.ones(len(segments))
         last[corners.before], first[corners.after] = corners.leaving, corners.entering
         short = set(np.flatnonzero(first > last).tolist())
         last = np.where((last - first) * sizes > CLOSE_MM, last, first)
-        parts = many.trimmed(first, last)
+        parts = [
+            trim_segment(segment, a, b) if a < b else None
+            for segment, a, b in zip(segments, first.tolist(), last.tolist(), strict=True)
+        ]
         arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
         following: dict[int, _Ring] = {}
         for i, ring in left.items():
@@ -105,7 +108,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
                 chain = [one for k, arc in zip(ring.sides, turns, strict=True) for one in (parts[k], arc)]
                 # ends of arcs were found where the sides are left
-                rounded[i] = Path.of_sound(tuple([one for one in chain if one is not None]), closed=True)
+                rounded[i] = Path([one for one in chain if one is not None], closed=True)
         left = following
     return rounded
 
@@ -161,11 +164,11 @@ class _Corners:
 
 
 def _corners(
-    many: ManySegments, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
+    segments: Sequence[Segment], before: IntArray, after: IntArray, gaps: BoolArray, radius: float
 ) -> _Corners:
     """Arcs where sides (n,) turn into those behind them, at the end of one or over a gap."""
-    s = many.motion(before, np.ones(before.size))[1]
-    t = many.motion(after, np.zeros(after.size))[1]
+    s = _motion(segments, before, np.ones(before.size))[1]
+    t = _motion(segments, after, np.zeros(after.size))[1]
     turn = turn_between(s, t)
     sharp = (np.abs(turn) >= SMOOTH_RAD) | gaps
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
@@ -177,7 +180,8 @@ def _corners(
     ends = np.zeros((4, before.size, 2))
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
     for _ in range(MOST_STEPS):
-        near, far = many.motion(before[open_], x[open_, 0]), many.motion(after[open_], x[open_, 1])
+        near = _motion(segments, before[open_], x[open_, 0])
+        far = _motion(segments, after[open_], x[open_, 1])
         ends[:, open_] = *near, *far
         gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
@@ -200,9 +204,18 @@ def _corners(
     x[open_] = -1.0, 2.0
     start, leaving, end, entering = ends
     bulges = np.tan(turn_between(leaving, entering) / 4)
-    made = iter(Arc.all_of_bulges(start[fits], end[fits], bulges[fits]))
-    arcs = [next(made) if fit else None for fit in fits.tolist()]
+    arcs = [
+        Arc.from_bulge(first, last, bulge) if fit else None
+        for first, last, bulge, fit in zip(start, end, bulges.tolist(), fits.tolist(), strict=True)
+    ]
     return _Corners(before, after, x[:, 0], x[:, 1], arcs)
+
+
+def _motion(segments: Sequence[Segment], which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Points and their derivatives by u (n, 2), mm, at places u (n,) of segments (n,)."""
+    rows = [segments[i].motion_at(at) for i, at in zip(which.tolist(), u.tolist(), strict=True)]
+    points, velocities = np.array(rows).reshape(-1, 2, 2).swapaxes(0, 1)
+    return points, velocities
 
 
 def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:

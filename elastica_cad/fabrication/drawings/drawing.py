@@ -12,8 +12,7 @@ from elastica_cad._values import numbers, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import Text, strokes_of, text_strokes
 from elastica_cad.geometry.boxes import box_around
-from elastica_cad.geometry.paths.many_segments import bounds_of
-from elastica_cad.geometry.paths.path import Path, move_paths
+from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.plane_matrices import is_similarity, similarity_of, transform_points
 from elastica_cad.geometry.running_sums import numbers_in_groups
@@ -125,9 +124,7 @@ class Drawing:
         """The drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
         m = numbers(matrix, "the matrix that a drawing is moved by")
         even = is_similarity(m)
-        drawn = [item.path for item in self.paths]
-        moved = move_paths(drawn, m) if even else [path.transformed(m) for path in drawn]
-        paths = [LayeredPath(item.layer, path) for item, path in zip(self.paths, moved, strict=True)]
+        paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
         if even and np.linalg.det(m[:2, :2]) > 0:
             scale, turn, _ = similarity_of(m)
             texts = []
@@ -157,7 +154,7 @@ def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
     if not items:
         return ()
-    boxes = bounds_of([item.path for item in items])
+    boxes = np.array([item.path.bounds for item in items])
     left = boxes[:, 0, 0]
     order = np.argsort(left, kind="stable")
     first = np.searchsorted(left[order], left - SAME_MM)

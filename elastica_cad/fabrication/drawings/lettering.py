@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import InputError, quoted
-from elastica_cad.geometry.paths.path import Path, move_paths
+from elastica_cad.geometry.paths.path import Path
 
 CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
 LABEL_MM = 5.0  # height of a strip's label, where there is room
@@ -124,29 +124,19 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
 
 
 def strokes_of(texts: Sequence[Text]) -> list[tuple[Path, ...]]:
-    """The same of many texts: those of one height and direction at one go."""
-    alike = dict[tuple[float, float], list[int]]()
-    for k, text in enumerate(texts):
-        alike.setdefault((text.height, text.angle), []).append(k)
-    found: list[tuple[Path, ...]] = [()] * len(texts)
-    for (height, angle), which in alike.items():
-        scale = height / CAP_HEIGHT
-        c, s = scale * np.cos(angle), scale * np.sin(angle)
-        strokes: list[Path] = []
-        shifts: list[tuple[float, float]] = []
-        ends = []
-        for k in which:
-            (x, y), advance = texts[k].position, 0.0
-            for character in texts[k].text:
-                strokes += _glyph(character)
-                shifts += [(x + c * advance, y + s * advance)] * len(_glyph(character))
-                advance += _glyphs()[character][0] + _GAP
-            ends.append(len(strokes))
-        turned = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-        moved = move_paths(strokes, turned, np.array(shifts))
-        for k, first, last in zip(which, [0, *ends], ends, strict=False):
-            found[k] = moved[first:last]
-    return found
+    """The same of many texts."""
+    return [tuple(_placed_strokes(text)) for text in texts]
+
+
+def _placed_strokes(text: Text) -> Iterator[Path]:
+    scale = text.height / CAP_HEIGHT
+    c, s = scale * np.cos(text.angle), scale * np.sin(text.angle)
+    (x, y), advance = text.position, 0.0
+    for character in text.text:
+        place = [[c, -s, x + c * advance], [s, c, y + s * advance], [0.0, 0.0, 1.0]]
+        for stroke in _glyph(character):
+            yield stroke.transformed(place)
+        advance += _glyphs()[character][0] + _GAP
 
 
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:

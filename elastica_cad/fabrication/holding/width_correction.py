@@ -4,7 +4,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holding.lap_joint import closes
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
+from elastica_cad.geometry.polynomials.splines import bezier_spans
 from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 

@@ -7,7 +7,6 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.fabrication.makeability.near_pairs import near_pairs
-from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
@@ -143,11 +142,8 @@ class _Chords:
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
         """The chords of closed cuts, to `flat` mm."""
         sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
-        ways = areas([path for path, _ in sided]) > 0
-        runs = [
-            path if way == outer else path.reversed() for (path, outer), way in zip(sided, ways, strict=True)
-        ]
-        lines = polylines(runs, flat)
+        runs = [path if (path.area > 0) == outer else path.reversed() for path, outer in sided]
+        lines = [path.points(flat) for path in runs]
         start = np.concatenate(lines)
         way = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
         loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])

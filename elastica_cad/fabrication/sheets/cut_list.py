@@ -10,7 +10,6 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.sheets.equal_strips import FlatShape
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.strip.strip_layers import Layer
-from elastica_cad.geometry.paths.many_segments import total_length
 
 
 @dataclass(frozen=True)
@@ -159,8 +158,6 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
     """
     rows, pieces = [], several("pieces", pieces, Piece, "Piece")
     seen: list[tuple[FlatShape, str]] = []
-    # at one go: each piece asks for its own below
-    total_length([path for piece in pieces for path in piece.drawing.on(CUT_INNER, CUT_OUTER)])
     for piece in pieces:
         length, width = piece.size
         rows.append(

@@ -20,7 +20,6 @@ from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_around
-from elastica_cad.geometry.paths.many_segments import areas, total_length
 from elastica_cad.mechanics.material.sheet import Sheet
 
 
@@ -88,16 +87,16 @@ class Piece:
     @cached_property
     def cut_length(self) -> float:
         """Length of all cuts of one piece, mm."""
-        return total_length(self.drawing.on(CUT_INNER, CUT_OUTER))
+        return sum(path.length for path in self.drawing.on(CUT_INNER, CUT_OUTER))
 
     @cached_property
     def area(self) -> float:
         """Of one piece, mm2."""
         outer, inner = (
-            areas([path for path in self.drawing.on(layer) if path.closed])
+            sum(abs(path.area) for path in self.drawing.on(layer) if path.closed)
             for layer in (CUT_OUTER, CUT_INNER)
         )
-        return float(np.abs(outer).sum() - np.abs(inner).sum())
+        return outer - inner
 
     @property
     def mass(self) -> float:

@@ -13,7 +13,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of
-from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
+from elastica_cad.geometry.polynomials.splines import spline_through
 from elastica_cad.geometry.running_sums import lengths_along
 
 RELIEF_CHORDS = 8
@@ -200,11 +200,11 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
     points, widths = slot.center_line(width)
     t = lengths_along(points)
     degree = min(3, len(points) - 1)  # of a spline through them
-    tangents = SplineFunction.of(*spline_through(t, points, degree), degree)(t, 1)
+    tangents = spline_through(t, points, degree)(t, 1)
     normals = _left_of(tangents)
     right, left = (points + sign * widths[:, None] / 2 * normals for sign in (-1, 1))
-    knots, controls = spline_through(t, np.hstack([right, left]), degree)
-    return _side(right, knots, controls[:, :2]), _side(left, knots, controls[:, 2:])
+    sides = spline_through(t, np.hstack([right, left]), degree)
+    return _side(right, sides.t, sides.c[:, :2]), _side(left, sides.t, sides.c[:, 2:])
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:

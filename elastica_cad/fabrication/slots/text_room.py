@@ -8,7 +8,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.lettering import Text, text_span
 from elastica_cad.geometry.boxes import box_about, boxes_meet
-from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
@@ -44,7 +43,7 @@ def on_free_part(box: FloatArray, width: Profile) -> bool:
 @lru_cache(maxsize=_POLYLINES)
 def _polyline(line: Path) -> FloatArray:
     """Points (n, 2) of a line as letters see it, run around to the first where it is closed."""
-    (points,) = polylines([line], FLAT_MM)
+    points = line.points(FLAT_MM)
     points = _around(points) if line.closed else points
     points.setflags(write=False)
     return points

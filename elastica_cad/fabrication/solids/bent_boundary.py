@@ -27,7 +27,7 @@ from elastica_cad.fabrication.solids.pattern_strips import Piece, Region
 from elastica_cad.fabrication.strip.flat_outline import graphs
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 
 ROUNDED_MM = 1e-12
 """Between the x of both ends of a line straight across: two sides reach its station by different sums."""
@@ -164,8 +164,8 @@ class BoundaryMaker:
             rise = self.vertices[low + 1] - self.vertices[low]
             height = hypot(*rise.tolist())
             across = shape.frame.z_axis if isinstance(shape, BentMap) else shape.y_axis
-            upright = Frame.of_sound(self.vertices[low], rise / height, across)
-            line = PlacedSegment(Line.of_sound(np.zeros(2), np.array([height, 0.0])), upright)
+            upright = Frame(self.vertices[low], rise / height, across)
+            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), upright)
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
         return self.posts[corner]
@@ -201,7 +201,7 @@ def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
 
 def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Frame:
     """The plane of a wall, which stands upright on what it runs along."""
-    return Frame.of_sound(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
+    return Frame(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
 
 
 def _across(segment: Segment) -> tuple[float, float]:

@@ -16,8 +16,12 @@ from elastica_cad.fabrication.solids.pattern_strips import on_segment
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment
-from elastica_cad.geometry.polynomials.knot_runs import clamped_knots, knot_runs
-from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
+from elastica_cad.geometry.polynomials.splines import (
+    clamped_knots,
+    interpolated,
+    interpolation_sites,
+    knot_runs,
+)
 from elastica_cad.geometry.running_sums import numbers_in_groups, turns_along
 from elastica_cad.mechanics.rod.rod_record import Rod
 

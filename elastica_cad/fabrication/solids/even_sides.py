@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.paths.segments import Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 
 SAME_PLACE = 1e-12
 """Share of its length by which the knots of another side over the same x may be off: rounding."""

@@ -33,4 +33,4 @@ def with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame
 
 def turned(frame: Frame, way: int) -> Frame:
     """The frame, half a turn about its z axis where `way` is -1."""
-    return frame if way == 1 else Frame.of_sound(frame.origin, -frame.x_axis, -frame.y_axis)
+    return frame if way == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)

@@ -20,7 +20,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
 )
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 
 FACE_MM = 1e-4
 """How closely a skin follows its radius."""

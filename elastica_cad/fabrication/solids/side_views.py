@@ -10,7 +10,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 
 FACE_MM = 1e-4
 """How closely the faces follow half the thickness off the curve: far below what a plane takes off."""

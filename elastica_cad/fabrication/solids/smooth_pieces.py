@@ -12,9 +12,8 @@ from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
-from elastica_cad.geometry.paths.trim import clamp_ends, trim_parts
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
-from elastica_cad.geometry.polynomials.spline_function import interpolated, interpolation_sites
+from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
+from elastica_cad.geometry.polynomials.splines import interpolated, interpolation_sites, knot_runs
 
 SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
@@ -54,7 +53,7 @@ def in_smooth_pieces(path: Path) -> Path:
         ramp = RAMP * _reach(path)
         smooth = [_smoothed(segment) for segment in path.segments]
         cuts = [_cut(segment, ramp) for segment in smooth]
-        parts = iter(trim_parts([(cut.curve, ends) for cut in cuts if cut is not None for ends in cut.kept]))
+        parts = iter([trim_curve(cut.curve, *ends) for cut in cuts if cut is not None for ends in cut.kept])
         pieces: list[Segment] = []
         for segment, cut in zip(smooth, cuts, strict=True):
             pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
@@ -106,7 +105,7 @@ def _smoothed(segment: Segment) -> Segment:
     sites = interpolation_sites(whole, degree)
     points = interpolated(sites, rows(sites), whole, degree)
     points[[0, -1]] = curve.control_points[[0, -1]]
-    return Spline(PlaneCurve.of_sound(whole, points, degree, None))
+    return Spline(PlaneCurve(whole, points, degree))
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +129,7 @@ class _Cut:
                 pieces += [Line(meeting, part.control_points[0]), Spline(part)]
             else:
                 met = np.vstack([meeting, part.control_points[1:]])
-                pieces.append(Spline(PlaneCurve.of_sound(part.knots, met, part.degree, part.weights)))
+                pieces.append(Spline(PlaneCurve(part.knots, met, part.degree, part.weights)))
         return pieces
 
 
@@ -168,4 +167,4 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
     knots[: degree + 1], knots[-degree - 1 :] = first, last
     sites = interpolation_sites(knots, degree)
     values = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)(sites)
-    return PlaneCurve.of_sound(knots, interpolated(sites, values, knots, degree), degree, None)
+    return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree)

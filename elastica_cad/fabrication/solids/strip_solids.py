@@ -26,7 +26,7 @@ from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod

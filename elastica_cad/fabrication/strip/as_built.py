@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import numbers
 from elastica_cad.fabrication.strip.flat_outline import paces
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.paths.many_segments import chords_of, points_of
+from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
@@ -166,7 +166,9 @@ def _even_crossings(sides: Sequence[_Side], motion: FloatArray, at: FloatArray) 
     which, station = _met(at, x0, x1)
     offset, speed = motion.T
     t = np.clip((at[station] - offset[which]) / speed[which], *np.array([c.domain for c in curves])[which].T)
-    y = points_of(curves, which, t)[:, 1]
+    y = np.empty(t.size)
+    for own in np.split(np.argsort(which, kind="stable"), np.cumsum(np.bincount(which))[:-1]):
+        y[own] = curves[which[own[0]]].evaluate(t[own])[:, 1] if own.size else 0.0
     yield owner[which], station, np.sign(x0 - x1)[which] * y
 
 
@@ -174,7 +176,8 @@ def _drawn_crossings(sides: Sequence[_Side], at: FloatArray) -> Iterator[Crossin
     """Of all other segments, by their chords."""
     if not sides:
         return
-    counts, start = chords_of([side.segment for side in sides], CHORD_MM)
+    chords = [chord_points(side.segment, CHORD_MM)[:-1] for side in sides]
+    counts, start = np.array([len(points) for points in chords]), np.concatenate(chords)
     owner = np.repeat([side.loop for side in sides], counts)
     end = np.empty_like(start)
     end[:-1] = start[1:]

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -20,9 +19,8 @@ from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.fit_function import adaptive_splines, fit_spans
-from elastica_cad.geometry.polynomials.knot_runs import greville
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
+from elastica_cad.geometry.polynomials.splines import bezier_spans, greville
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 FIT_MM = 2e-5
@@ -228,13 +226,8 @@ class DiamondPattern:
     @cached_property
     def _rows(self) -> list["_Row"]:
         """Rows of full diamonds and of the ones in the gaps between them, in turn."""
-        fit, several = self._fitted, self._fitted.several
-        knots = np.repeat(np.column_stack([fit.cuts[:-1], fit.cuts[1:]]), 4, axis=1)
-        stretches = [
-            _Stretch(*(several[i] if i in several else (knots[i], fit.single[i]))) for i in range(len(knots))
-        ]
         return [
-            _Row(tuple(stretches[first:last]), self.columns, full=i % 2 == 1)
+            _Row(tuple(self._fitted[first:last]), self.columns, full=i % 2 == 1)
             for i, (first, last) in enumerate(self._row_stretches.tolist())
         ]
 
@@ -243,7 +236,7 @@ class DiamondPattern:
         """First stretch of each row, and the one after its last (2 rows + 1, 2)."""
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
-        middles = (self._fitted.cuts[:-1] + self._fitted.cuts[1:]) / 2
+        middles = np.array([(one.knots[0] + one.knots[-1]) / 2 for one in self._fitted])
         return np.column_stack(
             [
                 np.searchsorted(middles, np.append(first[:1], first), side="right"),
@@ -257,21 +250,18 @@ class DiamondPattern:
 
         Row by row: most stretches are in two.
         """
-        fit = self._fitted
-        spans = {i: bezier_spans(knots, 3) for i, (knots, _) in fit.several.items()}
-        counts = np.ones(len(fit.single), dtype=np.intp)
-        counts[list(spans)] = [len(one.widths) for one in spans.values()]
-        begins = np.append(0, np.cumsum(counts))
-        low, high, points = (one.repeat(counts, axis=0) for one in (fit.cuts[:-1], fit.cuts[1:], fit.single))
-        for i, one in spans.items():
-            own = slice(begins[i], begins[i + 1])
-            low[own], high[own], points[own] = one.edges[:-1], one.edges[1:], one.bezier(fit.several[i][1])
+        fitted = self._fitted
+        spans = [bezier_spans(one.knots, 3) for one in fitted]
+        begins = np.cumsum([0, *(len(one.widths) for one in spans)])
+        low = np.concatenate([one.edges[:-1] for one in spans])
+        high = np.concatenate([one.edges[1:] for one in spans])
+        points = np.concatenate([one.bezier(own.values) for one, own in zip(spans, fitted, strict=True)])
         first, last = begins[self._row_stretches].T
         piece = numbers_in_groups(last - first) + np.repeat(first, last - first)
         return low[piece], high[piece], points[piece], np.repeat(np.arange(first.size) % 2 == 1, last - first)
 
     @cached_property
-    def _fitted(self) -> "_Fit":
+    def _fitted(self) -> "list[_Stretch]":
         """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
@@ -281,28 +271,18 @@ class DiamondPattern:
         rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
         low, high = cuts[:-1], cuts[1:]
         inset = INSET * (high - low)
-        single, parts = fit_spans(
-            self._values, low + inset, high - inset, degree=3, tolerance=FIT_MM, rounding=FIT_ROUNDING
-        )
-        broken = np.zeros(low.size, dtype=bool)
-        for s, _ in rough:
-            broken |= (low < s) & (s < high)
         starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
         ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
-        cut = np.flatnonzero((parts > 1) | broken)
-        inside = [(low[i] + inset[i], high[i] - inset[i]) for i in cut]
-        begun = [
-            np.linspace(*within, 1 + (1 if broken[i] else parts[i]))[1:-1]
-            for i, within in zip(cut, inside, strict=True)
-        ]
-        splines = adaptive_splines(
-            self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, knots=begun, rounding=FIT_ROUNDING
-        )
-        for i, (knots, values) in zip(cut, splines, strict=True):
+        fitted = []
+        for i in range(low.size):
+            knots, values = adaptive_spline(
+                self._values, (low[i] + inset[i], high[i] - inset[i]), degree=3, tolerance=FIT_MM, breaks=rough,
+                rounding=FIT_ROUNDING,
+            )  # fmt: skip
             knots[:4], knots[-4:] = low[i], high[i]
             values[0], values[-1] = starts[i], ends[i]
-        single[:, 0], single[:, -1] = starts, ends
-        return _Fit(cuts, single, dict(zip(cut.tolist(), splines, strict=True)))
+            fitted.append(_Stretch(knots, values))
+        return fitted
 
     def _values(self, s: FloatArray) -> FloatArray:
         """Width, material, and the width of a full diamond (n, 3), mm."""
@@ -313,16 +293,6 @@ class DiamondPattern:
         rise = np.clip((s - k * half - before) / (half - before - after), 0.0, 1.0)
         T = np.where(k % 2 == 0, rise, 1 - rise)
         return np.column_stack([w, m, T * (w - m) / self.columns])
-
-
-class _Fit(NamedTuple):
-    """Stretches between cuts (n + 1,), mm: coefficients (n, 4, 3) of those of one polynomial; of others by number
-    their knots and coefficients.
-    """
-
-    cuts: FloatArray
-    single: FloatArray
-    several: dict[int, tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -364,7 +334,7 @@ class _Row:
         sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
-        return Path.of_sound(close_chain([*lower, *upper]), closed=True)
+        return Path(close_chain([*lower, *upper]), closed=True)
 
 
 @dataclass(frozen=True, eq=False)

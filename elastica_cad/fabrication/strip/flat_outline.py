@@ -12,7 +12,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
+from elastica_cad.geometry.polynomials.splines import greville, knot_runs
 
 Ends = tuple[Tab, Tab]
 
@@ -85,8 +85,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
-    # x rises with the parameter, so the curves stand still nowhere and need no check
-    return [Spline.of_clamped(PlaneCurve.of_sound(knots, row, degree, None)) for row in points]
+    return [Spline(PlaneCurve(knots, row, degree)) for row in points]
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
@@ -178,8 +177,7 @@ def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | 
     for segment in rim:
         if isinstance(segment, Line):
             ends = direction * np.array([segment.start, segment.end]) + (x, 0.0)
-            ends.setflags(write=False)
-            placed.append(Line.of_sound(*ends))
+            placed.append(Line(*ends))
         else:
             placed.append(segment.transformed(_frame(x, direction)))
     return placed

@@ -17,7 +17,7 @@ from elastica_cad.fabrication.strip.styles import (
     width_profile,
 )
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.mechanics.material.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet

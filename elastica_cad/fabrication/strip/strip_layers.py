@@ -26,7 +26,6 @@ from elastica_cad.fabrication.strip.flat_outline import (
 )
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.clip import trim_off
-from elastica_cad.geometry.paths.many_segments import areas, bounds_of
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
@@ -79,7 +78,7 @@ class Layer:
     @cached_property
     def area(self) -> float:
         """mm2."""
-        return abs(self.outline.area) - float(np.abs(areas(self.holes)).sum())
+        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
 
     @property
     def mass(self) -> float:
@@ -233,7 +232,5 @@ def _label_texts(
         for span, end, tab in zip(spans, (0.0, length), ends, strict=True)
         if span[0] < span[1]
     ]
-    boxes = bounds_of(layer.holes)
-    beyond = (boxes[:, 0, 0] < 0) | (boxes[:, 1, 0] > length)
-    near = [layer.holes[k] for k in np.flatnonzero(beyond).tolist()]
+    near = [hole for hole in layer.holes if hole.bounds[0, 0] < 0 or hole.bounds[1, 0] > length]
     return (label_on_tabs(label, tabs, Cuts(near, outline=layer.outline)),) if tabs else ()

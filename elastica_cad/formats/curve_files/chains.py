@@ -14,8 +14,7 @@ from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_coun
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.spline_function import interpolation_sites
+from elastica_cad.geometry.polynomials.splines import bezier_spans, interpolation_sites
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm

@@ -8,9 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
-from elastica_cad.geometry.polynomials.conics import unit_circle_arc
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import Spans, bezier_spans, knot_runs, unit_circle_arc
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.paths.many_segments import bezier_points
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.circles import points_on_circles
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, points_on_circles
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 _LETTERS = {2: "Q", 3: "C"}
@@ -107,7 +105,10 @@ def _strokes(segments: Sequence[Segment]) -> Iterator[_Strokes]:
     curves = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
     for degree in sorted({curve.degree for _, curve in curves}):
         alike = [(i, curve) for i, curve in curves if curve.degree == degree]
-        pieces, points = bezier_points([curve for _, curve in alike])
+        tables = [curve.bezier_table[1] for _, curve in alike]
+        pieces = np.array([len(own) for own in tables])
+        rows = np.concatenate(tables)
+        points = rows[..., :2] / rows[..., 2:]
         words = [_LETTERS[degree], *[" "] * (degree - 1)] * len(points)
         which = np.array([i for i, _ in alike])
         yield _Strokes(which, degree * pieces, words, points[:, 1:].reshape(-1, 2))

@@ -6,7 +6,7 @@ from math import hypot
 
 import numpy as np
 
-from elastica_cad._native import kernels
+from elastica_cad import _native
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Symmetry
@@ -100,11 +100,8 @@ def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[Fl
 
     `slopes` (n, 2) are the derivatives at the nodes, per step.
     """
-    if kernels is not None:
-        places, directions = np.empty((2, s.size, 2))
-        x, d, at = map(np.ascontiguousarray, (position, slopes, s))
-        kernels.hermite(x, d, at, places, directions)
-        return places, directions
+    if _native.compiled is not None:
+        return _native.hermite(position, slopes, s)
     spans = position.shape[0] - 1
     i = np.minimum(np.maximum((s * spans).astype(int), 0), spans - 1)
     u = (s * spans - i)[:, None]

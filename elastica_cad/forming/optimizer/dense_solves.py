@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 
 _UNTHREADED = 200_000  # multiplications of a product of matrices
@@ -35,13 +35,11 @@ def weighted_gram(J: FloatArray, added: FloatArray, weights: FloatArray) -> Floa
 
     J is contiguous.
     """
-    if kernels is None:
+    if _native.compiled is None:
         A = J.copy()
         A[:, -1] += added
         return gram(A * np.sqrt(weights)[:, None])
-    product = np.empty((J.shape[1],) * 2)
-    kernels.weighted_gram(J, added, weights, product)
-    return product
+    return _native.weighted_gram(J, added, weights)
 
 
 def least_step(J: FloatArray, gap: FloatArray) -> FloatArray:

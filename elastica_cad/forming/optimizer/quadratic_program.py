@@ -1,14 +1,13 @@
 """Small dense convex quadratic programs whose rows may be broken at a price."""
 
 from dataclasses import dataclass
-from typing import TypeAlias, cast
 
 import numpy as np
 
+from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._native import Kernels, kernels
 from elastica_cad._types import BoolArray, FloatArray
-from elastica_cad.forming.optimizer.dense_solves import SINGULAR_SHARE, factor_kkt, solve_kkt
+from elastica_cad.forming.optimizer.dense_solves import factor_kkt, solve_kkt
 
 # Interior points, not HiGHS: its active-set QP was tried first and cycled without end on the programs of a
 # nearly solved problem. These programs are dense, at most some hundred rows by some tens of unknowns, and
@@ -18,18 +17,12 @@ TOLERANCE = 1e-10  # relative: far below the error of the linear model
 _BACKOFF = 0.995  # of the way to the nearest bound, which interior points do not touch
 _MOST_GUESSES = 5  # of what binds, before interior points take over
 _MOST_GUESSES_NEAR = 12  # the same from the solution of a program like this one
-_MOST_GUESSES_COMPILED = 25  # which take as long as interior points, where both are compiled
-_PATIENCE = 3  # of those that come no nearer, after which one entry is changed at a time (Júdice and Pires)
-_MOST_COMPILED = 96  # unknowns and rows that are met: beyond, LAPACK's blocks are faster
+_MOST_COMPILED = 96  # rows: beyond, LAPACK's blocks are faster
 _GUESS_AT = 1e-2  # of the gradient: from here interior points tell what binds
 _CYCLING = 20  # factorisations after which the corrector may go round in circles, as in one of a thousand
 _CENTERED = 0.3  # of mu: what steps aim at from there on, without a corrector
 _BINDS = 1e-7  # of the gradient: bounds and rows with a larger multiplier bind
 _AT_PRICE = 1 - 1e-6  # of a row's price: a row with a larger multiplier is broken
-
-_Plain: TypeAlias = tuple[
-    FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray
-]
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,29 +106,13 @@ def solve_quadratic(
 
 def _by_interior_points(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
     """The minimum where every unknown has room, from its middle; guesses of what binds are tried on the way."""
-    if kernels is None or program.right.size > _MOST_COMPILED:
+    if _native.compiled is None or program.right.size > _MOST_COMPILED:
         return _interior_points_in_python(program, accuracy)
-    out = _empty_solution(program)
-    settings = (
-        accuracy, TOLERANCE, _GUESS_AT, _BACKOFF, _CENTERED, SINGULAR_SHARE,
-        _CYCLING, MOST_FACTORISATIONS, _MOST_GUESSES_COMPILED, _PATIENCE,
-    )  # fmt: skip
-    none = np.zeros(program.gradient.size, dtype=bool)
-    status, steps = kernels.interior_points(*_plain(program, none), settings, *out)
-    return QuadraticSolution(*out, status > 0, steps)
-
-
-def _plain(program: QuadraticProgram, fixed: BoolArray) -> _Plain:
-    """The program as compiled code takes it."""
     p = program
-    numbers = p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.price, p.one_sided, fixed
-    return cast(_Plain, tuple(np.ascontiguousarray(values, dtype=float) for values in numbers))
-
-
-def _empty_solution(program: QuadraticProgram) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Room for x and the multipliers of rows and bounds."""
-    x, low, high = np.empty((3, program.gradient.size))
-    return x, np.empty(program.right.size), low, high
+    out, converged, steps = _native.interior_points(
+        p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.price, p.one_sided, accuracy
+    )
+    return QuadraticSolution(*out, converged, steps)
 
 
 def _interior_points_in_python(program: QuadraticProgram, accuracy: float) -> QuadraticSolution:
@@ -299,21 +276,7 @@ def _by_active_sets(
     """
     none = np.zeros(fixed.size, dtype=bool)
     bound = start or _Binding(none, none, ~program.one_sided, np.zeros(program.right.size))
-    if kernels is not None and fixed.size + int(np.count_nonzero(bound.met)) <= _MOST_COMPILED:
-        return _guess_compiled(kernels, program, fixed, bound)
     return _guess_in_python(program, fixed, bound, near=start is not None)
-
-
-def _guess_compiled(
-    kernels: Kernels, program: QuadraticProgram, fixed: BoolArray, bound: _Binding
-) -> QuadraticSolution | None:
-    """The guesses of `_guess_in_python` by their compiled twin."""
-    out = _empty_solution(program)
-    low, high, met = (one.astype(float) for one in (bound.low, bound.high, bound.met))
-    guesses = kernels.active_sets(
-        *_plain(program, fixed), low, high, met, bound.broken.copy(), _MOST_GUESSES_COMPILED, _PATIENCE, *out
-    )
-    return QuadraticSolution(*out, True, guesses) if guesses else None
 
 
 def _guess_in_python(

@@ -18,7 +18,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
-from elastica_cad.geometry.polynomials.spline_checks import finite
+from elastica_cad.geometry.polynomials.splines import finite
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 ACCURACY = 1e-12

@@ -15,7 +15,7 @@ from elastica_cad._values import is_whole, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
+from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 
 _EPS = float(np.finfo(float).eps)
 

@@ -8,7 +8,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curvature_zeros import line_places
 from elastica_cad.geometry.curves.curve_records import LineCrossing
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.polynomials.spline_checks import finite
+from elastica_cad.geometry.polynomials.splines import finite
 
 
 def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:

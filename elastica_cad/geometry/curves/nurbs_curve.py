@@ -13,16 +13,19 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.continuity import in_millimetres, refuse_standstill
 from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, quotient
-from elastica_cad.geometry.curves.projective_maps import keeps_shape, map_spline
+from elastica_cad.geometry.curves.projective_maps import map_spline
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.conics import unit_circle_arc
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-from elastica_cad.geometry.polynomials.fit_points import fit_spline
-from elastica_cad.geometry.polynomials.spline_checks import check_knots, finite, whole_degree
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline, fit_spline
+from elastica_cad.geometry.polynomials.splines import (
+    bezier_spans,
+    check_knots,
+    finite,
+    unit_circle_arc,
+    whole_degree,
+)
 
-FAR_SIZES = 1e6
-"""A curve moved farther away than so many of its sizes loses digits, and is checked again."""
+SAME_KNOT = 1e-12
+"""Share of the domain within which a place is a knot: spans of rounding size are never made."""
 
 MOST_TURNS = 100
 """Of an arc."""
@@ -71,26 +74,6 @@ class NurbsCurve:
     def __getstate__(self) -> dict[str, Any]:
         """The numbers alone: what was computed from them is larger by far, and soon had again."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
-
-    @classmethod
-    def of_sound(
-        cls,
-        knots: FloatArray,
-        control_points: FloatArray,
-        degree: int,
-        weights: FloatArray | None,
-        provenance: Provenance | None = None,
-    ) -> Self:
-        """The curve of numbers that need no check, being those of a part or a moved copy of a curve."""
-        made = object.__new__(cls)
-        knots.setflags(write=False)
-        control_points.setflags(write=False)
-        if weights is not None:
-            weights.setflags(write=False)
-        vars(made).update(
-            knots=knots, control_points=control_points, degree=degree, weights=weights, provenance=provenance
-        )
-        return made
 
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:
@@ -211,7 +194,7 @@ class NurbsCurve:
 
     def drawn_as(self, provenance: Provenance | None) -> Self:
         """The same curve with another record of where it comes from."""
-        return self.of_sound(self.knots, self.control_points, self.degree, self.weights, provenance)
+        return type(self)(self.knots, self.control_points, self.degree, self.weights, provenance)
 
     @property
     def domain(self) -> tuple[float, float]:
@@ -273,13 +256,31 @@ class NurbsCurve:
     def reversed(self) -> Self:
         """The curve run from its other end."""
         weights = None if self.weights is None else self.weights[::-1]
-        return self.of_sound(
-            self.knots[0] + self.knots[-1] - self.knots[::-1],
-            self.control_points[::-1],
-            self.degree,
+        knots = self.knots[0] + self.knots[-1] - self.knots[::-1]
+        return type(self)(knots, self.control_points[::-1], self.degree, weights, self.provenance)
+
+    def trimmed(self, start: float, end: float) -> Self:
+        """The part between two parameters as a clamped curve of its own (Boehm's knot insertion)."""
+        p, points = self.degree, self._pieces.control_points
+        knots, start, end = self.knots, self._at_knot(start), self._at_knot(end)
+        for t in (end, start):
+            knots, points = _with_knot(knots, points, t, p)
+        first = int(np.searchsorted(knots, start, side="right")) - 1 - p
+        inner = knots[(knots > start) & (knots < end)]
+        rows = points[first : first + inner.size + p + 1]
+        weights = rows[:, 2] if self.is_rational else None
+        return type(self)(
+            np.concatenate([np.full(p + 1, start), inner, np.full(p + 1, end)]),
+            rows[:, :2] / rows[:, 2:],
+            p,
             weights,
-            self.provenance,
         )
+
+    def _at_knot(self, t: float) -> float:
+        """The knot that a parameter lies at but for rounding, else the parameter."""
+        low, high = self.domain
+        nearest = float(self.knots[np.abs(self.knots - t).argmin()])
+        return nearest if abs(nearest - t) <= SAME_KNOT * (high - low) else t
 
     def transformed(self, matrix: ArrayLike) -> Self:
         """The exact image under a projective map: matrix @ (x, y, 1), divided by its third number.
@@ -302,8 +303,6 @@ class NurbsCurve:
         drawn = (
             None if self.provenance is None else self.provenance.transformed(np.asarray(matrix, dtype=float))
         )
-        if keeps_shape(matrix) and np.abs(points).max() < FAR_SIZES * np.ptp(points, axis=0).max():
-            return self.of_sound(knots, points, self.degree, weights, drawn)
         return type(self)(knots, points, self.degree, weights, drawn)
 
     @cached_property
@@ -317,3 +316,15 @@ class NurbsCurve:
         weights = np.ones(self.control_points.shape[0]) if self.weights is None else self.weights
         homogeneous = np.column_stack([self.control_points * weights[:, None], weights])
         return RationalPieces(spans, homogeneous, self.is_rational)
+
+
+def _with_knot(knots: FloatArray, points: FloatArray, t: float, degree: int) -> tuple[FloatArray, FloatArray]:
+    """Knots and homogeneous control points with a knot inserted until it stands `degree` times."""
+    while np.count_nonzero(knots == t) < degree:
+        k = min(int(np.searchsorted(knots, t, side="right")), len(points)) - 1
+        i = np.arange(k - degree + 1, k + 1)
+        share = ((t - knots[i]) / (knots[i + degree] - knots[i]))[:, None]
+        between = points[i - 1] * (1 - share) + points[i] * share
+        points = np.concatenate([points[: k - degree + 1], between, points[k:]])
+        knots = np.insert(knots, k + 1, t)
+    return knots, points

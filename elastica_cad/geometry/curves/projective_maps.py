@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import subdivide
-from elastica_cad.geometry.polynomials.spline_checks import finite
+from elastica_cad.geometry.polynomials.splines import finite
 
 _MOST_HALVINGS = 30  # of a piece, until its weights are even
 
@@ -97,15 +97,6 @@ def _vanishing(piece: FloatArray) -> FloatArray:
         left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
         piece = left if left[-1, 2] <= 0 else right
     return np.asarray(piece[0])
-
-
-def keeps_shape(matrix: ArrayLike) -> bool:
-    """Does a 3 x 3 matrix only move, turn, mirror and scale evenly?"""
-    m = np.asarray(matrix, dtype=float)
-    gram = m[:2, :2].T @ m[:2, :2]
-    return not m[2, :2].any() and bool(
-        np.abs(gram - gram.trace() / 2 * np.eye(2)).max() <= 1e-9 * gram.trace()
-    )
 
 
 def _place(point: FloatArray) -> str:

@@ -14,7 +14,7 @@ from elastica_cad.geometry.paths.chords import require_tolerance_mm
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Segment, Spline, place
 from elastica_cad.geometry.paths.trim import clamp_ends
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 

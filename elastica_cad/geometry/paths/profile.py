@@ -3,18 +3,16 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from elastica_cad._native import kernels
-from elastica_cad._types import ArrayLike, FloatArray, IntArray
+from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.polynomials.bernstein import interior_roots, raise_degree, value_and_slope
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-from elastica_cad.geometry.polynomials.knot_runs import greville, knot_runs
-from elastica_cad.geometry.polynomials.spline_checks import finite
-from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
+from elastica_cad.geometry.polynomials.bernstein import raise_degree
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
+from elastica_cad.geometry.polynomials.splines import finite, greville, knot_runs, spline_through
 
 STEP_SHARE = 2e-5
 """Of the length: a change within less is a step, which is drawn as a ramp so that an outline stays one edge."""
@@ -117,7 +115,8 @@ class Profile:
             raise InputError(
                 "a profile is interpolated at two or more increasing arc lengths, one value each"
             )
-        knots, coefficients = spline_through(s, values, min(3, s.size - 1))
+        through = spline_through(s, values, min(3, s.size - 1))
+        knots, coefficients = through.t, through.c
         while knots.size < 8:
             knots = np.concatenate([knots[:1], knots, knots[-1:]])
             coefficients = raise_degree(coefficients)
@@ -127,7 +126,7 @@ class Profile:
         """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
         if not (is_whole(derivative) and derivative >= 0):
             raise InputError(f"a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}")
-        return self._function(numbers(s, "arc lengths of a profile"), derivative)
+        return np.asarray(self._function(numbers(s, "arc lengths of a profile"), derivative), dtype=float)
 
     @property
     def length(self) -> float:
@@ -153,20 +152,16 @@ class Profile:
 
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        spans, pieces = self._function.spans, self._function.pieces
-        if kernels is not None and self.degree == 3:
-            return kernels.cubic_extremes(pieces, spans.edges)
-        at_knots = pieces[:, [0, -1]]
-        # a piece whose coefficients do not pass the extremes of the knots has none beyond them
-        passing = np.flatnonzero(
-            (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
-        )
-        row, u = _turning_points(pieces[passing])
-        index = passing[row]
-        inside, _ = value_and_slope(pieces[index], u)
-        start, width = spans.edges[:-1], spans.widths
-        places = np.concatenate([start, start + width, start[index] + u * width[index]])
-        values = np.concatenate([pieces[:, 0], pieces[:, -1], inside])
+        from scipy.interpolate import PPoly
+
+        pieces = PPoly.from_spline(self._function)
+        starts, widths = pieces.x[:-1], np.diff(pieces.x)
+        turns = pieces.derivative().roots(discontinuity=False, extrapolate=False)
+        turns = turns[np.isfinite(turns)]
+        # at a knot where the value jumps both sides count
+        before = sum(c * widths**k for k, c in enumerate(pieces.c[::-1]))
+        places = np.concatenate([starts, starts + widths, turns])
+        values = np.concatenate([pieces.c[-1], before, self._function(turns)])
         low, high = int(values.argmin()), int(values.argmax())
         return (float(places[low]), float(values[low])), (float(places[high]), float(values[high]))
 
@@ -192,13 +187,7 @@ class Profile:
     def scaled(self, factor: float) -> "Profile":
         """The profile times `factor`."""
         require_number(factor, "the factor of a profile")
-        scaled = Profile(self.knots, self.coefficients * factor, self.degree)
-        if factor > 0 and "_extreme_points" in self.__dict__:
-            (first, low), (second, high) = self._extreme_points
-            scaled.__dict__["_extreme_points"] = (first, low * factor), (second, high * factor)
-        if "_function" in self.__dict__:
-            scaled.__dict__["_function"] = self._function.scaled(factor)
-        return scaled
+        return Profile(self.knots, self.coefficients * factor, self.degree)
 
     def stretched(self, low: float, high: float) -> "Profile":
         """The profile, not an even one, with its values stretched so that its extremes are these two.
@@ -211,29 +200,13 @@ class Profile:
         """
         require_number(low, "the least value of a profile")
         require_number(high, "the largest value of a profile")
-        (first, least), (second, most) = self._extreme_points
+        least, most = self.extremes
         factor = (high - low) / (most - least)
-        stretched = Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
-        stretched.__dict__["_extreme_points"] = (first, low), (second, high)
-        stretched.__dict__["_function"] = self._function.stretched(least, low, factor)
-        return stretched
+        return Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
 
     @cached_property
-    def _function(self) -> SplineFunction:
-        return SplineFunction.of(self.knots, self.coefficients, self.degree)
+    def _function(self) -> Any:
+        """The `scipy.interpolate.BSpline`."""
+        from scipy.interpolate import BSpline
 
-
-def _turning_points(pieces: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Which of the Bezier pieces (p, degree + 1) are stationary, and where inside (0, 1); some perhaps twice."""
-    slopes = np.diff(pieces)
-    if pieces.shape[1] != 4:
-        roots = interior_roots(slopes) if slopes.shape[1] > 1 and slopes.size else []
-        return np.array([root.piece for root in roots], dtype=int), np.array([root.u for root in roots])
-    # of a cubic: a (1 - u)^2 + 2 b u (1 - u) + c u^2 = 0, in the form that takes no difference of like numbers
-    a, b, c = slopes.T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        q = b - a
-        r = -(q + np.copysign(np.sqrt(q**2 - a * (a - 2 * b + c)), q))
-        u = np.stack([r / (a - 2 * b + c), a / r], axis=1)
-    row, which = np.nonzero((u > 0) & (u < 1))
-    return row, u[row, which]
+        return BSpline(np.array(self.knots), np.array(self.coefficients), self.degree)

@@ -12,21 +12,22 @@ from elastica_cad._values import numbers, require_flag, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.spline_table import SplineTable
 from elastica_cad.geometry.plane_matrices import (
     is_similarity,
     require_affine,
     similarity_of,
     transform_points,
 )
-from elastica_cad.geometry.polynomials.circles import circles_of_bulges, points_on_circles, swept_by
-from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
+from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 
 _FLATTEST_MM = 1e-7
 """An arc that rises less than this over its chord (mm) is a line."""
 
 _FARTHEST_MM = 1e9
 """So is one of a larger radius (mm): in double precision its ends could not be told to 1e-6 mm."""
+
+RATIONAL_NODES = 32
+"""Of Gauss's rule for the area beside a piece with weights: of a quarter circle rounding is left."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,14 +53,6 @@ class Line:
         object.__setattr__(self, "end", point(end, "line end"))
         if self.start.tolist() == self.end.tolist():
             raise InputError(f"a line at {place(self.start)} has no length: leave it out")
-
-    @classmethod
-    def of_sound(cls, start: FloatArray, end: FloatArray) -> "Line":
-        """The line between two different points (2,) that need no check and are not written to."""
-        made = object.__new__(cls)
-        object.__setattr__(made, "start", start)
-        object.__setattr__(made, "end", end)
-        return made
 
     @property
     def length(self) -> float:
@@ -146,16 +139,6 @@ class Arc:
             )
 
     @classmethod
-    def of_sound(
-        cls, center: FloatArray, radius: float, start_angle: float, end_angle: float, ends: FloatArray
-    ) -> "Arc":
-        """The arc of numbers that need no check, and its first and last point (2, 2); not written to."""
-        made, (start, end) = object.__new__(cls), ends
-        known = {"center": center, "radius": radius, "start_angle": start_angle, "end_angle": end_angle}
-        vars(made).update(known, start=start, end=end)
-        return made
-
-    @classmethod
     def from_bulge(cls, start: ArrayLike, end: ArrayLike, bulge: float) -> "Arc":
         """The arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
         start, end = point(start, "arc start"), point(end, "arc end")
@@ -163,17 +146,12 @@ class Arc:
         chord = end - start
         if not bulge or not np.any(chord):
             raise InputError(f"an arc at {place(start)} needs two different ends and a bulge other than 0")
-        return cls(*(row[0] for row in circles_of_bulges(start[None], end[None], np.array([bulge]))))
-
-    @classmethod
-    def all_of_bulges(cls, starts: FloatArray, ends: FloatArray, bulges: FloatArray) -> list["Arc"]:
-        """The arcs between points (n, 2) that differ with bulges (n,) other than 0: nothing is checked."""
-        centers, radii, first, last = circles_of_bulges(starts, ends, bulges)
-        found = points_on_circles(centers[:, None], radii[:, None], np.stack([first, last], axis=1))
-        for shared in (centers, found):
-            shared.setflags(write=False)
-        shapes = zip(centers, radii.tolist(), first.tolist(), last.tolist(), found, strict=True)
-        return [cls.of_sound(*shape) for shape in shapes]
+        square = bulge * bulge
+        center = (start + end) / 2 + left_of(chord) * (1 - square) / (4 * bulge)
+        x, y = start - center
+        first = float(np.arctan2(y, x))
+        radius = float(np.hypot(*chord)) * (1 + square) / (4 * abs(bulge))
+        return cls(center, radius, first, first + 4 * float(np.arctan(bulge)))
 
     @property
     def sweep(self) -> float:
@@ -275,13 +253,6 @@ class Spline:
 
     curve: PlaneCurve
 
-    @classmethod
-    def of_clamped(cls, curve: PlaneCurve) -> "Spline":
-        """Along a curve that is known to begin and end at control points."""
-        made, points = object.__new__(cls), curve.control_points
-        vars(made).update(curve=curve, start=points[0], end=points[-1])
-        return made
-
     @cached_property
     def start(self) -> FloatArray:
         """First point (2,), mm."""
@@ -333,25 +304,15 @@ class Spline:
         return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Signed area swept by the ray from `origin`, mm2, to rounding error (Gauss on each Bezier piece)."""
-        origin = point(origin, "origin")
-        if not self.curve.is_rational:
-            return float(SplineTable([self.curve]).swept_areas(origin)[0])
-        t0, t1 = self.curve.domain
-        knots = np.unique(self.curve.knots)
-        knots = knots[(knots >= t0) & (knots <= t1)]
-        previous = np.inf
-        for nodes in (8, 16, 32, 64):
-            area = self._gauss_area(origin, knots, nodes)
-            if abs(area - previous) <= 1e-13 * self.length**2:
-                break
-            previous = area
-        return area
+        """Signed area swept by the ray from `origin`, mm2, by Gauss's rule on each Bezier piece.
 
-    def _gauss_area(self, origin: FloatArray, knots: FloatArray, nodes: int) -> float:
-        x, w = gauss_rule(nodes)
-        half = np.diff(knots)[:, None] / 2
-        t = (knots[:-1, None] + half * (1 + x)).ravel()
+        Exact without weights, where x y' - y x' is of degree 2 p - 1 at most.
+        """
+        origin = point(origin, "origin")
+        edges, _ = self.curve.bezier_table
+        x, w = gauss_rule(RATIONAL_NODES if self.curve.is_rational else self.curve.degree)
+        half = np.diff(edges)[:, None] / 2
+        t = (edges[:-1, None] + half * (1 + x)).ravel()
         p, d = self.curve.position_and_velocity(t)
         return float(0.5 * np.sum((half * w).ravel() * cross(p - origin, d)))
 
@@ -398,3 +359,31 @@ def point(value: ArrayLike, name: str) -> FloatArray:
         raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
     p.setflags(write=False)
     return p
+
+
+def points_on_circles(
+    centers: FloatArray, radii: FloatArray | float, angles: FloatArray | float
+) -> FloatArray:
+    """Points (..., 2) at angles (...), rad, from the x axis.
+
+    Examples
+    --------
+    >>> points_on_circles(np.array([[3.0, 4.0]]), np.array([2.0]), np.array([0.0])).tolist()
+    [[5.0, 4.0]]
+    """
+    reach = np.asarray(radii)[..., None]
+    return np.asarray(centers + reach * np.stack([np.cos(angles), np.sin(angles)], axis=-1), dtype=float)
+
+
+def swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
+    """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
+    triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
+    segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
+    return np.asarray(0.5 * (triangle + segment), dtype=float)
+
+
+def _beyond_sine(x: FloatArray) -> FloatArray:
+    """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
+    y = x * x
+    near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
+    return np.where(np.abs(x) > 0.3, x - np.sin(x), near)

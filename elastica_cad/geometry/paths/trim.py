@@ -1,14 +1,10 @@
 """Pieces of segments, cut exactly."""
 
-from collections.abc import Sequence
 from itertools import pairwise
-
-import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.paths.spline_table import SplineTable
 
 
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
@@ -30,23 +26,12 @@ def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
     p, knots = curve.degree, curve.knots
     if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
         return curve
-    return trim_curve(curve, *curve.domain)
+    return curve.trimmed(*curve.domain)
 
 
 def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
     """The part of a curve between two parameters as a clamped curve of its own."""
-    return trim_parts([(curve, (t0, t1))])[0]
-
-
-def trim_parts(parts: Sequence[tuple[PlaneCurve, tuple[float, float]]]) -> list[PlaneCurve]:
-    """Curves, each between two of its parameters, as clamped curves of their own; those of a degree at one go."""
-    trimmed: dict[int, PlaneCurve] = {}
-    for degree in {curve.degree for curve, _ in parts}:
-        which = [i for i, (curve, _) in enumerate(parts) if curve.degree == degree]
-        start, end = np.array([parts[i][1] for i in which]).T
-        made = SplineTable([parts[i][0] for i in which]).trimmed(start, end)
-        trimmed |= zip(which, made, strict=True)
-    return [trimmed[i] for i in range(len(parts))]
+    return curve.trimmed(t0, t1)
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
@@ -62,5 +47,4 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     places = [low, *(corner.t for corner in curve.tangent_breaks), high]
     if len(places) == 2:
         return (curve,)
-    parts = trim_parts([(curve, ends) for ends in pairwise(places)])
-    return tuple(part.drawn_as(curve.provenance) for part in parts)
+    return tuple(curve.trimmed(*ends).drawn_as(curve.provenance) for ends in pairwise(places))

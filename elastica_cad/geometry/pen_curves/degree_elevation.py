@@ -3,7 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
+from elastica_cad.geometry.polynomials.splines import bezier_spans
 
 
 def elevate_degree(

@@ -7,7 +7,6 @@ from math import comb
 
 import numpy as np
 
-from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 
@@ -17,20 +16,8 @@ def binomials(degree: int) -> FloatArray:
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
-_SPLITS = (0.5, 0.4375, 0.578125)  # exact binary fractions, so that interval ends carry no rounding
-
-
-@lru_cache(maxsize=256)
-def _split_matrices(degree: int, u: float) -> tuple[FloatArray, FloatArray]:
-    """Matrices that map coefficients to those of the parts [0, u] and [u, 1] (de Casteljau)."""
-    left = np.zeros((degree + 1, degree + 1))
-    right = np.zeros((degree + 1, degree + 1))
-    row = np.eye(degree + 1)
-    for k in range(degree + 1):
-        left[k] = row[0]
-        right[degree - k] = row[-1]
-        row = row[:-1] * (1 - u) + row[1:] * u
-    return left, right
+_SPLIT = 0.46875
+"""Where an interval is cut: off the middle, where symmetric curves have their zeros, and exact in binary."""
 
 
 def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
@@ -45,18 +32,26 @@ def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
     return np.asarray((powers[:, 0] * powers[::-1, 1]).T)
 
 
+def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
+    """Derivatives (n, degree + 1) of the Bernstein polynomials at local coordinates (n,)."""
+    if derivative > degree:
+        return np.zeros((u.size, degree + 1))
+    values = np.ones((1, u.size))
+    for _ in range(degree - derivative):
+        raised = np.empty((len(values) + 1, u.size))
+        raised[0], raised[-1] = values[0] * (1 - u), values[-1] * u
+        raised[1:-1] = values[1:] + (values[:-1] - values[1:]) * u
+        values = raised
+    for k in range(degree - derivative + 1, degree + 1):
+        values = k * np.diff(values, axis=0, prepend=0.0, append=0.0) * -1.0
+    return np.ascontiguousarray(values.T)
+
+
 def sums_in_pieces(
     series: FloatArray, piece: IntArray, u: FloatArray, first: int = 0, end: int | None = None
 ) -> FloatArray:
     """Columns (n, ...) of polynomials by `scaled_bernstein` (p, degree + 1, ...) at u (n,) of pieces (n,)."""
     degree = series.shape[1] - 1
-    if kernels is not None and degree <= MOST_DEGREE:
-        values = np.empty((u.size, (series.shape[2] if end is None else end) - first))
-        sizes = (len(series), degree, series.shape[2], first)
-        kernels.bernstein_sums(
-            series, sizes, np.ascontiguousarray(piece, dtype=np.intp), np.ascontiguousarray(u), values
-        )
-        return values
     basis = scaled_bernstein(degree, u)
     if len(series) == 1:
         return np.asarray(basis @ series[0, :, first:end])
@@ -89,9 +84,6 @@ def raise_degree(c: FloatArray) -> FloatArray:
 
 def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
     """Coefficients (..., n+1) of the parts on [0, u] and [u, 1]."""
-    if u in _SPLITS:
-        left, right = _split_matrices(c.shape[-1] - 1, u)
-        return c @ left.T, c @ right.T
     left, right = np.empty(c.shape), np.empty(c.shape)
     for k in range(c.shape[-1]):  # de Casteljau
         left[..., k], right[..., -1 - k] = c[..., 0], c[..., -1]
@@ -150,8 +142,6 @@ _GENTLE, _BLUR = 10.0, 4.0
 """A sign change is a multiple zero where the slope is what rounding makes of that of a triple one, that lies within
 these third roots of the noise: its own value does not place it, a derivative does."""
 
-_ROOM = 2  # events a coefficient, on the average, up to which the compiled search has room
-
 _EPS = float(np.finfo(float).eps)
 
 
@@ -163,24 +153,7 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     rounding cannot separate count as one: a crossing when the sign differs on its two sides, else a touch.
     The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
     """
-    events = _compiled_events(c, noise) if c.size and kernels is not None else None
-    return _classified(c, _merged(sorted(_events(c, noise) if events is None else events)))
-
-
-def _compiled_events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]] | None:
-    """Those of `_events`, None where a kernel has no room for them."""
-    assert kernels is not None
-    if c.shape[1] > MOST_DEGREE + 1:
-        return None
-    room = _ROOM * c.size
-    piece, sharp = np.empty((2, room), dtype=np.intp)
-    places = np.empty((room, 2))
-    settings = _MOST_HALVINGS, _GENTLE, _BLUR, *_SPLITS
-    found = kernels.bernstein_roots(np.ascontiguousarray(c), noise, settings, piece, sharp, places)
-    if found < 0:
-        return None
-    rows = zip(piece[:found].tolist(), places[:found].tolist(), sharp[:found].tolist(), strict=True)
-    return [(k, low, high, bool(is_sharp)) for k, (low, high), is_sharp in rows]
+    return _classified(c, _merged(sorted(_events(c, noise))))
 
 
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
@@ -237,20 +210,12 @@ def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
 def _halved(
     piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
-    """Both parts of every interval, split near the middle where the polynomial is farthest from zero."""
-    if not piece.size:
-        return piece, part, low, width
-    halves = [subdivide(part, u) for u in _SPLITS]
-    best = np.abs(np.array([left[:, -1] for left, _ in halves])).argmax(axis=0)
-    pick = np.arange(piece.size)
-    left = np.array([h[0] for h in halves])[best, pick]
-    right = np.array([h[1] for h in halves])[best, pick]
-    u = np.array(_SPLITS)[best]
+    """Both parts of every interval."""
     return (
         np.concatenate([piece, piece]),
-        np.concatenate([left, right]),
-        np.concatenate([low, low + width * u]),
-        np.concatenate([width * u, width * (1 - u)]),
+        np.concatenate(subdivide(part, _SPLIT)),
+        np.concatenate([low, low + width * _SPLIT]),
+        np.concatenate([width * _SPLIT, width * (1 - _SPLIT)]),
     )
 
 

@@ -1,15 +1,11 @@
 """Piecewise polynomials over panels: their values at Gauss nodes, their Legendre series, integrals and extremes."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import accumulate
+from functools import lru_cache
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.geometry.polynomials.bezier_pieces import located
-from elastica_cad.geometry.polynomials.chebyshev import chebyshev
 
 ORDER = 12  # Gauss nodes of a panel
 
@@ -42,7 +38,6 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 
 
 LEFT, RIGHT = _antiderivatives()
-_CHEBYSHEV_TO_LEGENDRE = np.linalg.solve(chebyshev(NODES, ORDER).T, VANDER)
 SLOPES: FloatArray = np.zeros((ORDER, ORDER))
 SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 """Legendre coefficients of the derivative from those of a function."""
@@ -50,8 +45,6 @@ SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
     """Between which edges (N + 1,) places (n,) lie, and where there, from -1 to 1."""
-    if kernels is not None:
-        return located(edges, places, low=-1.0)
     panel = np.searchsorted(edges[1:-1], places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
@@ -70,7 +63,9 @@ class PanelFunction:
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Values (n, ...) at places x (n,) of panels (n,)."""
-        return values_at((self,), panel, x)[0]
+        own = self.coefficients[panel].swapaxes(0, 1)
+        places = x.reshape(x.size, *[1] * (own.ndim - 2))
+        return np.asarray(np.polynomial.legendre.legval(places, own, tensor=False))
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
         """Values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
@@ -118,13 +113,6 @@ class PanelFunction:
         """Panels (n,) of the local extremes near the largest and least value, the samples of `dense_places` in
         them (n,) that each was found from, and the places x (n,), by Halley's method.
         """
-        if kernels is not None:
-            count = len(self.coefficients) * _DENSE.size
-            table, x, panel, sample = np.empty(count), np.empty(count), *np.empty((2, count), dtype=np.intp)
-            series = np.ascontiguousarray(self.coefficients)
-            searched = (EXTREME_STEPS, _NEAR_SHARE, _REACH)
-            found = kernels.extremes(series, _DENSE_BASIS, _DENSE, SLOPES, searched, table, panel, sample, x)
-            return panel[:found], sample[:found], x[:found]
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
@@ -140,7 +128,7 @@ class PanelFunction:
         lower, upper = np.maximum(start - _REACH, -1.0), np.minimum(start + _REACH, 1.0)
         for step in range(EXTREME_STEPS):
             if step:
-                slopes = (_chebyshev_columns(x) @ _CHEBYSHEV_TO_SLOPES).reshape(-1, 3, ORDER)
+                slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
             first, second, third = (slopes @ own[:, :, None])[:, :, 0].T
             # Halley's step: Newton's, with the third derivative taken in
             bend = 2 * second * second - first * third
@@ -153,45 +141,9 @@ class PanelFunction:
         return PanelFunction(self.coefficients @ numbers)
 
 
-def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
-    """Values (n, ...) of each function at places x (n,) of panels (n,)."""
-    if kernels is not None:
-        return [_sums(one.coefficients, panel, x) for one in functions]
-    columns = [f.coefficients.reshape(*f.coefficients.shape[:2], -1) for f in functions]
-    whole = columns[0] if len(columns) == 1 else np.concatenate(columns, axis=2)
-    if len(whole) < x.size:  # rather than every basis every panel is put into the other form
-        basis, own = chebyshev(x, ORDER), (_CHEBYSHEV_TO_LEGENDRE @ whole).take(panel, axis=0)
-        values = np.einsum("in,nij->nj", basis, own)
-    else:
-        values = np.einsum("ni,nij->nj", legendre_basis(x), whole.take(panel, axis=0))
-    ends = accumulate(one.shape[2] for one in columns)
-    return [
-        values[:, end - one.shape[2] : end].reshape(x.size, *f.coefficients.shape[2:])
-        for f, one, end in zip(functions, columns, ends, strict=True)
-    ]
-
-
-def _sums(coefficients: FloatArray, panel: IntArray, x: FloatArray) -> FloatArray:
-    """Values (n, ...) of coefficients (N, p, ...), compiled."""
-    assert kernels is not None
-    values = np.empty((x.size, *coefficients.shape[2:]))
-    kernels.legendre_sums(
-        np.ascontiguousarray(coefficients),
-        coefficients.shape[:2],
-        np.ascontiguousarray(panel, dtype=np.intp),
-        np.ascontiguousarray(x),
-        values,
-    )
-    return values
-
-
 def legendre_basis(x: FloatArray) -> FloatArray:
     """Values (n, p) of the Legendre polynomials at x (n,)."""
-    return np.asarray(_chebyshev_columns(x) @ _CHEBYSHEV_TO_LEGENDRE)
-
-
-def _chebyshev_columns(x: FloatArray) -> FloatArray:
-    return chebyshev(x, ORDER).T
+    return np.asarray(np.polynomial.legendre.legvander(x, ORDER - 1), dtype=float)
 
 
 def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
@@ -211,8 +163,15 @@ def lobatto_places(parts: int) -> FloatArray:
 _DENSE = lobatto_places(DENSE_PARTS)
 _DENSE_BASIS = legendre_basis(_DENSE)
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
-_CHEBYSHEV_TO_SLOPES = np.concatenate(
-    [_CHEBYSHEV_TO_LEGENDRE @ np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1
-)
-_DENSE_SLOPES = (_chebyshev_columns(_DENSE) @ _CHEBYSHEV_TO_SLOPES).reshape(-1, 3, ORDER)
+_ALL_SLOPES = np.concatenate([np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1)
+_DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
 """First, second and third derivatives by x, of every Legendre polynomial."""
+
+
+@lru_cache(maxsize=64)
+def gauss_rule(count: int) -> tuple[FloatArray, FloatArray]:
+    """Places and weights (count,) of the Gauss rule over [-1, 1], read-only."""
+    places, weights = np.polynomial.legendre.leggauss(count)
+    places.setflags(write=False)
+    weights.setflags(write=False)
+    return places, weights

@@ -14,7 +14,7 @@ from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials.spline_checks import finite
+from elastica_cad.geometry.polynomials.splines import finite
 
 LENGTHS_APART = 0.01
 """A blank may be this share longer or shorter than its curve: it is then stretched along it."""

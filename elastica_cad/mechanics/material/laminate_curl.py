@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
+from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import at_stations

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
+from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BendFactor, at_stations
 

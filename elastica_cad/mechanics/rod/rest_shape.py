@@ -8,9 +8,8 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
+from elastica_cad.geometry.polynomials.splines import bezier_spans, spline_through
 from elastica_cad.mechanics.rod.discrete_rod import tangents
 
 Angle: TypeAlias = Callable[[FloatArray], FloatArray]
@@ -70,7 +69,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
         knots = np.repeat(s, DEGREE + 1)
         return PlaneCurve(knots, np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
     degree = min(DEGREE, edge.size - 1)
-    through = SplineFunction.of(*spline_through((s[:-1] + s[1:]) / 2, edge, degree), degree)
+    through = spline_through((s[:-1] + s[1:]) / 2, edge, degree)
     turn = _least_turn(s, position, angle[[0, -1]], through)
     length = float(s[-1])
 
@@ -109,7 +108,10 @@ def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: An
         system = np.block([[square, held_rows.T], [held_rows, corner]])
         right = np.concatenate([pull, held_by])
         c = c + np.linalg.lstsq(system, right, rcond=1e-13)[0][: c.size]
-    return SplineFunction.of(knots, c, DEGREE)
+    from scipy.interpolate import BSpline
+
+    turn: Angle = BSpline(knots, c, DEGREE)
+    return turn
 
 
 @lru_cache(maxsize=4)

@@ -8,8 +8,8 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
+from elastica_cad.geometry.polynomials.splines import knot_runs
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.weight import Weight

@@ -10,7 +10,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials.panel_functions import values_at
 from elastica_cad.mechanics.loads.arguments import (
     require_gravity,
     require_supports,
@@ -308,7 +307,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     check, curve, panels = problem.check, problem.check.curve, balance.panels
     nodes = _nodes(problem)
     panel, x = panels.locate(nodes.t)
-    K, moment, b = values_at((balance.stiffness, balance.moment, balance.force), panel, x)
+    K, moment, b = (one.at(panel, x) for one in (balance.stiffness, balance.moment, balance.force))
     least = float(K.min())
     if least <= 0:
         raise NotRealizable(check)

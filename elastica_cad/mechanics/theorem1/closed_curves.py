@@ -57,7 +57,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         # the weights of one part may be scaled as a whole: those of the second go on where the first's end
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
-    return PlaneCurve.of_sound(knots, points, p, weights).drawn_as(drawn)
+    return PlaneCurve(knots, points, p, weights).drawn_as(drawn)
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:

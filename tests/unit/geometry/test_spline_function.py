@@ -1,4 +1,4 @@
-"""Our splines are those of scipy, which is not imported for them."""
+"""Bezier pieces and basis functions are those of scipy; compiled parts of scipy are found alone."""
 
 import subprocess
 import sys
@@ -7,11 +7,8 @@ import numpy as np
 import pytest
 
 from elastica_cad import _compiled_scipy as compiled_scipy
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.geometry.polynomials.spline_function import (
-    SplineFunction,
-    interpolated,
-    interpolation_sites,
+from elastica_cad.geometry.polynomials.splines import (
+    bezier_spans,
     spline_through,
 )
 
@@ -20,23 +17,14 @@ pytestmark = pytest.mark.core
 JUMPING = np.array([0, 0, 0, 0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4.0])
 
 
-@pytest.mark.parametrize("derivative", range(5))
-@pytest.mark.parametrize("columns", [(), (4,), (2, 3)])
-def test_values_are_those_of_scipy_at_knots_and_jumps_and_beyond_the_ends(derivative, columns):
+@pytest.mark.parametrize("derivative", range(4))
+def test_basis_functions_are_those_of_scipy_at_knots_and_jumps(derivative):
     from scipy.interpolate import BSpline
 
-    coefficients = np.random.default_rng(7).normal(size=(13, *columns))
-    places = np.concatenate([np.linspace(-1, 5, 61), np.arange(5)]).reshape(6, 11)
-    ours = SplineFunction.of(JUMPING, coefficients, 3)(places, derivative)
-    theirs = BSpline(JUMPING, coefficients, 3)(places, nu=derivative)
-    assert ours.shape == theirs.shape
+    places = np.concatenate([np.linspace(0, 4, 61), np.arange(5)])
+    ours = bezier_spans(JUMPING, 3).basis(places, derivative)
+    theirs = BSpline(JUMPING, np.eye(13), 3)(places, nu=derivative)
     assert np.abs(ours - theirs).max() < 1e-12 * max(1.0, np.abs(theirs).max())
-
-
-def test_one_place_is_a_number():
-    taper = SplineFunction.of(np.repeat([0.0, 100.0], 2), np.array([1.0, 2.0]), 1)
-    assert taper(np.array(50.0)).shape == ()
-    assert float(taper.scaled(2.0)(np.array(50.0))) == 3.0
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 6, 7, 8, 60, 400])
@@ -48,31 +36,12 @@ def test_splines_through_values_are_those_of_scipy(count, columns, highest):
     random = np.random.default_rng(count)
     x, values = np.cumsum(random.uniform(0.2, 2, count)), random.normal(size=(count, *columns))
     degree = min(highest, count - 1)
-    knots, coefficients = spline_through(x, values, degree)
+    found = spline_through(x, values, degree)
+    knots, coefficients = found.t, found.c
     # scipy before 1.14 chooses no knots for degree 4
     theirs = make_interp_spline(x, values, k=degree, t=knots if degree == 4 else None)
     assert np.array_equal(knots, theirs.t)
     assert np.abs(coefficients - theirs.c).max() < 1e-12 * np.abs(theirs.c).max()
-
-
-@pytest.mark.parametrize("columns", [(), (4,), (2, 3)])
-@pytest.mark.parametrize("degree", [2, 3, 5])
-def test_splines_over_given_knots_are_those_of_scipy(degree, columns):
-    from scipy.interpolate import make_interp_spline
-
-    random = np.random.default_rng(degree)
-    inner = np.repeat(np.cumsum(random.uniform(0.2, 2, 20)), random.integers(1, degree, 20))
-    knots = np.concatenate([np.zeros(degree + 1), inner, np.repeat(inner[-1] + 1, degree + 1)])
-    knots.setflags(write=False)
-    sites = interpolation_sites(knots, degree)
-    values = random.normal(size=(sites.size, *columns))
-    theirs = make_interp_spline(sites, values, k=degree, t=knots).c
-    assert np.array_equal(interpolated(sites, values, knots, degree), theirs)
-
-
-def test_places_that_are_one_are_refused():
-    with np.errstate(all="ignore"), pytest.raises(np.linalg.LinAlgError, match="too close"):
-        spline_through(np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), np.ones(7), 3)
 
 
 def test_compiled_parts_are_those_of_scipy_and_leave_it_whole():

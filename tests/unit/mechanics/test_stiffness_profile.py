@@ -5,7 +5,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials import fit_function as approximation
+from elastica_cad.geometry.polynomials import spline_fits as approximation
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_without_weight
 
 pytestmark = pytest.mark.core
@@ -26,8 +26,8 @@ def exact_stiffness(curve, s):
 def test_one_fit_with_few_knots_is_enough(points, most, monkeypatch):
     """Against the balance at many places; the knots are known before the first fit."""
     fits = []
-    fit = approximation._fitted
-    monkeypatch.setattr(approximation, "_fitted", lambda *given: fits.append(1) or fit(*given))
+    fit = approximation._nearest
+    monkeypatch.setattr(approximation, "_nearest", lambda *given: fits.append(1) or fit(*given))
     curve = ec.PlaneCurve.spline(points)
     profile = ec.optimal_rod(curve).profile
     s = np.linspace(0, curve.length, 5001)

@@ -30,7 +30,7 @@ from elastica_cad.fabrication.solids.pattern_strips import on_segment
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 
 EDGE_TOLERANCE_MM = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
 VERTEX_TOLERANCE_MM = 1e-6  # mm: gap that records may have between edges

@@ -25,7 +25,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
+from elastica_cad.geometry.polynomials.splines import knot_runs
 
 OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
 ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm
@@ -76,7 +76,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 def _plane_of(frame: Frame) -> Frame:
     """The plane of a frame with the axes that OpenCASCADE gives it: how exactly areas are read hangs on them."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
-    return Frame.of_sound(frame.origin, about.x_axis, about.y_axis)
+    return Frame(frame.origin, about.x_axis, about.y_axis)
 
 
 @lru_cache(maxsize=16)

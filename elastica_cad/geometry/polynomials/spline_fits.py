@@ -1,13 +1,35 @@
-"""Few control points for measured or computed points: least-squares splines with fixed ends."""
+"""Splines that follow a given function to a tolerance, and few control points for measured points."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
-from elastica_cad.geometry.polynomials.spline_checks import finite
-from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._values import is_number, is_whole, numbers, require_positive
+from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
+from elastica_cad.geometry.polynomials.splines import Spans, bezier_spans, clamped_knots, finite
+from elastica_cad.geometry.running_sums import lengths_along, numbers_in_groups
+
+_PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
+"""Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
+
+_MOST_DEGREE = 12
+"""Of the splines that follow functions."""
+
+_MOST_SPANS = 3000
+"""A function that needs more cannot be followed."""
+
+_NARROWEST_SHARE = 1e-9
+"""Of the domain: no span is cut to less."""
+
+_SAME_BREAK_SHARE = 1e-10  # of the domain: breaks no farther apart are one
+_ALIKE = 1e-7  # the same where the slope goes on in one of them: no span between them can be solved for
+_WIDER_TIMES = 8.0  # than its neighbour: cut with it
+
+_REFINED_SHARE = 0.05
+"""Spans whose error is above this share of the largest are refined in one round."""
 
 _CORRECTIONS = 2
 """Moves of the parameters to the feet of their perpendiculars, for each knot vector."""
@@ -20,6 +42,149 @@ _MOST_INTERPOLATED = 1000
 _STRIDE_SHARE = 0.4  # of the way to its neighbour that a point may go where points would overtake each other
 _LEAST_PENALTY = 1e-11  # penalty beside the data that only decides what the data leave open
 _ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
+
+
+def adaptive_spline(
+    function: Callable[[FloatArray], FloatArray],
+    domain: tuple[float, float],
+    *,
+    degree: int,
+    tolerance: float,
+    breaks: Sequence[tuple[float, int]] = (),
+    knots: FloatArray | Sequence[float] = (),
+    rounding: float = 1e-13,
+) -> tuple[FloatArray, FloatArray]:
+    """Knots and coefficients (m, ...) of a clamped spline within `tolerance` of a function on `domain`.
+
+    Parameters
+    ----------
+    function : callable
+        Maps places (k,) to values (k,) or (k, q); it is asked strictly inside the spans only, so that the
+        value at a break does not matter.
+    tolerance : float
+        Largest error of a value, checked between the sites of the fit.
+    breaks : sequence of (place, continuity)
+        Places where the function is only `continuity` times differentiable, -1 where it jumps: they become
+        knots of the matching multiplicity.
+    knots : (k,) array_like
+        Where to begin with knots besides the breaks; more come where they are needed.
+    rounding : float
+        Relative error of the function's values; nothing closer is asked for.
+
+    Raises
+    ------
+    InputError
+        When the function is not finite.
+    NotConvergedError
+        When it cannot be followed: an undeclared jump or kink, or noise above the tolerance.
+    """
+    require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
+    if not callable(function):
+        raise InputError(
+            f"what is followed is {quoted(function)}: give a function of the places along the curve"
+        )
+    if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
+        raise InputError(f"a function is followed by a spline of degree 1 to {_MOST_DEGREE}, not {degree!r}")
+    edges, order = _first_edges(domain, _checked_breaks(breaks), np.asarray(knots, dtype=float))
+    sites, weight = gauss_rule(degree + 3)
+    while True:
+        low, widths = edges[:-1], np.diff(edges)
+        full = clamped_knots(edges, order, degree)
+        x = low[:, None] + widths[:, None] * np.concatenate([(1 + sites) / 2, _PROBES])
+        values = _sampled(function, x)
+        weights = np.sqrt(widths[:, None] * weight)
+        spline = _nearest(x[:, : sites.size], values[:, : sites.size], weights, full, degree)
+        error = np.abs(spline(x[:, sites.size :]) - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
+        accepted = max(tolerance, rounding * float(np.abs(values).max()))
+        # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
+        bad = error > max(accepted, _REFINED_SHARE * float(error.max()))
+        if not bad.any():
+            return full, np.asarray(spline.c, dtype=float)
+        _refuse_endless(edges, bad, error, tolerance)
+        parts = np.ones(low.size, dtype=int)
+        worst = _with_wide_neighbours(widths, bad)
+        parts[worst] = _parts(error[worst] / accepted, degree)
+        start = low.repeat(parts) + numbers_in_groups(parts) * (widths / parts).repeat(parts)
+        edges = np.append(start, edges[-1])
+
+
+def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
+    """Breaks as pairs of a place and a whole number."""
+    rows = numbers(breaks, "breaks")
+    if rows.size and rows.shape[1:] != (2,):
+        raise InputError("breaks are pairs of a place and how often the function can be differentiated there")
+    return [(place, int(continuity)) for place, continuity in rows.tolist()]
+
+
+def _first_edges(
+    domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
+) -> tuple[FloatArray, dict[float, int]]:
+    """The ends of the domain, breaks and given knots between them, and the continuity at each break.
+
+    Breaks too close to be told apart count as one; knots next to a break are left out.
+    """
+    first, last = domain
+    length, order, latest = last - first, dict[float, int](), first
+    for place, continuity in sorted(breaks):
+        if not first + _SAME_BREAK_SHARE * length < place < last - _SAME_BREAK_SHARE * length:
+            continue
+        before = order.get(latest)
+        apart = _ALIKE if before is not None and max(before, continuity) > 0 else _SAME_BREAK_SHARE
+        if before is None or place - latest > apart * length:
+            order[place] = continuity
+            latest = place
+        elif continuity < before:  # the rougher of the two is where it is
+            del order[latest]
+            order[place] = continuity
+            latest = place
+    edges = np.array([first, *sorted(order), last])
+    inside = np.unique(knots[(knots > first) & (knots < last)])
+    apart_from = np.abs(inside[:, None] - edges).min(axis=1, initial=np.inf)
+    return np.sort(np.concatenate([edges, inside[apart_from > _NARROWEST_SHARE * length]])), order
+
+
+def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
+    """Values (p, k, ...) at places (p, k)."""
+    values = numbers(function(x.ravel()), "values of a function")
+    if values.shape[:1] != (x.size,):
+        raise InputError(f"a function along the curve must give a value for each of {x.size} places")
+    if not np.isfinite(values).all():
+        first = np.argwhere(~np.isfinite(values.reshape(x.size, -1)).all(axis=1))[0, 0]
+        raise InputError(f"the function is not finite at {x.ravel()[first]:.6g}")
+    return values.reshape(*x.shape, *values.shape[1:])
+
+
+def _nearest(x: FloatArray, values: FloatArray, weights: FloatArray, knots: FloatArray, degree: int) -> Any:
+    """The spline over the knots that is nearest in mean square to values (p, k, ...) at places (p, k)."""
+    from scipy.interpolate import make_lsq_spline
+
+    rows = values.reshape(x.size, *values.shape[2:])
+    return make_lsq_spline(x.ravel(), rows, knots, k=degree, w=weights.ravel())
+
+
+def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
+    """A domain of too many spans, or of one too narrow for its length, cannot be followed."""
+    widths = np.diff(edges)
+    narrow = bad & (widths < _NARROWEST_SHARE * (edges[-1] - edges[0]))
+    if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
+        worst = int(np.where(bad, error, 0.0).argmax())
+        raise NotConvergedError(
+            f"no spline follows the function to {tolerance:g}: near {edges[worst]:.6g} the error stays "
+            f"{error[worst]:.3g}; declare the break there or ask for less"
+        )
+
+
+def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
+    """Bad spans and those beside them that are far wider: a narrow one can't mend what a wide one imposes."""
+    cut = bad.copy()
+    cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
+    cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
+    return cut
+
+
+def _parts(excess: FloatArray, degree: int) -> IntArray:
+    """How many parts a span needs when the error falls with the power degree + 1 of its width; 2 to 8."""
+    return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
 
 
 def fit_spline(
