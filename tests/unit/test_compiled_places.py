@@ -3,86 +3,12 @@
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.interlocking import flush_strips, ruled_strip, slotted_collisions
-from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
-from elastica_cad.fabrication.interlocking.slotted_collisions import SlotRims
-from elastica_cad.fabrication.makeability import near_pairs
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths import path_intersections
-from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials import spline_function
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction
-from tests.unit.test_compiled_polynomials import drawn, ellipses
-from tests.unit.test_compiled_twins import CLOSE, SEEDS, both, distance
+from tests.unit.test_compiled_twins import SEEDS, both
 
 __all__ = ["both"]
-
-
-def ruled(curve):
-    width = Profile.interpolate([0.0, curve.length], [10.0, 20.0])
-    return RuledStrip(curve, Frame((1.0, 2.0, 3.0)), width)
-
-
-@pytest.mark.parametrize("curve", [drawn, ellipses])
-@pytest.mark.parametrize("seed", SEEDS)
-def test_places_of_a_strip(both, seed, curve):
-    """The same digits: at its nodes, between them, at both ends and a little beyond."""
-    strip = ruled(curve(seed % 7))  # ellipses beyond are too far from their origin to be followed
-    nodes, _ = strip.quintics
-    between = np.random.default_rng(seed).uniform(-0.1, strip.length + 0.1, 300)
-    s = np.concatenate([nodes, between, [-1.0, strip.length + 1.0]])
-    compiled, plain = both(ruled_strip, lambda: strip.in_plane(s))
-    np.testing.assert_array_equal(compiled, plain)
-    both(ruled_strip, lambda: strip.in_plane(np.zeros(0)))
-
-
-@pytest.mark.parametrize("count", [1, 7, 8, 200])
-@pytest.mark.parametrize("seed", SEEDS)
-def test_places_nearest_to_points(both, seed, count):
-    """On the curve, beside it, far off and beyond its ends."""
-    strip = ruled(drawn(seed))
-    stations = np.sort(np.random.default_rng(seed).uniform(0, strip.length, count))
-    chain, tangents = strip.in_plane(stations)
-    away = np.random.default_rng(seed).choice([0.0, 0.1, -0.3], count)[:, None]
-    points = np.concatenate([chain + away * tangents[:, ::-1] * (-1, 1), 2 * chain - chain.mean(axis=0)])
-    compiled, plain = both(
-        flush_strips, lambda: flush_strips.nearest_places(strip, (stations, chain), points)
-    )
-    foot, (place, tangent) = compiled
-    assert distance(foot, plain[0]) < CLOSE
-    assert distance(place, plain[1][0]) < CLOSE
-    assert distance(tangent, plain[1][1]) < CLOSE
-
-
-@pytest.mark.parametrize("size", [0.3, 1.0, 40.0])
-@pytest.mark.parametrize("seed", SEEDS)
-def test_points_near_each_other(both, seed, size):
-    """Sparse and crowded, some in one place, and many at the very reach."""
-    rng = np.random.default_rng(seed)
-    points = np.concatenate([rng.uniform(0, size, (200, 2)), rng.integers(0, size + 1, (60, 2)) / 1.0])
-    compiled, plain = both(near_pairs, lambda: near_pairs.near_pairs(points, 1.0))
-    np.testing.assert_array_equal(compiled, plain)
-    one, alike = both(near_pairs, lambda: near_pairs.near_pairs(points[:1], 1.0))
-    assert one.shape == alike.shape == (2, 0)
-
-
-@pytest.mark.parametrize("relief", ["square", "round"])
-@pytest.mark.parametrize("seed", SEEDS)
-def test_places_beside_slots(both, seed, relief):
-    """In slots from either side, beside them, on their sides and far off."""
-    rng = np.random.default_rng(seed)
-    width = Profile.interpolate([0.0, 60.0, 120.0], [20.0, 30.0, 24.0])
-    slots = [
-        Slot(at, 3.0, lean=lean, side=side, relief=relief)
-        for at, lean, side in ((30.0, 0.3, "upper"), (70.0, 0.0, "lower"))
-    ]
-    rims = SlotRims(tuple(slots), width)
-    s, across = rng.uniform(0, 120, 400), rng.uniform(-15, 15, 400)
-    s[:50], across[:50] = rims._rims[0][rng.integers(0, len(rims._rims[0]), 50)].T
-    compiled, plain = both(slotted_collisions, lambda: rims.uncut(s, across))
-    np.testing.assert_array_equal(compiled, plain)
-    assert compiled.min() < -0.5 < 5 < compiled.max()
 
 
 @pytest.mark.parametrize("size", [1.0, 30.0])

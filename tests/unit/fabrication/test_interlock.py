@@ -8,8 +8,8 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
+from elastica_cad.fabrication.interlocking.collisions import missing_slots, tell_missing_slots
 from elastica_cad.fabrication.interlocking.interlock import interlock, slot_width
-from elastica_cad.fabrication.interlocking.missing_slots import missing_slots, tell_missing_slots
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.model.strip_model import Model
