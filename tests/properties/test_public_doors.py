@@ -25,7 +25,7 @@ INNER = {
     "Arc.all_of_bulges", "Arc.of_sound", "Box.clearance", "CollinearInflections.equations",
     "DiscreteRod.moment_imbalance", "EndPositions.equations", "EndTangents.equations", "FixedLength.equations",
     "Frame.of_sound", "HalfPlane.clearance", "InflectionsOnLine.equations", "LaidLeaves.strains",
-    "Laminated.bounded", "Layer.runs_as", "Line.of_sound", "Path.of_sound", "PerforatedSection.strains",
+    "Laminated.bounded", "Line.of_sound", "Path.of_sound", "PerforatedSection.strains",
     "PlainSection.strains", "PlaneCurve.basis", "PlaneCurve.derivatives", "PlaneCurve.of_sound",
     "PlaneCurve.position_and_velocity", "SmoothJoints.equations", "Spline.motion_at", "Spline.of_clamped",
     "Strip.breadth", "TSlot.side", "Tab.depth_at", "TabSeat.bends", "TabSeat.gaps", "TabSeat.moved",

@@ -1,6 +1,6 @@
 """Two plates that hold inclined tabs at their angle."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar
 
@@ -16,6 +16,7 @@ from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_seats
 from elastica_cad.fabrication.holding.lean import Lean, lean_against, what_leans
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.equal_strips import cut_key
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS
@@ -203,10 +204,9 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
 def _held_ends(placed: Sequence[Placed]) -> list[tuple[Key, Strip, int]]:
     """Where each tab is, at which end, and its strip: of those that are cut alike the first."""
-    first = dict[int, Strip]()
+    first = dict[Hashable, Strip]()
     return [
-        # strips that are cut alike share their layers
-        (tab.key, first.setdefault(id(one.strip.layers), one.strip), index)
+        (tab.key, first.setdefault(cut_key(one.strip), one.strip), index)
         for one in placed
         for index, tab in enumerate(PlacedTab.of(one.strip, end, one.frame) for end in ENDS)
     ]
