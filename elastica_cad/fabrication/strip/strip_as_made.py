@@ -13,9 +13,8 @@ from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
 from elastica_cad.fabrication.holding.rest_in_seats import EndPose, rest_in_seats
 from elastica_cad.fabrication.holding.width_correction import shape_responses
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.as_built import material_width, rod_as_built
-from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
-from elastica_cad.fabrication.strip.flat_outline import Ends, end_holes, fix_tab_widths, flat_rim
+from elastica_cad.fabrication.strip.as_built import rod_as_built
+from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths
 from elastica_cad.fabrication.strip.made_stiffness import (
     PLATES,
     Curl,
@@ -94,7 +93,7 @@ class StripAsMade:
             design,
             layout.bending_stiffness,
             (first, last),
-            rod_as_built(design, layout, _widths_left(layout, ends, whole)),
+            rod_as_built(design, layout, [layer.material for layer in whole()]),
             shares,
             layout.pattern is not None or layout.backing is not None,
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
@@ -185,16 +184,3 @@ class StripAsMade:
 def _lapped(made: Rod, lap: LapJoint) -> Rod:
     """The rod with its joint: stiffer there, and glued in a shape that it keeps in part."""
     return replace(with_shares(made, [lap.share]), natural_curvature=lap.rest)
-
-
-def _widths_left(
-    layout: Layout, ends: Ends, whole: Callable[[], Sequence[Layer]]
-) -> list[Callable[[FloatArray], FloatArray]]:
-    """Of each layer the width (n,), mm, left at stations (n,); sharp holes are measured without their loops."""
-    pattern = layout.pattern
-    if layout.backing is None and isinstance(pattern, DiamondPattern) and pattern.is_sharp:
-        rim, holes = flat_rim(layout.width, ends), end_holes(layout.width, ends)
-        return [
-            lambda s: material_width(rim, holes, s) - pattern.width_cut(ends, s) + pattern.left_by_tips(s)
-        ]
-    return [layer.material for layer in whole()]
