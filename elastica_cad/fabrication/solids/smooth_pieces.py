@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -29,10 +28,6 @@ NO_STEP = 1e-5
 """mm: sides that end nearer than this to each other are made to meet."""
 
 
-_smooth: WeakKeyDictionary[Path, Path] = WeakKeyDictionary()
-"""Loops in smooth pieces by the drawn ones: the flat and the bent body of a strip share them."""
-
-
 def in_smooth_pieces(path: Path) -> Path:
     """The loop with its splines cut where they kink, and a line straight across for every step of the width.
 
@@ -48,18 +43,16 @@ def in_smooth_pieces(path: Path) -> Path:
     >>> len(in_smooth_pieces(loop).segments)
     4
     """
-    if path not in _smooth:
-        if not any(_kinks(segment).size for segment in path.segments):
-            return path
-        ramp = RAMP * _reach(path)
-        smooth = [_smoothed(segment) for segment in path.segments]
-        cuts = [_cut(segment, ramp) for segment in smooth]
-        parts = iter(trim_parts([(cut.curve, ends) for cut in cuts if cut is not None for ends in cut.kept]))
-        pieces: list[Segment] = []
-        for segment, cut in zip(smooth, cuts, strict=True):
-            pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
-        _smooth[path] = Path(pieces, path.closed)
-    return _smooth[path]
+    if not any(_kinks(segment).size for segment in path.segments):
+        return path
+    ramp = RAMP * _reach(path)
+    smooth = [_smoothed(segment) for segment in path.segments]
+    cuts = [_cut(segment, ramp) for segment in smooth]
+    parts = iter(trim_parts([(cut.curve, ends) for cut in cuts if cut is not None for ends in cut.kept]))
+    pieces: list[Segment] = []
+    for segment, cut in zip(smooth, cuts, strict=True):
+        pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
+    return Path(pieces, path.closed)
 
 
 def _reach(path: Path) -> float:
