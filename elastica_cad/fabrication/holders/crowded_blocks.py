@@ -74,7 +74,7 @@ def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
-    """A convex prism in space: points (n, 3) along its edges, and of its faces points and outward normals (k, 3)."""
+    """A convex prism in space: points (n, 3) along its edges, and of its faces points and normals (k, 3)."""
 
     edges: FloatArray
     faces: FloatArray

@@ -18,9 +18,9 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""
 
-SPAN_CHORDS, TURN_RAD = 16, 0.05
-"""Chords for each span of a spline, and the largest turn of one on an arc: widths are then right to a few parts in
-a million."""
+SPAN_CHORDS, FLAT_MM = 16, 1e-4
+"""Chords for each span of a spline, and how near they come to an arc: widths are right to a few parts in a million.
+"""
 
 
 def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:
@@ -142,6 +142,6 @@ def _chords(loop: Path) -> FloatArray:
         if isinstance(segment, Spline):
             parts = SPAN_CHORDS * (np.unique(segment.curve.knots).size - 1)
         elif isinstance(segment, Arc):
-            parts = int(np.ceil(abs(segment.sweep) / TURN_RAD))
+            parts = int(np.ceil(abs(segment.sweep) * np.sqrt(segment.radius / (8 * FLAT_MM))))
         rows.append(segment.at(np.arange(parts) / parts))
     return np.concatenate(rows)

@@ -1,7 +1,6 @@
 """Perforated strips: ligaments that sum up to the stiffness, holes that can be cut, refusals that say where."""
 
 import re
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,13 +8,10 @@ import shapely
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.compensation import ENOUGH_SHARE, compensate_widths
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip import strip_as_made
-from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
 from elastica_cad.mechanics.material.plain_section import PerforatedSection
@@ -74,21 +70,6 @@ def test_sharp_holes_leave_the_exact_sum_even_at_the_tips(rod):
     near = strip.layout.pattern.joints[1:-1, None] + np.linspace(-0.4, 0.4, 41)
     s = near.ravel()
     assert strip.layers[0].material(s) == pytest.approx(strip.layout.material(s), rel=2e-5)
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("style", [{"corner_radius": 0.1}, {"sides": "arc"}])
-def test_widths_are_compensated_alike_where_holes_are_not_drawn_at_every_step(monkeypatch, style):
-    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
-    perforated = Perforated(width=30.0, columns=3, rows=25, least_ligament=0.4, **style)
-    strip = ec.Strip(ec.optimal_rod(arch), ec.Sheet.named("birch-plywood-0.8"), style=perforated)
-    drawn = compensate_widths(strip)
-    monkeypatch.setattr(strip_as_made, "FEW_HOLES", 0)
-    monkeypatch.setattr(DiamondPattern, "paths", counted := Counted(DiamondPattern.paths))
-    reckoned = compensate_widths(replace(strip))
-    assert counted.calls <= 4
-    assert drawn.held_deviation < strip.held_deviation / 5
-    assert abs(reckoned.held_deviation - drawn.held_deviation) < ENOUGH_SHARE * strip.rod.length
 
 
 class Counted:

@@ -94,7 +94,7 @@ def test_plates_do_not_weigh_what_they_are_stiff():
     assert found.success, found.message
     x, y = shot(found.x, t_eval=rod.s).y[:2]
     moved = float(np.hypot(x - rod.position[:, 0], y - rod.position[:, 1]).max())
-    assert heavy.held().parts["plates"] == pytest.approx(moved, rel=0.02)
+    assert heavy.held().parts["plates"] == pytest.approx(moved, rel=0.05)
     assert heavy.held_deviation == pytest.approx(moved, rel=0.05)  # as made and held: plates and all else
 
 
