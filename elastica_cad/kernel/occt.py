@@ -19,7 +19,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     Surface,
     trace_turn,
 )
-from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove
+from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
@@ -60,7 +60,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     return face
 
 
-def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Shape:
+def make_solid(record: BodyRecord | PrismSolid) -> Shape:
     """A record as a TopoDS_Solid."""
     k = kernel()
     if isinstance(record, PrismSolid):
@@ -68,8 +68,6 @@ def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Shape:
         whole = _combined(first, rest, k.BOPAlgo_Operation.BOPAlgo_FUSE)
         holes = [make_solid(prism) for prism in record.removed]
         return _only_solid(_with_few_faces(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT)))
-    if isinstance(record, RoundGroove):
-        return _groove(record)
     if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
         return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
@@ -100,20 +98,6 @@ def with_shared_faces(solids: Sequence[Shape]) -> list[Shape]:
 def _images(builder: Any, solid: Shape) -> list[Shape]:
     """What became of a solid: itself where nothing touches it."""
     return list(builder.Modified(solid)) or [solid]
-
-
-def _groove(record: RoundGroove) -> Shape:
-    """A piece of a cylinder or a torus, or a ball."""
-    k, way = kernel(), record.way
-    axes = plane_axes_of(record.start).Ax2()
-    if record.is_dent:
-        return k.BRepPrimAPI_MakeSphere(axes, record.radius).Shape()
-    if isinstance(way, Line):
-        whole = k.BRepPrimAPI_MakeCylinder(axes, record.radius, record.length).Shape()
-        return _combined(
-            whole, [make_solid(block) for block in record.mitres], k.BOPAlgo_Operation.BOPAlgo_CUT
-        )
-    return k.BRepPrimAPI_MakeTorus(axes, way.radius, record.radius, abs(way.sweep)).Shape()
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:

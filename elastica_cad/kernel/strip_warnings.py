@@ -6,7 +6,7 @@ from math import degrees
 from typing import TYPE_CHECKING
 
 from elastica_cad._printable import printable
-from elastica_cad.fabrication.solids.self_contact import self_contact
+from elastica_cad.fabrication.interlocking.collisions import self_contact
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad
 
@@ -26,7 +26,7 @@ class StripWarning(UserWarning):
 
 def warn_of_missing_slots(model: "Model") -> None:
     """Tell of strips of a model that run through each other."""
-    from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
+    from elastica_cad.fabrication.interlocking.collisions import missing_slots
 
     for text in missing_slots(model.placed, model.joints):
         warn(text)

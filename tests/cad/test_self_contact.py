@@ -5,10 +5,10 @@ import warnings
 import numpy as np
 import pytest
 
+from elastica_cad.fabrication.interlocking.collisions import self_contact
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

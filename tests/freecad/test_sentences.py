@@ -27,7 +27,7 @@ SPOKEN = [
     "fabrication/strip_spec.py",
     "fabrication/slots",
     "fabrication/interlocking/interlock.py",
-    "fabrication/interlocking/missing_slots.py",
+    "fabrication/interlocking/collisions.py",
     "fabrication/model/strip_model.py",
     "fabrication/drawings/kerf.py",
     "fabrication/holders/base_plate.py",

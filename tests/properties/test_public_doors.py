@@ -25,7 +25,7 @@ INNER = {
     "Box.clearance", "CollinearInflections.equations",
     "DiscreteRod.moment_imbalance", "EndPositions.equations", "EndTangents.equations", "FixedLength.equations",
     "HalfPlane.clearance", "InflectionsOnLine.equations", "LaidLeaves.strains",
-    "Laminated.bounded", "Layer.runs_as", "PerforatedSection.strains",
+    "Laminated.bounded", "PerforatedSection.strains",
     "PlainSection.strains", "PlaneCurve.basis", "PlaneCurve.derivatives",
     "PlaneCurve.position_and_velocity", "SmoothJoints.equations", "Spline.motion_at",
     "Strip.breadth", "TSlot.side", "Tab.depth_at", "TabSeat.bends", "TabSeat.gaps", "TabSeat.moved",

@@ -8,7 +8,7 @@ import pytest
 
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.tab_seats import held_shapes
-from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
+from elastica_cad.fabrication.interlocking.collisions import missing_slots
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP
 from elastica_cad.fabrication.makeability.uncuttable_parts import find_strip_faults
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated

@@ -108,8 +108,8 @@ def test_a_strip_whose_widths_count_on_its_curl_sags_as_that_follows(curve, phi,
 
 
 @pytest.mark.parametrize(("nu", "width"), [(0.0, 30.0), (0.3, 20.0), (0.3, 60.0)])
-def test_a_strip_curls_less_under_a_plate_which_is_twice_as_thick(nu, width, wide_strips):
-    """Shot from its start, over each end of what carries of the plate."""
+def test_a_strip_under_a_plate_is_twice_as_thick(nu, width, wide_strips):
+    """Shot from its start, over each end of what carries of the plate, where it curls less as it is thicker."""
     ply = Sheet("ply", 0.8, 9000.0, 680.0, max_strain=0.02, poisson_ratio=nu)
     bare = make_strip(drawn("arch", LENGTH), ply, max_width=width, compensate=False, ignore_limits=True)
     joined = replace(bare, plates=LapPlates((110.0,), 60.0))
@@ -145,4 +145,4 @@ def test_a_strip_curls_less_under_a_plate_which_is_twice_as_thick(nu, width, wid
     assert found.success, found.message
     shape = np.concatenate(shot(found.x, rod.s)[1])
     told = joined.held_deviation
-    assert told == pytest.approx(strays(shape, rod.position[: len(shape)]), rel=AGREES)
+    assert told == pytest.approx(strays(shape, rod.position[: len(shape)]), rel=1e-2)

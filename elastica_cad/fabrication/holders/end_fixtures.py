@@ -11,24 +11,24 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_record
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
-from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
 from elastica_cad.fabrication.holding.lean import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, require_placed
-from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove, convex_corners
+from elastica_cad.fabrication.solids.prisms import PrismSolid, convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Segment
 
 LEAST_WALL_MM = 0.8
 """Two lines of a 0.4 mm nozzle."""
 
-GROOVE_SHARE = 0.16, 0.075, 0.04
-"""Width, depth and least distance of engraved strokes, of the height of the letters: at 4 mm the width is what a
-0.4 mm nozzle still prints, the depth two fine layers."""
+GROOVE_SHARE = 0.16, 0.075
+"""Width and depth of engraved strokes over the height of the letters: at 4 mm a 0.4 mm nozzle still prints the
+width, and the depth is two fine layers."""
 
 LABEL_MM = 4.0
 """Height of the part number, where there is room."""
@@ -280,8 +280,8 @@ class EndFixture:
             frame = Frame(frame.origin, -frame.x_axis, frame.y_axis)
         return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
 
-    def _letters(self) -> list[RoundGroove]:
-        """The part number as round grooves in the side, along the tab."""
+    def _letters(self) -> list[FlatSolid]:
+        """The part number as grooves in the side, along the tab."""
         if not self.number:
             return []
         (_, low), (long, high) = self._core[0], self._core[2]
@@ -294,14 +294,28 @@ class EndFixture:
         return engraved(strokes, height, side)
 
 
-def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[RoundGroove]:
-    """The grooves of letters of this height in a face whose normal is the z axis of `side`."""
-    width, depth, gap = (share * height for share in GROOVE_SHARE)
-    radius = (width**2 / 4 + depth**2) / (2 * depth)
-    middle = side.shifted(z=radius - depth)
+def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSolid]:
+    """The grooves of letters of this height in a face whose normal is the z axis of `side`.
+
+    Every line or arc of a stroke is a groove of its own with a flat bottom; grooves that meet overlap.
+    """
+    width, depth = (share * height for share in GROOVE_SHARE)
+    frame = side.shifted(z=-depth)
     return [
-        RoundGroove(piece.way, radius, middle, piece.turns) for piece in stencil_strokes(strokes, width, gap)
+        FlatSolid(_groove(segment, width), (), 2 * depth, frame)
+        for stroke in strokes
+        for segment in stroke.segments
     ]
+
+
+def _groove(way: Segment, width: float) -> Path:
+    """The outline of a groove along a line or an arc; a dot where it is shorter than wide."""
+    if way.length <= width:
+        return Path.circle(way.at(0.5), width / 2)
+    ends, along = way.at(np.array([0.0, 1.0])), way.tangent_at(np.array([0.0, 1.0]))
+    off = width / 2 * np.column_stack([-along[:, 1], along[:, 0]])
+    bulge = np.tan(way.sweep / 4) if isinstance(way, Arc) else 0.0
+    return Path.polyline([*(ends - off), *(ends + off)[::-1]], [bulge, 0.0, -bulge, 0.0], closed=True)
 
 
 def end_fixtures(

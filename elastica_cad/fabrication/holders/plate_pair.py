@@ -1,6 +1,6 @@
 """Two plates that hold inclined tabs at their angle."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar
 
@@ -13,11 +13,11 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base
 from elastica_cad.fabrication.holders.placed_tab import Key, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_seats
-from elastica_cad.fabrication.holding.lean import Lean, lean_against, what_leans
+from elastica_cad.fabrication.holding.lean import Lean, lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.equal_strips import cut_key
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -189,9 +189,8 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
     The load is that of the strip as it is made: slots and widths that make up for them change it.
     """
-    leans, ends = dict[Key, Lean](), _held_ends(placed)
     for _ in range(LEAN_ROUNDS):
-        leans = _leans(ends, tab_seats(plates), leans)
+        leans = _leans(placed, tab_seats(plates))
         first, second = (replace(plate, slots=_moved(plate, leans)) for plate in plates)
         old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
                     for pair in (plates, (first, second)))  # fmt: skip
@@ -201,32 +200,20 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     return plates
 
 
-def _held_ends(placed: Sequence[Placed]) -> list[tuple[Key, Strip, int]]:
-    """Where each tab is, at which end, and its strip: of those that are cut alike the first."""
-    first = dict[int, Strip]()
-    return [
-        # strips that are cut alike share their layers
-        (tab.key, first.setdefault(id(one.strip.layers), one.strip), index)
-        for one in placed
-        for index, tab in enumerate(PlacedTab.of(one.strip, end, one.frame) for end in ENDS)
-    ]
-
-
-def _leans(
-    ends: Iterable[tuple[Key, Strip, int]], seats: Mapping[Key, TabSeat], before: Mapping[Key, Lean]
-) -> dict[Key, Lean]:
-    """How the holder of each tab is to be moved, ends that are loaded and held alike reckoned once."""
-    found, known, last = dict[Key, Lean](), dict[tuple[int | float, ...], Lean](), dict[int, Lean]()
-    for key, strip, index in ends:
-        if key in seats:
-            loaded = strip.as_made.loaded
-            ratio = strip.as_made.tab_ratios(loaded)[index]
-            alike = what_leans(loaded, index, seats[key], ratio)
-            if alike not in known:
-                # the strip before is mostly one like this
-                near = before.get(key) or last.get(index)
-                known[alike] = lean_against(loaded, index, seats[key], ratio, near)
-            found[key] = last[index] = known[alike]
+def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
+    """How the holder of each tab is to be moved, ends that are cut and held alike computed once."""
+    found, known = dict[Key, Lean](), dict[Hashable, Lean]()
+    for one in placed:
+        cut = cut_key(one.strip)
+        for index, end in enumerate(ENDS):
+            key = PlacedTab.of(one.strip, end, one.frame).key
+            if key in seats:
+                alike = cut, index, seats[key].places
+                if alike not in known:
+                    made = one.strip.as_made
+                    ratio = made.tab_ratios(made.loaded)[index]
+                    known[alike] = lean_against(made.loaded, index, seats[key], ratio)
+                found[key] = known[alike]
     return found
 
 

@@ -1,31 +1,26 @@
-"""What holders leave free: their play in numbers, tabs that rock, and two plates tried in place of one."""
+"""What holders leave free: their play in numbers, and tabs that rock."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from typing import TypeGuard
 
 import numpy as np
 
 from elastica_cad._counts import and_more
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.plate_pair import Plate, add_second, needed_length
+from elastica_cad.fabrication.holders.plate_pair import GAP_MM, needed_length
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.tab_seats import plates_of, require_holders, seat_of, tab_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
-from elastica_cad.geometry.frame import Frame
 
 ROCKING_RAD = np.radians(3.0)
 """A tab that turns farther in its holder rocks: at the mouth of a strip it moves the shape by percents."""
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
 """What is told as no play."""
-
-TRIED_GAPS_MM = (10.0, 20.0)
-"""Between two plates that are tried in place of one; the first that keeps the tab from rocking is told."""
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
@@ -55,7 +50,7 @@ def _turn(degrees: float) -> str:
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure, tried."""
+    """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure."""
     placed, holders, told = require_placed(placed), require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
     for holder, held in _by_holder(placed, holders).items():
@@ -94,54 +89,18 @@ def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
 
 
 def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
-    """Two plates in place of the one that holds a tab, bent forward, or what else there is."""
-    others = "end fixtures or feet (feet = 10) glued at its angle"
-    for gap in TRIED_GAPS_MM:
-        tried = _with_pair(one, end, holders, gap)
-        if tried is not None:
-            long, strayed = tried
-            return (
-                f"two plates (gap = {gap:g}) and tabs of {long:.0f} mm hold it to {strayed:.2g} mm, as was tried, "
-                f"or use {others}"
-            )
-    return f"use {others}"
-
-
-def _with_pair(
-    one: Placed, end: StripEnd, holders: Sequence[object], gap: float
-) -> tuple[float, float] | None:
-    """Length of the tabs and how far the strip strays, mm, with a second plate behind its own; None: no cure."""
-    keys = {PlacedTab.of(one.strip, which, one.frame).key: which for which in ENDS}
-    mine = [(plate, slot, keys[slot.tab.key]) for plate in plates_of(holders) for slot in plate.slots
-            if slot.tab is not None and slot.tab.key in keys]  # fmt: skip
-    if not any(which == end for _, _, which in mine) or len({which for _, _, which in mine}) < len(mine):
-        return None
-    lengths = [needed_length(slot.tab, plate, gap) for plate, slot, _ in mine if slot.tab is not None]
+    """What would hold a tab: two plates in place of the one that does, or what else there is."""
+    key, others = (
+        PlacedTab.of(one.strip, end, one.frame).key,
+        "end fixtures or feet (feet = 10) glued at its angle",
+    )
+    lengths = [
+        needed_length(slot.tab, plate, GAP_MM)
+        for plate in plates_of(holders)
+        for slot in plate.slots
+        if slot.tab is not None and slot.tab.key == key
+    ]
+    if len(lengths) != 1:
+        return f"use {others}"
     long = max(*lengths, *(tab.length for tab in one.strip.ends))
-    first, last = (replace(tab, length=long) for tab in one.strip.ends)
-    longer = one.with_strip(replace(one.strip, ends=(first, last)))
-    plates: list[BasePlate | Ring] = []
-    try:
-        for plate, slot, which in mine:
-            tab = PlacedTab.of(longer.strip, which, longer.frame, name=slot.name)
-            slots = (replace(slot, tab=tab),)
-            # one by one: a type for each
-            if isinstance(plate, Ring):
-                plates += _pair(longer, replace(plate, slots=slots), gap)
-            else:
-                plates += _pair(longer, replace(plate, slots=slots), gap)
-        seats = tab_seats(plates)
-        if any(np.ptp(seat.turning) > 2 * ROCKING_RAD for seat in seats.values()):
-            return None
-        return long, longer.strip.held(*(seat_of(seats, longer, which) for which in ENDS)).deviation
-    except (InputError, NotConvergedError):
-        return None
-
-
-def _pair(one: Placed, plate: Plate, gap: float) -> tuple[Plate, Plate]:
-    """A plate and another behind it."""
-
-    def behind(slots: Sequence[TabSlot], ground: Frame) -> Plate:
-        return replace(plate, slots=tuple(slots), frame=ground, name=f"{plate.name}-outer")
-
-    return add_second((one,), plate, behind, gap=gap)
+    return f"use two plates (gap = {GAP_MM:g}) and tabs of {long:.0f} mm, or {others}"

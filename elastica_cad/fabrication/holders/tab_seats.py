@@ -15,6 +15,7 @@ from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, require_placed
+from elastica_cad.fabrication.sheets.equal_strips import cut_key
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 
 Slotted: TypeAlias = BasePlate | Ring
@@ -119,8 +120,7 @@ def hold_each(
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
         start, end = (seat_of(seats, one, k) for k in ENDS)
-        # strips that are cut alike share their layers
-        alike = id(one.strip.layers), *(None if seat is None else seat.places for seat in (start, end))
+        alike = cut_key(one.strip), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
                 known[alike] = one.strip.held(start, end)

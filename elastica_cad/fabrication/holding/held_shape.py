@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.rest_in_seats import EndPose
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -30,8 +31,8 @@ class HeldShape:
     deviation : float
         Largest distance of any place of the strip from where it was designed to be, mm.
     parts : mapping of str to float
-        The same for each cause alone, mm: "slots", "narrow tabs", "leaning ligaments", "anticlastic bending",
-        "start: pocket" and so on.
+        What each cause alone adds to first order, mm: "slots", "narrow tabs", "leaning ligaments", "anticlastic
+        bending", "start: pocket" and so on.
     start, end : EndPose
         Where the ends come to rest.
     corrected : bool
@@ -70,12 +71,11 @@ class HeldShape:
         )
 
 
-def strayed(design: Rod, found: Rod) -> float:
-    """Largest distance, mm, of the nodes of a shape from those of the design.
+def strayed(design: Rod, place: FloatArray) -> float:
+    """Largest distance, mm, of the nodes of a shape (n, 2) from those of the design.
 
     A closed strip, which nothing holds in its place, is laid over its design as well as it fits.
     """
-    place = found.position
     if closes(design):
         middle, wanted = place.mean(axis=0), design.position.mean(axis=0)
         (x, y), (u, v) = (place - middle).T, (design.position - wanted).T

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 
 import numpy as np
 
@@ -87,7 +87,6 @@ class SeatedEnd:
         return rows, gaps
 
 
-@cache
 def _chain(pieces: int) -> FloatArray:
     """Hessian (m, m) of a chain of pieces whose joints have the stiffness 1."""
     # the first piece turns about the mouth, half a piece away from its middle
@@ -107,7 +106,6 @@ def step_within(
     scale: float,
     price: float = PRICE,
     reach: float = np.inf,
-    near: QuadraticSolution | None = None,
 ) -> QuadraticSolution:
     """The next step of sequential quadratic programming, mm.
 
@@ -127,8 +125,6 @@ def step_within(
         Of a mm of overlap.
     reach : float
         Farthest step of any unknown, mm.
-    near : QuadraticSolution, optional
-        The step before, for what touches.
     """
     rows, gaps = walls
     bound = np.full(gradient.size, STEP_RAD * length)
@@ -138,4 +134,4 @@ def step_within(
         hessian / scale, gradient / scale, -np.minimum(bound, reach), np.minimum(bound, reach), rows, -gaps,
         np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
     )  # fmt: skip
-    return solve_quadratic(program, near=near)
+    return solve_quadratic(program)

@@ -12,6 +12,9 @@ from elastica_cad.errors import InputError
 STEEPEST_RAD = np.radians(80.0)
 """A tab that can turn as far is not held at all."""
 
+STOP_RAD = np.radians(0.01)
+"""Steps of the turns that are tried."""
+
 WALL_PLACES = 17
 """Places at which a wall along the tab is felt: a tab bends in its pocket and may lie against the middle."""
 
@@ -129,22 +132,13 @@ class TabSeat:
         return -self._stop(-1), self._stop(1)
 
     def _stop(self, sense: int) -> float:
-        def fits(turn: float) -> bool:
-            # at way = +1 the outward direction is the strip's, so turns are the tab's own
-            cos, sin = np.cos(sense * turn), np.sin(sense * turn)
-            (a, b), (c, d) = self.left.T, self.right.T
-            most = (b - (a * sin + self.thickness / 2) / cos).min()
-            least = (d + (self.thickness / 2 - c * sin) / cos).max()
-            return bool(least <= most + 1e-12)
-
-        low, high = 0.0, float(STEEPEST_RAD)
-        if fits(high):
-            return high
+        # at way = +1 the outward direction is the strip's, so turns are the tab's own
+        turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
+        cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
+        (a, b), (c, d) = self.left.T, self.right.T
+        most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
+        least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
         # what fits at an angle need not fit at all smaller ones, but the first stop on the way out counts
-        steps = np.linspace(low, high, 161)
-        first = next(i for i, turn in enumerate(steps) if i and not fits(float(turn)))
-        low, high = float(steps[first - 1]), float(steps[first])
-        for _ in range(40):
-            middle = (low + high) / 2
-            low, high = (middle, high) if fits(middle) else (low, middle)
-        return low
+        jams = np.flatnonzero(least > most + 1e-12)
+        jams = jams[jams > 0]
+        return float(turn[jams[0] - 1]) if jams.size else float(STEEPEST_RAD)

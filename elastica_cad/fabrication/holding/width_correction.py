@@ -9,7 +9,8 @@ from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
-SIZE = 1e-2  # the same of the coefficients themselves: of many changes that serve, the smallest
+SMOOTHING = 5e-3  # weight of the second differences of the coefficients against the drift that is left
+SIZE = 7e-3  # the same of the coefficients themselves: of many changes that serve, the smallest
 
 
 def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
@@ -23,22 +24,51 @@ def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     return np.asarray(bezier_spans(knots, 3).basis(s) @ one)
 
 
+def shape_responses(
+    rod: Rod, moments: FloatArray, loads: FloatArray | None = None, apart: FloatArray | None = None
+) -> FloatArray:
+    """How the nodes of a rod in balance move (n, m, 2), mm, to first order, with its start held in its place.
+
+    The shape answers changes of moment and weight at the same shape by H d(alpha) + C^t d(lambda) = -d(imbalance),
+    C d(alpha) = d(chord), with the Hessian H of the discrete energy (paper, section 7.1) and the ends' rows C.
+
+    Parameters
+    ----------
+    rod : Rod
+    moments : (n, m) array
+        By how much the moments at the nodes grow, where the shape stays.
+    loads : (n, m, 2) array, optional
+        The same of the nodal weight.
+    apart : (m, 2) array, optional
+        How the end is moved against the start, mm.
+    """
+    discrete, (n, m) = rod.discrete, moments.shape
+    lengths, tangents = discrete.edge_lengths[:, None], discrete.tangents
+    imbalance = moments[:-1] - moments[1:]
+    if loads is not None:
+        pull = np.zeros((n - 1, m, 2))
+        pull[1:] = np.cumsum(loads[1:-1], axis=0)
+        shear = pull[..., 1] * tangents[:, None, 0] - pull[..., 0] * tangents[:, None, 1]
+        imbalance = imbalance + lengths * shear
+    rows = discrete.constraint_rows
+    answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
+    turned, forced = answers[:, :m], answers[:, m:]
+    chord = 0.0 if apart is None else apart.T[list(discrete.held)]
+    # of a straight rod no turn of its parts moves the ends along it
+    turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
+    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    moved = np.zeros((n, m, 2))
+    moved[1:] = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
+    return moved
+
+
 def correct_widths(
-    made: Rod,
-    drift: FloatArray,
-    basis: FloatArray,
-    kept: FloatArray,
-    *,
-    damping: float,
-    smoothing: float,
-    largest: float,
+    made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, *, largest: float
 ) -> FloatArray:
     """Coefficients (m,) of the change of width that takes a drift back, to first order.
 
-    A change f of the width changes moment and weight by M f and p f at the same shape; the shape answers by
-    H d(alpha) + C^t d(lambda) = -d(imbalance), C d(alpha) = 0, with the Hessian H of the discrete energy (paper,
-    section 7.1) and the rows C of the ends. Many changes leave the shape alone (all that keep K kappa = M0 + <b,
-    gamma>); the smallest and smoothest one is taken.
+    A change f of the width changes moment and weight by M f and p f at the same shape. Many changes leave the shape
+    alone (all that keep K kappa = M0 + <b, gamma>); the smallest and smoothest one is taken.
 
     Parameters
     ----------
@@ -50,38 +80,20 @@ def correct_widths(
         Of the changes: see `width_basis`. Of a closed strip only its shape counts, not where it lies.
     kept : (m,) array
         Coefficients of the change that the rod has already.
-    smoothing : float
-        Weight of the second differences of the coefficients against the drift that is left.
-    damping : float
-        Weight of the step against the drift, relative: larger for shorter steps.
     largest : float
         No coefficient goes beyond it.
     """
-    rod, n = made.discrete, made.s.size
-    diagonal, off = rod.hessian
-    moment = made.moment[:, None] * basis
-    load = np.zeros((n - 1, basis.shape[1], 2))
-    load[1:] = np.cumsum(made.nodal_load[1:-1, None, :] * basis[1:-1, :, None], axis=0)
-    tangents = rod.tangents
-    shear = load[..., 1] * tangents[:, None, 0] - load[..., 0] * tangents[:, None, 1]
-    lengths = rod.edge_lengths[:, None]
-    imbalance = moment[:-1] - moment[1:] + lengths * shear
-    rows = rod.constraint_rows
-    answers = solve_tridiagonal(diagonal, off, np.hstack([-imbalance, rows.T]))
-    free, forced = answers[:, : basis.shape[1]], answers[:, basis.shape[1] :]
-    turned = free - forced @ np.linalg.solve(rows @ forced, rows @ free) if len(rows) else free
-    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
-    moved = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
-    A, left = np.moveaxis(moved, 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
+    moved = shape_responses(
+        made, made.moment[:, None] * basis, made.nodal_load[:, None, :] * basis[:, :, None]
+    )
+    A, left = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
     if closes(made):
         A, left = _without_motion(made.position[1:], A), _without_motion(made.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     one = np.eye(basis.shape[1])
-    bends = np.diff(one, n=2, axis=0)
-    # the step is damped; the whole change is to be small and smooth
-    whole = np.concatenate([smoothing * bends, SIZE * one])
-    system = np.concatenate([A, damping * scale * one, scale * whole])
-    wanted = np.concatenate([-left, np.zeros(len(one)), -scale * whole @ kept])
+    # the whole change is to be small and smooth
+    whole = scale * np.concatenate([SMOOTHING * np.diff(one, n=2, axis=0), SIZE * one])
+    system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ kept])
     step = np.linalg.lstsq(system, wanted, rcond=None)[0]
     if np.abs(kept + step).max() > largest:
         from scipy.optimize import lsq_linear

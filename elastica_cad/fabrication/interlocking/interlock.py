@@ -10,12 +10,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking.alike_strips import (
-    SAME_TURN,
-    cut_as_known,
-    number_made_alike,
-    place_between,
-)
 from elastica_cad.fabrication.interlocking.ruled_intersection import PARALLEL_RAD
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
 from elastica_cad.fabrication.interlocking.slot_room import bent_slot_width
@@ -144,31 +138,19 @@ def interlock(
     names = distinct_names(placed)
     cutter = _Cutter(tuple(one.strip for one in placed), names, clearance, fit, relief, up)
     joints: list[Joint] = []
-    meeting, made = strips_may_meet(ruled), number_made_alike(cutter.strips)
-    known = dict[tuple[float, ...], list[Joint]]()
+    meeting = strips_may_meet(ruled)
     for i, j in _checked_pairs(len(placed), pairs):
-        if not meeting[i, j]:
-            continue
-        # pairs made and placed alike cross alike
-        upward = () if up is None else np.round(placed[i].frame.axes @ up / SAME_TURN).tolist()
-        alike = made[i], made[j], *place_between(placed[i].frame, placed[j].frame), *upward
-        if alike in known:
-            joints += [cutter.repeated(joint, (i, j), placed) for joint in known[alike]]
-            continue
-        crossings = strip_crossings(ruled[i], ruled[j])
-        cutter.refuse_touching((i, j), (ruled[i], ruled[j]), crossings)
-        known[alike] = [cutter.joint((i, j), crossing) for crossing in crossings]
-        joints += known[alike]
+        if meeting[i, j]:
+            crossings = strip_crossings(ruled[i], ruled[j])
+            cutter.refuse_touching((i, j), (ruled[i], ruled[j]), crossings)
+            joints += [cutter.joint((i, j), crossing) for crossing in crossings]
     slots: list[list[Slot]] = [[] for _ in placed]
     for joint in joints:
         for member, slot in zip(joint.members, joint.slots, strict=True):
             slots[member].append(slot)
     slotted: list[Placed] = []
     for one, new, name in zip(placed, slots, strip_names(placed), strict=True):
-        strip = one.strip
-        if new:
-            earlier = [other.strip for other in slotted]
-            strip = cut_as_known(replace(strip, slots=(*strip.slots, *new)), earlier)
+        strip = replace(one.strip, slots=(*one.strip.slots, *new)) if new else one.strip
         _refuse_faults(strip, name)
         slotted.append(one.with_strip(strip) if new else one)
     return InterlockedStrips(tuple(slotted), tuple(joints), _reports(names, joints))
@@ -229,14 +211,6 @@ class _Cutter:
             slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
             middle = p.position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
-
-    def repeated(self, joint: Joint, members: tuple[int, int], placed: Sequence[Placed]) -> Joint:
-        """The joint of other strips that are made and placed alike."""
-        first, second = (replace(slot, mate=self.strips[mate].label)
-                         for slot, mate in zip(joint.slots, members[::-1], strict=True))  # fmt: skip
-        old, new = (placed[i].frame for i in (joint.members[0], members[0]))
-        position = new.point(old.local(joint.position))
-        return replace(joint, members=members, slots=(first, second), position=position)
 
     def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
         """On which end of the crossing (0 or 1) either strip is cut.

@@ -23,7 +23,6 @@ from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import turns_along
-from elastica_cad.mechanics.bending.bend_forward import bend
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.strip.made_stiffness import LapPlates
@@ -103,14 +102,8 @@ class Splice:
 
         Of a strip whose widths make up for them, what is left.
         """
-        # imported when it is asked for, as what holds strips is
-        from elastica_cad.fabrication.holding.held_shape import strayed
-        from elastica_cad.fabrication.strip.made_stiffness import PLATES
-
-        joined = replace(self.strip, plates=self.plates)
-        if self.strip.correction is not None:
-            return joined.held_deviation
-        return strayed(joined.as_made.design, bend(joined.as_made.alone(PLATES)))
+        held = replace(self.strip, plates=self.plates).held()
+        return held.deviation if held.corrected else held.parts["plates"]
 
     def __str__(self) -> str:
         """One sentence."""
@@ -286,9 +279,6 @@ def spliced(strip: Strip, shop: Shop) -> Splice | None:
     lengths = [float(np.ptp(layer.outline.bounds, axis=0)[0]) for layer in strip.layers]
     if all(length <= stock for length, stock in zip(lengths, stocks, strict=True)):
         return None
-    known = strip.plates
-    if known is not None and known.lap == shop.lap and _still_good(strip, known, stocks):
-        return Splice(strip, known.joints, known.lap, known.backing_joints)
     return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
 
 
@@ -297,20 +287,6 @@ def joined_within(strip: Strip, shop: Shop) -> Strip:
     joined = spliced(strip, shop)
     plates = None if joined is None else joined.plates
     return strip if strip.plates == plates else replace(strip, plates=plates)
-
-
-def _still_good(strip: Strip, plates: "LapPlates", stocks: Sequence[float]) -> bool:
-    """Do the plates keep off the slots, and no piece pass the stock?"""
-    joints = (plates.joints, plates.backing_joints)
-    if not all(
-        _keeps_off(slot, strip.width, at, plates.lap) for slot in strip.slots for one in joints for at in one
-    ):
-        return False
-    for layer, cuts, stock in zip(strip.layers, joints, stocks, strict=False):
-        (first, _), (last, _) = layer.outline.bounds
-        if max(np.diff([float(first), *cuts, float(last)])) > stock:
-            return False
-    return True
 
 
 def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:

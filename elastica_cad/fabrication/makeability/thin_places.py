@@ -5,20 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.fabrication.makeability.near_pairs import near_pairs
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
-COARSE = 4  # the same for a first look, which most parts pass
 FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
-OPPOSED = (
-    -0.6
-)  # dot product of the normals of cuts that face each other: at most -cos(2 arccos(FACING)) = -0.62
-LEANING = (
-    0.1  # of the least width: what leaning sides come nearer in half a step of the first look, 0.785 / 8
-)
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
 
@@ -51,10 +43,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     [1.0]
     """
     chords = _Chords.of(outlines, holes, FLAT_SHARE * least)
-    near = _places_in_question(chords, least)
-    if near is None:
-        return ()
-    points, chord = near
+    points, chord = chords.middles(least / SAMPLES_PER_WIDTH)
     i, j, width = _widths_across(points, chords.inward[chord], least)
     if not width.size:
         return ()
@@ -69,26 +58,6 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     return tuple(sorted(places, key=lambda place: place.width))
 
 
-def _places_in_question(chords: "_Chords", least: float) -> tuple[FloatArray, IntArray] | None:
-    """Points (n, 2) on the cuts, and their chords (n,), where a coarse look finds another cut near; or None."""
-    cells = chords.cells(least / COARSE)
-    points, chord = chords.middles(cells)
-    normals = chords.inward[chord]
-    i, j = near_pairs(points, least * (1 + 1 / COARSE))
-    opposed = np.einsum("ij,ij->i", normals.take(i, axis=0), normals.take(j, axis=0)) < OPPOSED
-    i, j = i[opposed], j[opposed]
-    across = points.take(j, axis=0) - points.take(i, axis=0)
-    # the walls of a slot face each other, too, but there is no material between them
-    between = (np.einsum("ij,ij->i", across, normals.take(i, axis=0)) > -LEANING * least) & (
-        np.einsum("ij,ij->i", across, normals.take(j, axis=0)) < LEANING * least
-    )
-    if not np.any(between):
-        return None
-    is_near = np.zeros(len(points), dtype=bool)
-    is_near[i[between]] = is_near[j[between]] = True
-    return chords.middles(chords.cells(least / SAMPLES_PER_WIDTH), cells, is_near)
-
-
 def _widths_across(
     points: FloatArray, normals: FloatArray, least: float
 ) -> tuple[IntArray, IntArray, FloatArray]:
@@ -96,7 +65,7 @@ def _widths_across(
 
     Of all pairs of a point only the narrowest is kept.
     """
-    i, j = near_pairs(points, least * (1 - 1e-9))
+    i, j = _near_pairs(points, least * (1 - 1e-9))
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -107,12 +76,19 @@ def _widths_across(
     return i[narrowest], j[narrowest], width[narrowest]
 
 
+def _near_pairs(points: FloatArray, reach: float) -> IntArray:
+    """The pairs (2, k) of points (n, 2) no farther apart than `reach`, the smaller number of each first."""
+    from scipy.spatial import cKDTree
+
+    return np.asarray(cKDTree(points).query_pairs(reach, output_type="ndarray").T)
+
+
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
     """The thinnest of places (k, 2) that lie within `least` of each other, directly or by others between."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
-    near = near_pairs(middle, least)
+    near = _near_pairs(middle, least)
     links = coo_matrix((np.ones(near.shape[1], dtype=bool), near), shape=(width.size, width.size))
     group = connected_components(links, directed=False)[1]
     order = np.argsort(width, kind="stable")
@@ -152,20 +128,9 @@ class _Chords:
         inward = np.column_stack([-way[:, 1], way[:, 0]]) / length[:, None]
         return cls(start, way, length, loop, inward)
 
-    def cells(self, longest: float) -> IntArray:
-        """Into how many equal cells (m,) each chord is cut, that none is longer than `longest` mm."""
-        return np.maximum(1, np.ceil(self.length / longest)).astype(np.int64)
-
-    def middles(
-        self, cells: IntArray, coarse: IntArray | None = None, chosen: BoolArray | None = None
-    ) -> tuple[FloatArray, IntArray]:
-        """The middles (n, 2) of cells and the numbers (n,) of their chords.
-
-        With `coarse`, those alone that lie in the `chosen` of coarser cells.
-        """
-        chord = np.repeat(np.arange(len(cells)), cells)
-        place = (numbers_in_groups(cells) + 0.5) / cells[chord]
-        if coarse is not None and chosen is not None:
-            within = (place * coarse[chord]).astype(np.int64) + (np.cumsum(coarse) - coarse)[chord]
-            chord, place = chord[chosen[within]], place[chosen[within]]
+    def middles(self, longest: float) -> tuple[FloatArray, IntArray]:
+        """The middles (n, 2) of equal parts no longer than `longest` mm, and the numbers (n,) of their chords."""
+        parts = np.maximum(1, np.ceil(self.length / longest)).astype(np.int64)
+        chord = np.repeat(np.arange(len(parts)), parts)
+        place = (numbers_in_groups(parts) + 0.5) / parts[chord]
         return self.start[chord] + place[:, None] * self.way[chord], chord

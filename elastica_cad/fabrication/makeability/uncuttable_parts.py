@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 import numpy as np
 
@@ -15,7 +14,7 @@ from elastica_cad.fabrication.makeability.shop import (
     Shop,
     shop_or_default,
 )
-from elastica_cad.fabrication.makeability.thin_places import FLAT_SHARE, ThinPlace, find_thin_places
+from elastica_cad.fabrication.makeability.thin_places import ThinPlace, find_thin_places
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
@@ -24,20 +23,8 @@ from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
-WIDE = 1.5
-"""Least widths between edges that lean to each other by less than `STEEPEST`: straight across there is one left."""
-
-CLEAR = 1 + 3 * FLAT_SHARE
-"""The same where tabs go on as wide as the ends: no edge comes nearer to the other than the least width, but for
-the chords of the cuts."""
-
-STEEPEST = 1.0
-"""Slope of a width along the strip."""
-
 FAR_WIDER = 2.0
 """Lengths of the stock across, beyond which a strip is told as too large and its thin places are not looked for."""
-
-_KNOWN = 256  # outlines whose thin places are kept: strips that are cut alike share theirs
 
 TIMES_AS_LONG = 4.0
 """As its width a strip is, where a narrower one is asked for: one of half of that bends as a plate."""
@@ -199,25 +186,10 @@ def _size(strip: Strip) -> tuple[float, float]:
     return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
 
 
-def _is_clearly_wide(strip: Strip, least: float) -> bool:
-    """Nothing but its two edges, and these far enough apart everywhere? Then there is nothing to be measured."""
-    if strip.slots or strip.layout.backing is not None or strip.layout.pattern is not None:
-        return False
-    if any(tab.holes or tab.t_slot or tab.taper for tab in strip.ends):
-        return False
-    across = (float(strip.width.extremes[0]), *(tab.width or np.inf for tab in strip.ends))
-    goes_on = not any(tab.width or tab.chamfer or tab.corner_radius for tab in strip.ends)
-    if min(across) <= (CLEAR if goes_on else WIDE) * least:
-        return False
-    return bool(np.abs(strip.width(strip.rod.s, 1)).max() < STEEPEST)
-
-
 def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator[Fault]:
-    if _is_clearly_wide(strip, least):
-        return
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
-    places = _thin_places(layer.outline, holes, least)
+    places = find_thin_places([layer.outline], holes, least)
     cure = "make it wider (max_width), or ask for the nearest curve with a smaller ratio"
     narrowest = min((place.width for place in places), default=least)
     changes = (*_wider(strip, least / narrowest), Change("nearest", True))
@@ -231,11 +203,6 @@ def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
     if not isinstance(strip.style, Plain):
         return ()
     return (Change("max_width", float(rounded_up(times * float(strip.width.extremes[1]), 3))),)
-
-
-@lru_cache(maxsize=_KNOWN)
-def _thin_places(outline: Path, holes: tuple[Path, ...], least: float) -> tuple[ThinPlace, ...]:
-    return find_thin_places([outline], holes, least)
 
 
 def _faults_at(

@@ -4,12 +4,9 @@ from collections.abc import Container
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from elastica_cad.fabrication.compensation import compensate_widths
-from elastica_cad.fabrication.drawings.drawing import SAME_MM
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.sheets.equal_strips import cut_key
 from elastica_cad.fabrication.strip.strip_record import Strip
 
 LARGEST = 0.15
@@ -48,11 +45,11 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         for k, (one, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):
             if one.label not in which:
                 continue
-            alike = (id(one.rod), cut.max_width, largest[k], *map(_cut_of, cut.slots))
+            alike = cut_key(cut), largest[k]
             if alike not in known:
                 known[alike] = compensate_widths(cut, largest=largest[k])
             strips[k] = _widened(replace(one, correction=known[alike].correction), wider[k])
-        locked = model.with_strips(_shared(model.strips, locked.strips, strips)).interlock(**options)
+        locked = model.with_strips(strips).interlock(**options)
         lost = _lost(first, locked)
         left = ROUNDS if lost else left - 1
         if not left:
@@ -69,12 +66,6 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         if strip.max_width is not None and one.max_width is not None and strip.max_width > one.max_width
     )
     return replace(locked, reports=(*locked.reports, *told))
-
-
-def _cut_of(slot: Slot) -> tuple[Any, ...]:
-    """What two slots that are cut alike share, to SAME_MM; whom they meet does not count."""
-    path = () if slot.path is None else tuple(np.round(slot.path.ravel() / SAME_MM).tolist())
-    return round(slot.at / SAME_MM), round(slot.width / SAME_MM), slot.side, slot.depth, *path
 
 
 def _widened(strip: Strip, scale: float) -> Strip:
@@ -103,12 +94,3 @@ def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dic
         narrower = float(before.strips[k].width(at) / after.strips[k].width(at))
         found[k] = max(1.0, narrower, found.get(k, 1.0))
     return found
-
-
-def _shared(before: tuple[Strip, ...], cut: tuple[Strip, ...], after: list[Strip]) -> list[Strip]:
-    """Strips that were one and are cut alike stay one."""
-    known: dict[tuple[int, int], Strip] = {}
-    return [
-        known.setdefault((id(one), id(slotted)), new)
-        for one, slotted, new in zip(before, cut, after, strict=True)
-    ]

@@ -1,9 +1,9 @@
 """From the flat pattern into space: centre line and normal of a bent strip as one spline of arc length."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain, pairwise
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,11 +11,11 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.solids.boundary_records import SpaceCurve, SpaceSurface
-from elastica_cad.fabrication.solids.even_sides import EvenSide
 from elastica_cad.fabrication.solids.pattern_strips import on_segment
+from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.segments import Segment
+from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.splines import (
     clamped_knots,
     interpolated,
@@ -33,7 +33,6 @@ PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the e
 LEAST_SPANS = 3  # of an edge: kernels walk from knot to knot, and fillets of one or two spans break off
 MOST_PARTS = 4  # that a span is cut into at a time
 SPARE = 1.1  # parts for every one that the error asks for
-GENTLE = 0.5  # of the curvature at which faces fold over: up to there a bound of it will do
 FIRST_TURN = 0.2  # rad, of the spans that are tried first
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -82,50 +81,24 @@ class BentMap:
 
         Exact where x runs evenly along the segment (long sides, lines); others are fitted to 5e-8 mm.
         """
-        found: dict[int, list[SpaceCurve]] = {}
-        alike: dict[tuple[float, ...], list[list[EvenSide]]] = {}
-        for i, part in enumerate(parts):
-            side = EvenSide.of(i, *part)
-            if side is None:
-                found[i] = self._fitted_curves(*part, heights)
-                continue
-            groups = alike.setdefault(side.key, [])
-            home = next((group for group in groups if side.is_over(group[0])), None)
-            if home is None:
-                groups.append(home := [])
-            home.append(side)
-        for group in chain.from_iterable(alike.values()):
-            found |= self._even_curves(group, heights)
-        return [found[i] for i in range(len(parts))]
+        found = []
+        for segment, first, last in parts:
+            even = pace(segment)
 
-    def _fitted_curves(
-        self, segment: Segment, first: float, last: float, heights: Sequence[float]
-    ) -> list[SpaceCurve]:
-        def values(t: FloatArray) -> FloatArray:
-            return self.points(on_segment(segment, t), heights).reshape(len(t), -1)
+            def values(t: FloatArray, segment: Segment = segment) -> FloatArray:
+                return self.points(on_segment(segment, t), heights).reshape(len(t), -1)
 
-        spans = np.linspace(first, last, 9)
-        knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
-        return [SpaceCurve(knots, rows[:, 3 * k : 3 * k + 3], DEGREE) for k in range(len(heights))]
-
-    def _even_curves(
-        self, sides: Sequence[EvenSide], heights: Sequence[float]
-    ) -> Iterator[tuple[int, list[SpaceCurve]]]:
-        """The curves of sides over the same x, by their numbers: across the strip alone they differ."""
-        first = sides[0]
-        knots, degree = self._common_knots(first)
-        sites = interpolation_sites(knots, degree)
-        flat = on_segment(first.segment, sites)
-        across = [(on_segment(one.segment, one.beside(sites, first)) - flat)[:, 1:] for one in sides[1:]]
-        values = self.points(flat, heights).reshape(len(sites), -1)
-        rows = interpolated(sites, np.hstack([values, *across]), knots, degree)
-        size = 3 * len(heights)
-        levels = [rows[:, k : k + 3] for k in range(0, size, 3)]
-        yield first.number, [SpaceCurve(knots, level, degree) for level in levels]
-        for side, apart in zip(sides[1:], rows[:, size:].T, strict=True):
-            own, aside = side.knots_beside(knots, degree, first), apart[:, None] * self.frame.z_axis
-            moved = [side.control_points(level + aside, first) for level in levels]
-            yield side.number, [SpaceCurve(own, points, degree) for points in moved]
+            if even is None:
+                spans, degree = np.linspace(first, last, 9), DEGREE
+                knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
+            else:
+                knots, degree = self._common_knots(segment, even, (first, last))
+                sites = interpolation_sites(knots, degree)
+                rows = interpolated(sites, values(sites), knots, degree)
+            found.append(
+                [SpaceCurve(knots, rows[:, k : k + 3], degree) for k in range(0, 3 * len(heights), 3)]
+            )
+        return found
 
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
         """The bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
@@ -144,16 +117,6 @@ class BentMap:
         along, turn = np.split(self._spline(s, 1), 2, axis=1)
         return s, -(turn * along).sum(axis=1) / (along**2).sum(axis=1)
 
-    @property
-    def most_curvature(self) -> float:
-        """What |curvature| does not exceed, nearly: a spline lies within the hull of its control points.
-
-        The centre line runs at a pace of 1, but for the error of the fit, so the normal's pace is the curvature.
-        """
-        pace = np.diff(self.coefficients[:, 2:], axis=0).T
-        pace *= DEGREE / (self.knots[DEGREE + 1 : -1] - self.knots[1 : -DEGREE - 1])
-        return float(np.hypot(*pace).max())
-
     @cached_property
     def _smoothness(self) -> tuple[FloatArray, IntArray]:
         """Interior knots with the continuity there."""
@@ -169,14 +132,18 @@ class BentMap:
     def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
         return np.asarray(self._rows(s, derivative), dtype=float)
 
-    def _common_knots(self, side: EvenSide) -> tuple[FloatArray, int]:
-        """Knots in a side's parameter in which both its shape and the map are splines."""
-        first, last = side.limits
+    def _common_knots(
+        self, segment: Segment, even: tuple[float, float], limits: tuple[float, float]
+    ) -> tuple[FloatArray, int]:
+        """Knots in the parameter of a segment with even x in which both its shape and the map are splines."""
+        (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness
-        t, degree = (t - side.offset) / side.speed, max(DEGREE, side.degree)
-        if side.knots.size:
-            t = np.concatenate([t, side.knots])
-            continuity = np.concatenate([continuity, side.continuity])
+        t, degree = (t - offset) / speed, DEGREE
+        if isinstance(segment, Spline):
+            knots, counts = knot_runs(segment.curve.knots)
+            degree = max(degree, segment.curve.degree)
+            t = np.concatenate([t, knots])
+            continuity = np.concatenate([continuity, segment.curve.degree - counts])
         near = 1e-9 * (last - first)
         order = np.argsort(t)
         order = order[(t[order] > first + near) & (t[order] < last - near)]
@@ -230,8 +197,6 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
 
 def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
     for bent in maps:
-        if bent.most_curvature * reach < GENTLE:
-            continue
         s, kappa = bent.curvature
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:

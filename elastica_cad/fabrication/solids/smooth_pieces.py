@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -28,10 +27,6 @@ NO_STEP = 1e-5
 """mm: sides that end nearer than this to each other are made to meet."""
 
 
-_smooth: WeakKeyDictionary[Path, Path] = WeakKeyDictionary()
-"""Loops in smooth pieces by the drawn ones: the flat and the bent body of a strip share them."""
-
-
 def in_smooth_pieces(path: Path) -> Path:
     """The loop with its splines cut where they kink, and a line straight across for every step of the width.
 
@@ -47,18 +42,16 @@ def in_smooth_pieces(path: Path) -> Path:
     >>> len(in_smooth_pieces(loop).segments)
     4
     """
-    if path not in _smooth:
-        if not any(_kinks(segment).size for segment in path.segments):
-            return path
-        ramp = RAMP * _reach(path)
-        smooth = [_smoothed(segment) for segment in path.segments]
-        cuts = [_cut(segment, ramp) for segment in smooth]
-        parts = iter([trim_curve(cut.curve, *ends) for cut in cuts if cut is not None for ends in cut.kept])
-        pieces: list[Segment] = []
-        for segment, cut in zip(smooth, cuts, strict=True):
-            pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
-        _smooth[path] = Path(pieces, path.closed)
-    return _smooth[path]
+    if not any(_kinks(segment).size for segment in path.segments):
+        return path
+    ramp = RAMP * _reach(path)
+    smooth = [_smoothed(segment) for segment in path.segments]
+    cuts = [_cut(segment, ramp) for segment in smooth]
+    parts = iter([trim_curve(cut.curve, *ends) for cut in cuts if cut is not None for ends in cut.kept])
+    pieces: list[Segment] = []
+    for segment, cut in zip(smooth, cuts, strict=True):
+        pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
+    return Path(pieces, path.closed)
 
 
 def _reach(path: Path) -> float:
@@ -105,7 +98,7 @@ def _smoothed(segment: Segment) -> Segment:
     sites = interpolation_sites(whole, degree)
     points = interpolated(sites, rows(sites), whole, degree)
     points[[0, -1]] = curve.control_points[[0, -1]]
-    return Spline(PlaneCurve(whole, points, degree))
+    return Spline(PlaneCurve(whole, points, degree, None))
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,4 +160,4 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
     knots[: degree + 1], knots[-degree - 1 :] = first, last
     sites = interpolation_sites(knots, degree)
     values = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)(sites)
-    return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree)
+    return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree, None)

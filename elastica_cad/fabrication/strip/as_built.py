@@ -1,20 +1,16 @@
 """How much material is left at a station of a flat part, measured on its loops, and the rod that this makes."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from itertools import pairwise
-from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray, IntArray
+from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers
-from elastica_cad.fabrication.strip.flat_outline import paces
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.paths.segments import Arc, Spline
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -22,8 +18,9 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""
 
-CHORD_MM = 1e-5
-"""Flatness of the polylines that are measured: widths are then right to a few parts in a million."""
+SPAN_CHORDS, FLAT_MM = 16, 1e-4
+"""Chords for each span of a spline, and how near they come to an arc: widths are right to a few parts in a million.
+"""
 
 
 def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:
@@ -117,82 +114,34 @@ def cell_means(values: FloatArray, nodes: int) -> FloatArray:
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
-class _Side(NamedTuple):
-    """A segment of a loop, the one after it, and the loop's number."""
-
-    segment: Segment
-    following: Segment
-    loop: int
-
-
 def _widths(loops: Sequence[Path], s: FloatArray) -> FloatArray:
     """Lengths (n,) inside loops of the lines across at `s`, summed: each loop's signed sum of its crossings' y."""
     order = np.argsort(s, kind="stable")
-    at = s[order]
-    sides = [
-        _Side(segment, following, k)
-        for k, loop in enumerate(loops)
-        for segment, following in pairwise((*loop.segments, loop.segments[0]))
-    ]
-    splines = [i for i, side in enumerate(sides) if isinstance(side.segment, Spline)]
-    motion = np.full((len(sides), 2), np.nan)
-    motion[splines] = paces([side.segment for side in sides if isinstance(side.segment, Spline)])
-    even = np.isfinite(motion[:, 0])
-    runs = [side for side, runs_evenly in zip(sides, even.tolist(), strict=True) if runs_evenly]
-    rest = [side for side, runs_evenly in zip(sides, even.tolist(), strict=True) if not runs_evenly]
-    found = [*_even_crossings(runs, motion[even], at), *_drawn_crossings(rest, at)]
-    if not found:
-        return np.zeros(s.shape)
-    loop, station, y = (np.concatenate(part) for part in zip(*found, strict=True))
-    # a loop is run round either way
-    way = np.sign(np.bincount(loop, y, minlength=len(loops)))
-    total = np.zeros(s.shape)
-    total[order] = np.bincount(station, way[loop] * y, minlength=at.size)
-    return total
+    at, total = s[order], np.zeros(s.size)
+    for loop in loops:
+        (x, y), (x1, y1) = (points := _chords(loop)).T, np.roll(points, -1, axis=0).T
+        # which chord meets which of the sorted stations: min <= s < max
+        first = np.searchsorted(at, np.minimum(x, x1), side="left")
+        count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
+        line = np.repeat(np.arange(x.size), count)
+        station = numbers_in_groups(count) + np.repeat(first, count)
+        u = (at[station] - x[line]) / (x1 - x)[line]
+        crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
+        # a loop is run round either way
+        total += np.sign(crossing.sum()) * np.bincount(station, crossing, minlength=at.size)
+    found = np.empty(s.size)
+    found[order] = total
+    return found
 
 
-Crossings: TypeAlias = tuple[IntArray, IntArray, FloatArray]
-"""Numbers (k,) of the loops, of the stations, and the signed y."""
-
-
-def _even_crossings(sides: Sequence[_Side], motion: FloatArray, at: FloatArray) -> Iterator[Crossings]:
-    """Of splines along which x runs evenly, with offset and speed (n, 2): exact."""
-    if not sides:
-        return
-    curves = [side.segment.curve for side in sides if isinstance(side.segment, Spline)]
-    owner = np.array([side.loop for side in sides])
-    x0 = np.array([side.segment.start[0] for side in sides], dtype=float)
-    x1 = np.array([side.following.start[0] for side in sides], dtype=float)
-    which, station = _met(at, x0, x1)
-    offset, speed = motion.T
-    t = np.clip((at[station] - offset[which]) / speed[which], *np.array([c.domain for c in curves])[which].T)
-    y = np.empty(t.size)
-    for own in np.split(np.argsort(which, kind="stable"), np.cumsum(np.bincount(which))[:-1]):
-        y[own] = curves[which[own[0]]].evaluate(t[own])[:, 1] if own.size else 0.0
-    yield owner[which], station, np.sign(x0 - x1)[which] * y
-
-
-def _drawn_crossings(sides: Sequence[_Side], at: FloatArray) -> Iterator[Crossings]:
-    """Of all other segments, by their chords."""
-    if not sides:
-        return
-    chords = [chord_points(side.segment, CHORD_MM)[:-1] for side in sides]
-    counts, start = np.array([len(points) for points in chords]), np.concatenate(chords)
-    owner = np.repeat([side.loop for side in sides], counts)
-    end = np.empty_like(start)
-    end[:-1] = start[1:]
-    some = counts > 0
-    end[np.cumsum(counts)[some] - 1] = np.array([side.following.start for side in sides])[some]
-    (x, y), (x1, y1) = start.T, end.T
-    line, station = _met(at, x, x1)
-    u = (at[station] - x[line]) / (x1 - x)[line]
-    crossing = np.sign(x[line] - x1[line]) * (y[line] * (1 - u) + y1[line] * u)
-    yield owner[line], station, crossing
-
-
-def _met(at: FloatArray, x0: FloatArray, x1: FloatArray) -> tuple[IntArray, IntArray]:
-    """Which line (k,) between x0 and x1 (m,) meets which of the sorted stations: min <= s < max."""
-    first = np.searchsorted(at, np.minimum(x0, x1), side="left")
-    count = np.searchsorted(at, np.maximum(x0, x1), side="left") - first
-    line = np.repeat(np.arange(x0.size), count)
-    return line, numbers_in_groups(count) + np.repeat(first, count)
+def _chords(loop: Path) -> FloatArray:
+    """Where the chords of a closed loop begin (n, 2)."""
+    rows = []
+    for segment in loop.segments:
+        parts = 1
+        if isinstance(segment, Spline):
+            parts = SPAN_CHORDS * (np.unique(segment.curve.knots).size - 1)
+        elif isinstance(segment, Arc):
+            parts = int(np.ceil(abs(segment.sweep) * np.sqrt(segment.radius / (8 * FLAT_MM))))
+        rows.append(segment.at(np.arange(parts) / parts))
+    return np.concatenate(rows)

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
@@ -18,10 +18,8 @@ from elastica_cad.geometry.paths.path_intersections import encloses, polylines_c
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
-from elastica_cad.geometry.polynomials.bernstein import binomials, scaled_bernstein
 from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans, greville
-from elastica_cad.geometry.running_sums import numbers_in_groups
 
 FIT_MM = 2e-5
 """Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""
@@ -126,70 +124,11 @@ class DiamondPattern:
             loops = [as_arcs(loop, self.arcs) for loop in loops]
         return tuple(loops)
 
-    @property
-    def is_sharp(self) -> bool:
-        """Are its holes cut as they are reckoned, with neither rounded corners nor arcs?"""
-        return self.corner_radius == 0 and self.arcs is None
-
-    def width_cut(self, ends: Ends, s: FloatArray) -> FloatArray:
-        """Summed width (n,), mm, of sharp holes at stations `s` (n,): what a line across their loops meets."""
-        order = np.argsort(s, kind="stable")
-        at = s[order]
-        begin, end, points, full = self._pieces
-        low, high = (np.clip(one, *self._between(ends)) for one in (begin, end))
-        first = np.searchsorted(at, low)
-        count = np.where(high - low > JOIN, np.searchsorted(at, high) - first, 0)
-        piece = np.repeat(np.arange(low.size), count)
-        station = numbers_in_groups(count) + np.repeat(first, count)
-        u = (at[station] - begin[piece]) / (end - begin)[piece]
-        shares = scaled_bernstein(3, u) * binomials(3)
-        w, m, diamond = np.einsum("ni,nij->jn", shares, points[piece])
-        diamonds = self.columns * diamond
-        cut = np.zeros(s.size)
-        cut[order] = np.bincount(station, np.where(full[piece], diamonds, w - m - diamonds), s.size)
-        return cut
-
-    def left_by_tips(self, s: FloatArray) -> FloatArray:
-        """About how much (n,), mm, rounded tips leave beyond sharp ones at stations `s` (n,), away from the ends.
-
-        As if sides were straight: a circle of radius r touches both sides of a tip of half angle a, its centre
-        r / sin a from the tip. Halves have half the angle of the others, and one side that is not theirs.
-        """
-        left, radius = np.zeros(s.size), self.corner_radius
-        if radius == 0:
-            return left
-        joint = self.joints[1:-1]
-        slope, at_gaps = self.slopes(joint), np.arange(joint.size) % 2 == 0
-        order = np.argsort(s, kind="stable")
-        at = s[order]
-        for side in (-1.0, 1.0):
-            tip = joint + side * self.bridge / 2
-            for half, count in (
-                (False, np.where(at_gaps, self.columns - 1, self.columns)),
-                (True, 2 * at_gaps),
-            ):
-                angle = np.arctan(slope) / (2 if half else 1)
-                reach = radius * np.cos(angle) ** 2 / np.sin(angle)
-                ends = np.sort([tip, tip + side * reach], axis=0)
-                first, last = np.searchsorted(at, ends)
-                which = np.repeat(np.arange(tip.size), last - first)
-                station = numbers_in_groups(last - first) + np.repeat(first, last - first)
-                x, a = np.abs(at[station] - tip[which]), angle[which]
-                circle = np.sqrt(np.maximum(radius**2 - (x - radius / np.sin(a)) ** 2, 0.0))
-                left += np.bincount(station, count[which] * 2 * (x * np.tan(a) - circle), s.size)
-        found = np.empty_like(left)
-        found[order] = left
-        return found
-
     def _rows_within(self, ends: Ends) -> list["_Row"]:
         """What the tabs leave of the rows."""
-        within = self._between(ends)
-        return [row for whole in self._rows if (row := whole.within(*within)) is not None]
-
-    def _between(self, ends: Ends) -> tuple[float, float]:
-        """Stations, mm, between which tabs let holes be."""
         length = self.width.length
-        return self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
+        within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
+        return [row for whole in self._rows if (row := whole.within(*within)) is not None]
 
     def _margin(self, tab: Tab, s: float) -> float:
         held = tab.width is None or tab.width >= float(self.width(s))
@@ -226,63 +165,40 @@ class DiamondPattern:
     @cached_property
     def _rows(self) -> list["_Row"]:
         """Rows of full diamonds and of the ones in the gaps between them, in turn."""
+        first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
+        first[0], last[-1] = self.joints[0], self.joints[-1]
+        stretches = self._stretches
+        middles = np.array([(one.knots[0] + one.knots[-1]) / 2 for one in stretches])
+        begins = np.searchsorted(middles, np.append(first[:1], first), side="right").tolist()
+        ends = np.searchsorted(middles, np.append(last, last[-1:]), side="left").tolist()
         return [
-            _Row(tuple(self._fitted[first:last]), self.columns, full=i % 2 == 1)
-            for i, (first, last) in enumerate(self._row_stretches.tolist())
+            _Row(tuple(stretches[begin:end]), self.columns, full=i % 2 == 1)
+            for i, (begin, end) in enumerate(zip(begins, ends, strict=True))
         ]
 
     @property
-    def _row_stretches(self) -> IntArray:
-        """First stretch of each row, and the one after its last (2 rows + 1, 2)."""
-        first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
-        first[0], last[-1] = self.joints[0], self.joints[-1]
-        middles = np.array([(one.knots[0] + one.knots[-1]) / 2 for one in self._fitted])
-        return np.column_stack(
-            [
-                np.searchsorted(middles, np.append(first[:1], first), side="right"),
-                np.searchsorted(middles, np.append(last, last[-1:]), side="left"),
-            ]
-        )
-
-    @cached_property
-    def _pieces(self) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray]:
-        """From where to where (p,) polynomials run, their Bezier coefficients (p, 4, 3), whether of full diamonds.
-
-        Row by row: most stretches are in two.
-        """
-        fitted = self._fitted
-        spans = [bezier_spans(one.knots, 3) for one in fitted]
-        begins = np.cumsum([0, *(len(one.widths) for one in spans)])
-        low = np.concatenate([one.edges[:-1] for one in spans])
-        high = np.concatenate([one.edges[1:] for one in spans])
-        points = np.concatenate([one.bezier(own.values) for one, own in zip(spans, fitted, strict=True)])
-        first, last = begins[self._row_stretches].T
-        piece = numbers_in_groups(last - first) + np.repeat(first, last - first)
-        return low[piece], high[piece], points[piece], np.repeat(np.arange(first.size) % 2 == 1, last - first)
-
-    @cached_property
-    def _fitted(self) -> "list[_Stretch]":
+    def _stretches(self) -> list["_Stretch"]:
         """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
         inner = self.joints[1:-1]
         tips = np.concatenate([inner - self.bridge / 2, inner + self.bridge / 2])
         cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
-        rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
         low, high = cuts[:-1], cuts[1:]
         inset = INSET * (high - low)
         starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
         ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
-        fitted = []
-        for i in range(low.size):
-            knots, values = adaptive_spline(
-                self._values, (low[i] + inset[i], high[i] - inset[i]), degree=3, tolerance=FIT_MM, breaks=rough,
-                rounding=FIT_ROUNDING,
-            )  # fmt: skip
+        rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
+        splines = [
+            adaptive_spline(
+                self._values, ends, degree=3, tolerance=FIT_MM, breaks=rough, rounding=FIT_ROUNDING
+            )
+            for ends in np.column_stack([low + inset, high - inset]).tolist()
+        ]
+        for i, (knots, values) in enumerate(splines):
             knots[:4], knots[-4:] = low[i], high[i]
             values[0], values[-1] = starts[i], ends[i]
-            fitted.append(_Stretch(knots, values))
-        return fitted
+        return [_Stretch(knots, values) for knots, values in splines]
 
     def _values(self, s: FloatArray) -> FloatArray:
         """Width, material, and the width of a full diamond (n, 3), mm."""

@@ -1,12 +1,12 @@
 """The rim of a flat part: two long sides from a width, and the tabs at both ends."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from math import dist
 
 import numpy as np
 
-from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -94,35 +94,11 @@ def pace(segment: Segment) -> tuple[float, float] | None:
         return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
     if not isinstance(segment, Spline) or segment.curve.is_rational:
         return None
-    curve = segment.curve
-    offset, speed, even = _motion(curve.knots, curve.degree, curve.control_points[:, 0])
-    return (float(offset), float(speed)) if even else None
-
-
-def paces(splines: Sequence[Spline]) -> FloatArray:
-    """The `pace` (n, 2) of many splines, nan where there is none."""
-    found = np.full((len(splines), 2), np.nan)
-    alike: dict[tuple[int, int], list[int]] = {}
-    for i, spline in enumerate(splines):
-        curve = spline.curve
-        if not curve.is_rational:
-            alike.setdefault((curve.degree, curve.knots.size), []).append(i)
-    for (degree, _), rows in alike.items():
-        knots = np.array([splines[i].curve.knots for i in rows])
-        x = np.array([splines[i].curve.control_points[:, 0] for i in rows])
-        offset, speed, even = _motion(knots, degree, x)
-        found[rows] = np.where(even[:, None], np.column_stack([offset, speed]), np.nan)
-    return found
-
-
-def _motion(knots: FloatArray, degree: int, x: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
-    """Offset, speed and whether x runs evenly, of one spline or of as many as there are rows."""
-    sites = greville(knots, degree)
-    speed = (x[..., -1] - x[..., 0]) / (sites[..., -1] - sites[..., 0])
-    offset = x[..., 0] - speed * sites[..., 0]
-    stray = np.abs(offset[..., None] + speed[..., None] * sites - x).max(axis=-1)
-    even = (stray <= EVEN * np.maximum(1.0, np.abs(x).max(axis=-1))) & (speed != 0)
-    return offset, speed, even
+    x, sites = segment.curve.control_points[:, 0], greville(segment.curve.knots, segment.curve.degree)
+    speed = float((x[-1] - x[0]) / (sites[-1] - sites[0]))
+    offset = float(x[0] - speed * sites[0])
+    stray = np.abs(offset + speed * sites - x).max()
+    return (offset, speed) if speed and stray <= EVEN * max(1.0, np.abs(x).max()) else None
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:

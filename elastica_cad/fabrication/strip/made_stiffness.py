@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holding.held_shape import ANTICLASTIC
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import cell_means, cell_stations
@@ -130,43 +130,35 @@ class Curl:
     ----------
     designed : (n,) array
         The factor of the nodes where they are bent as designed.
-    factor, plated : BendFactor
-        The factor, and that of a strip with plates over its joints: there it is twice as thick, and curls as if it
-        were narrower.
+    factor : BendFactor
     """
 
     designed: FloatArray
     factor: BendFactor
-    plated: BendFactor
 
-    def on(self, made: Rod, *, plated: bool = False) -> Rod:
+    def on(self, made: Rod) -> Rod:
         """A rod that is as stiff as made where it is bent as designed, and follows its bend elsewhere."""
-        factor, below = self.plated if plated else self.factor, made.law
+        below = made.law
         if isinstance(below, CurlingLaw):  # of a design that was led elsewhere, which curls in the same way
             below = below.below
-        return replace(made, law=CurlingLaw(factor, self.designed, made.natural_curvature, below))
+        return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
 
 
-def curl_of(rod: Rod, layout: Layout, covered: ArrayLike = 0.0) -> Curl | None:
+def curl_of(rod: Rod, layout: Layout) -> Curl | None:
     """How a strip curls about its design; None where that changes nothing or a section knows its own.
 
-    `covered` is the share (n,) of each node's cell under a plate; plates on a laminate leave its curl as it is.
+    Where plates lie over joints it curls as without them.
     """
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
         table = LaminateCurl.about(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
-        return Curl(table(rod.curvature), table, table)
+        return Curl(table(rod.curvature), table)
     nu = layout.sheet.poisson_ratio
     if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
         return None
-    # what counts is width^2 over thickness
-    breadth = _breadth(layout, s)
-    bare, plated = (
-        SheetCurl(wide, layout.sheet.thickness, nu, rest)
-        for wide in (breadth, breadth / np.sqrt(1 + np.asarray(covered)))
-    )
-    return Curl(bare(rod.curvature), bare, plated)
+    factor = SheetCurl(_breadth(layout, s), layout.sheet.thickness, nu, rest)
+    return Curl(factor(rod.curvature), factor)
 
 
 def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:

@@ -8,15 +8,14 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holding.held_shape import ANTICLASTIC, HeldShape, Seats, strayed
+from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, strayed
 from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
-from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.rest_in_seats import EndPose, rest_in_seats
+from elastica_cad.fabrication.holding.width_correction import shape_responses
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.as_built import cell_stations, material_width, rod_as_built
-from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
-from elastica_cad.fabrication.strip.flat_outline import Ends, end_holes, fix_tab_widths, flat_rim
+from elastica_cad.fabrication.strip.as_built import rod_as_built
+from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths
 from elastica_cad.fabrication.strip.made_stiffness import (
-    BORDERS,
     PLATES,
     Curl,
     LapPlates,
@@ -32,9 +31,6 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 
 HELD_NODES = 241
 """Of the rod that is bent in its holders: its own error is some millionths of the length."""
-
-FEW_HOLES = 300
-"""Rounded holes that are drawn and measured in no longer than a strip is bent."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,12 +76,10 @@ class StripAsMade:
         slots: Sequence[Slot],
         plates: LapPlates | None,
         whole: Callable[[], Sequence[Layer]],
-        beyond: FloatArray | None = None,
     ) -> "StripAsMade":
         """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates.
 
-        `whole` gives its layers without slots, where they are needed; with `beyond` holes need not be drawn: see
-        `left_beyond`.
+        `whole` gives its layers without slots, where they are needed.
         """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
@@ -99,35 +93,30 @@ class StripAsMade:
             design,
             layout.bending_stiffness,
             (first, last),
-            rod_as_built(design, layout, _widths_left(layout, ends, whole, beyond)),
+            rod_as_built(design, layout, [layer.material for layer in whole()]),
             shares,
             layout.pattern is not None or layout.backing is not None,
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
             if ends[1].length and closes(rod)
             else None,
-            curl_of(design, layout, 0.0 if plates is None else plates.covered(design.s, layout.sheet)),
+            curl_of(design, layout),
         )
 
     @cached_property
     def rod(self) -> Rod:
         """The rod with all causes together, whose stiffness follows its bend: out of balance until bent."""
         made = with_shares(self.cut, list(self.shares.values()))
-        return self._curling(made if self.lap is None else _lapped(made, self.lap), plated=True)
+        made = made if self.lap is None else _lapped(made, self.lap)
+        return made if self.curl is None else self.curl.on(made)
 
     @property
     def as_plate(self) -> bool:
         """Are its widths made by how the strip curls across?"""
         return self.design.follows_bend
 
-    def alone(self, cause: str) -> Rod:
-        """The rod with one of the causes in `shares` alone: out of balance until bent."""
-        made, plated = with_shares(self.cut, [self.shares[cause]]), cause == PLATES
-        follows = self.as_plate or cause in (ANTICLASTIC, BORDERS)
-        return self._curling(made, plated=plated) if follows else made
-
-    def tab_ratios(self, rod: Rod | None = None) -> tuple[float, float]:
-        """E I of the tabs at start and end over the B of a rod made of the design, or of the design itself."""
-        B = self.bending_stiffness if rod is None else rod.bending_stiffness or self.bending_stiffness
+    def tab_ratios(self, rod: Rod) -> tuple[float, float]:
+        """E I of the tabs at start and end over the B of a rod made of the design."""
+        B = rod.bending_stiffness or self.bending_stiffness
         return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
 
     def rest(self, seats: Seats = (None, None)) -> Rod:
@@ -154,71 +143,42 @@ class StripAsMade:
     def held(self, seats: Seats, asked: "StripAsMade") -> HeldShape:
         """The same with what each cause does alone to the strip as it was asked for, before any correction."""
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
-        parts = asked.deviations_alone(seats)
         return HeldShape(
             as_bent(rod),
-            strayed(self.design, rod),
-            parts,
+            strayed(self.design, rod.position),
+            asked.parts(seats, poses),
             *poses,
             corrected=asked is not self,
             as_plate=self.as_plate,
         )
 
-    def deviations_alone(self, seats: Seats) -> dict[str, float]:
-        """How far, mm, each cause alone takes the strip from its design."""
-        alone = {cause: self.alone(cause) for cause in self.shares}
+    def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
+        """How far, mm, each cause alone takes the strip from its design, to first order about the strip as made.
+
+        A cause bends each node by more or less under the designed moment, or moves and turns an end.
+        """
+        design, made = self.design, self.loaded
+        K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
+        bends = {cause: elastic * (1 / share - 1) for cause, share in self.shares.items()}
         if self.approximated:
-            alone["fit of the drawing"] = self.cut
+            share = self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.bending_stiffness)
+            bends["fit of the drawing"] = elastic * (1 / share - 1)
         if self.lap is not None:
-            alone["lap joint"] = self._by_design(_lapped(self.cut, self.lap))
-        shapes = {cause: rest_in_seats(made, self.design, (None, None))[0] for cause, made in alone.items()}
-        one_seat: tuple[Seats, Seats] = (seats[0], None), (None, seats[1])
-        for end, seat, one in zip(("start", "end"), seats, one_seat, strict=True):
+            bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)
+        shifts = {cause: np.zeros((2, 2)) for cause in bends}  # of the start and the end
+        cells = design.discrete.node_lengths
+        for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
             if seat is not None:
-                bent, _ = rest_in_seats(self._by_design(self.design), self.design, one, self.tab_ratios())
-                shapes[f"{end}: {seat.name}"] = bent
-        return {cause: strayed(self.design, shape) for cause, shape in shapes.items()}
-
-    def _curling(self, made: Rod, *, plated: bool = False) -> Rod:
-        return made if self.curl is None else self.curl.on(made, plated=plated)
-
-    def _by_design(self, made: Rod) -> Rod:
-        """Does the design itself count on its curl?"""
-        return self._curling(made) if self.as_plate else made
-
-
-def left_beyond(
-    design: Rod, layout: Layout, ends: Ends, whole: Callable[[], Sequence[Layer]]
-) -> FloatArray | None:
-    """What rounded and arc-sided holes leave (n,), mm, at `cell_stations` beyond what is reckoned without loops.
-
-    None where there are no such holes, or so few that they are drawn as fast.
-    """
-    pattern = layout.pattern
-    if layout.backing is not None or not isinstance(pattern, DiamondPattern) or pattern.is_sharp:
-        return None
-    base, s = whole()[0], cell_stations(design)
-    return base.material(s) - _left_by(pattern, layout, ends)(s) if len(base.holes) > FEW_HOLES else None
-
-
-def _widths_left(
-    layout: Layout, ends: Ends, whole: Callable[[], Sequence[Layer]], beyond: FloatArray | None
-) -> list[Callable[[FloatArray], FloatArray]]:
-    """Of each layer the width (n,), mm, left at stations (n,); sharp holes are reckoned without their loops."""
-    pattern = layout.pattern
-    if layout.backing is None and isinstance(pattern, DiamondPattern):
-        left = _left_by(pattern, layout, ends)
-        if pattern.is_sharp:
-            return [left]
-        if beyond is not None:
-            return [lambda s: left(s) + beyond]
-    return [layer.material for layer in whole()]
-
-
-def _left_by(pattern: DiamondPattern, layout: Layout, ends: Ends) -> Callable[[FloatArray], FloatArray]:
-    """The width left, reckoned without loops: right for sharp holes, about right at rounded tips."""
-    rim, holes = flat_rim(layout.width, ends), end_holes(layout.width, ends)
-    return lambda s: material_width(rim, holes, s) - pattern.width_cut(ends, s) + pattern.left_by_tips(s)
+                cause, angle = f"{('start', 'end')[k]}: {seat.name}", float(design.angle[-k])
+                bends[cause], shifts[cause] = np.zeros(n), np.zeros((2, 2))
+                bends[cause][-k] = (-pose.turn if k else pose.turn) / cells[-k]
+                shifts[cause][k] = pose.shift * np.array([-np.sin(angle), np.cos(angle)])
+        if not bends:
+            return {}
+        moments = -made.stiffness[:, None] * np.column_stack([*bends.values()])
+        ends = np.array([*shifts.values()])
+        moved = ends[None, :, 0] + shape_responses(made, moments, apart=ends[:, 1] - ends[:, 0])
+        return {cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)}
 
 
 def _lapped(made: Rod, lap: LapJoint) -> Rod:

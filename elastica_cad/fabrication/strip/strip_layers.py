@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from operator import is_
 
 import numpy as np
 
@@ -66,10 +65,6 @@ class Layer:
     def high(self) -> float:
         """Height of its upper face, mm."""
         return self.low + self.sheet.thickness
-
-    def runs_as(self, other: "Layer") -> bool:
-        """Are its loops those of the other one, not only equal to them?"""
-        return self.outline is other.outline and all(map(is_, self.holes, other.holes))
 
     def called(self, strip: str) -> str:
         """Its name in files: that of the strip, and what it is of it."""

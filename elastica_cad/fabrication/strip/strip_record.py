@@ -392,16 +392,9 @@ class Strip:
     @cached_property
     def as_made(self) -> "StripAsMade":
         """The strip with all that changes its stiffness, to be held: see `held`."""
-        return self._made()
-
-    def nearly_as_made(self, beyond: FloatArray) -> "StripAsMade":
-        """The same without drawing its holes: `beyond` is the `left_beyond` of a strip of almost these widths."""
-        return self._made(beyond)
-
-    def _made(self, beyond: FloatArray | None = None) -> "StripAsMade":
         from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 
-        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole, beyond)
+        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 
     def whole(self) -> tuple[Layer, ...]:
         """Its layers without slots."""

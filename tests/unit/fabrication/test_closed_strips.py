@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.self_contact import self_contact
+from elastica_cad.fabrication.interlocking.collisions import self_contact
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.tabs import Tab

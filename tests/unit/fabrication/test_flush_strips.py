@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from elastica_cad.fabrication.interlocking.missing_slots import missing_slots, tell_missing_slots
+from elastica_cad.fabrication.interlocking.collisions import missing_slots, tell_missing_slots
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
-from elastica_cad.fabrication.interlocking.interlock import interlock, slot_width
-from elastica_cad.fabrication.interlocking.missing_slots import missing_slots, tell_missing_slots
+from elastica_cad.fabrication.interlocking.collisions import missing_slots, tell_missing_slots
+from elastica_cad.fabrication.interlocking.interlock import slot_width
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.equal_strips import cut_key
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -414,7 +414,7 @@ def test_slots_that_were_there_stay():
     assert [slot.at for slot in joined.strips[0].slots] == [20, pytest.approx(50)]
 
 
-def test_strips_that_are_slotted_alike_are_cut_once_under_their_own_names():
+def test_strips_that_are_slotted_alike_have_one_key():
     rod = Rod.straight(100.0)
     ribs = [
         Placed(
@@ -432,54 +432,12 @@ def test_strips_that_are_slotted_alike_are_cut_once_under_their_own_names():
     for other, label in zip(others, ("R1", "R2"), strict=True):
         assert other.label == label
         assert [slot.mate for slot in other.slots] == ["L0", "L1"]
-        assert other.layers is first.layers
-    crept = replace(first, creep=0.1, label="R3")
-    assert cut_as_known(crept, [first]) is crept
+        assert cut_key(other) == cut_key(first)
+    assert cut_key(replace(first, creep=0.1)) != cut_key(first)
     turned_over = replace(first, slots=tuple(slot.mirrored() for slot in first.slots))
-    assert cut_as_known(turned_over, [first]) is turned_over
-    farther = tuple(replace(slot, path=slot.path + np.array([1e-6, 0.0])) for slot in first.slots)
-    moved = replace(first, slots=farther)
-    assert cut_as_known(moved, [first]) is moved
-
-
-def hexagon(count, *, made_alike):
-    """Some sides of a hexagon, each bent, that cross near their ends."""
-    rod = optimal_rod(PlaneCurve.spline([(-60, -80), (-20, -88), (0, -90), (20, -88), (60, -80)]))
-    placed = []
-    for k in range(count):
-        x = np.array([np.cos(np.pi / 3 * k), np.sin(np.pi / 3 * k), 0.02])
-        strip = Strip(rod if made_alike else replace(rod), CARD, max_width=12, label=f"H{k}")
-        placed.append(Placed(strip, (5, 3, k), x / np.hypot(1, 0.02), np.cross((0, 0, 1), x)))
-    return placed
-
-
-@pytest.mark.parametrize("above", [None, (0, 0, 1)])
-def test_pairs_that_are_placed_alike_are_crossed_once_and_as_each_by_itself(monkeypatch, above):
-    each = interlock(hexagon(5, made_alike=False), above=above)
-    asked = []
-
-    def spied(a, b):
-        asked.append((a, b))
-        return strip_crossings(a, b)
-
-    monkeypatch.setattr("elastica_cad.fabrication.interlocking.interlock.strip_crossings", spied)
-    once = interlock(hexagon(5, made_alike=True), above=above)
-    assert len({joint.members for joint in each.joints}) > len(asked)
-    assert [joint.members for joint in once.joints] == [joint.members for joint in each.joints]
-    assert once.reports == each.reports
-    for known, own in zip(once.joints, each.joints, strict=True):
-        np.testing.assert_allclose(known.position, own.position, atol=1e-9)
-        np.testing.assert_allclose(known.angle, own.angle, atol=1e-9)
-        for a, b in zip(known.slots, own.slots, strict=True):
-            assert (a.mate, a.side) == (b.mate, b.side)
-            np.testing.assert_allclose(a.path, b.path, atol=1e-9)
-            np.testing.assert_allclose(a.widths, b.widths, atol=1e-9)
-
-
-def test_pairs_that_are_placed_alike_collide_as_each_by_itself():
-    both = [interlock(hexagon(5, made_alike=alike)) for alike in (True, False)]
-    once, each = (missing_slots(found.placed, found.joints) for found in both)
-    assert once == each
+    assert cut_key(turned_over) != cut_key(first)
+    farther = tuple(replace(slot, path=slot.path + np.array([1e-5, 0.0])) for slot in first.slots)
+    assert cut_key(replace(first, slots=farther)) != cut_key(first)
 
 
 def test_strips_that_are_clearly_apart_are_told_with_their_room():

@@ -7,12 +7,9 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.makeability.near_pairs import near_pairs
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.thin_places import find_thin_places
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
-    CLEAR,
-    STEEPEST,
     find_plate_faults,
     find_slot_faults,
     find_strip_faults,
@@ -53,19 +50,6 @@ def test_the_neck_lies_where_the_width_is_least():
     (place,) = find_thin_places([Strip(rod, PLYWOOD, max_width=8.0).outline], [], 3.0)
     assert place.width == pytest.approx(2.0, abs=0.03)
     assert place.x == pytest.approx(100.0, abs=1.0)
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_no_edge_is_nearer_to_the_other_than_the_least_width(seed):
-    """Strips as narrow as may be told without measuring, leaning as much as they may, measured all the same."""
-    rng, least = np.random.default_rng(seed), 3.0
-    waves = np.sin(np.linspace(0.0, rng.uniform(3, 40), 301) + rng.uniform(0, 6))
-    narrow = strip(2 + waves, max_width=None, min_width=1.0)
-    steepest = float(np.abs(narrow.width(narrow.rod.s, 1)).max())
-    bulge = min(2.0, 0.9 * STEEPEST / (steepest * CLEAR * least))  # of the width beyond the least one
-    narrow = strip(1 + bulge * (1 + waves), max_width=None, min_width=1.0001 * CLEAR * least)
-    assert find_strip_faults(narrow, Shop(least_width=least)) == ()
-    assert find_thin_places([narrow.outline], [], least) == ()
 
 
 def test_a_slot_that_leaves_a_neck():
@@ -133,17 +117,6 @@ def test_a_sheet_has_limits_of_its_own():
 def test_limits_that_make_no_sense(limits):
     with pytest.raises(InputError):
         Shop(**limits)
-
-
-@pytest.mark.parametrize(("count", "reach"), [(1, 1.0), (2, 9.0), (400, 0.05), (300, 0.7), (400, 1e-6)])
-def test_near_pairs_are_all_that_are_near(count, reach):
-    rng = np.random.default_rng(count)
-    points = rng.uniform(-2.0, 1.0, (count, 2)) * (1.0, 0.3)
-    points[: count // 4] = points[count // 4 : 2 * (count // 4)]  # some lie on each other
-    i, j = np.triu_indices(count, 1)
-    near = np.hypot(*(points[i] - points[j]).T) <= reach
-    found = near_pairs(points, reach)
-    assert sorted(map(tuple, found.T.tolist())) == list(zip(i[near].tolist(), j[near].tolist(), strict=True))
 
 
 def test_what_misses_by_less_than_usual_digits_show_is_told_with_more():

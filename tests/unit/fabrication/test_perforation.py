@@ -1,7 +1,6 @@
 """Perforated strips: ligaments that sum up to the stiffness, holes that can be cut, refusals that say where."""
 
 import re
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,14 +8,10 @@ import shapely
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.compensation import ENOUGH_SHARE, compensate_widths
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip import strip_as_made
-from elastica_cad.fabrication.strip.as_built import material_width
-from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
 from elastica_cad.mechanics.material.plain_section import PerforatedSection
@@ -70,58 +65,11 @@ def test_ligaments_sum_up_to_the_stiffness(rod, style):
     assert not strip.layout.warnings
 
 
-@pytest.mark.campaign
-@pytest.mark.parametrize(
-    "ends",
-    [
-        (ec.Tab(8.0), ec.Tab(8.0)),
-        (ec.Tab(8.0, width=9.0), ec.Tab(0.0)),
-        (ec.Tab(9.0, holes=(Hole(4.0, 3.0),)), ec.Tab(5.0)),
-    ],
-)
-def test_what_sharp_holes_leave_is_reckoned_as_their_loops_leave_it(rod, ends):
-    knots = np.concatenate([np.repeat(at * rod.length, 4) for at in (0.0, 0.4, 1.0)])
-    for width in (wavy, ec.Profile(knots, np.repeat([30.0, 36.0], 4))):
-        strip = ec.Strip(rod, CARD, style=Perforated(width=width, columns=3, rows=8), ends=ends)
-        (layer,), s = strip.layers, (np.arange(STATIONS) + 0.5) * rod.length / STATIONS
-        left = material_width(layer.outline, (), s) - strip.layout.pattern.width_cut(strip.ends, s)
-        assert left == pytest.approx(layer.material(s), abs=1e-9)
-        assert left == pytest.approx(ligament_sum(strip, s), abs=1e-3)
-
-
 def test_sharp_holes_leave_the_exact_sum_even_at_the_tips(rod):
     strip = ec.Strip(rod, CARD, style=Perforated(width=wavy, columns=2, rows=6))
     near = strip.layout.pattern.joints[1:-1, None] + np.linspace(-0.4, 0.4, 41)
     s = near.ravel()
     assert strip.layers[0].material(s) == pytest.approx(strip.layout.material(s), rel=2e-5)
-
-
-@pytest.mark.parametrize("radius", [0.1, 0.3])
-def test_rounded_tips_leave_about_as_much_as_is_reckoned_without_them(rod, radius):
-    strip = ec.Strip(rod, CARD, style=Perforated(width=wavy, columns=2, rows=6, corner_radius=radius))
-    s, pattern = (np.arange(STATIONS) + 0.5) * rod.length / STATIONS, strip.layout.pattern
-    more = strip.layers[0].material(s) - (strip.layout.width(s) - pattern.width_cut(strip.ends, s))
-    middles = (pattern.joints[:-1] + pattern.joints[1:]) / 2
-    at_tips, reckoned = (
-        np.histogram(s, middles, weights=left)[0] for left in (more, pattern.left_by_tips(s))
-    )
-    assert at_tips.min() > 0
-    assert reckoned == pytest.approx(at_tips, rel=0.3)
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("style", [{"corner_radius": 0.1}, {"sides": "arc"}])
-def test_widths_are_compensated_alike_where_holes_are_not_drawn_at_every_step(monkeypatch, style):
-    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
-    perforated = Perforated(width=30.0, columns=3, rows=25, least_ligament=0.4, **style)
-    strip = ec.Strip(ec.optimal_rod(arch), ec.Sheet.named("birch-plywood-0.8"), style=perforated)
-    drawn = compensate_widths(strip)
-    monkeypatch.setattr(strip_as_made, "FEW_HOLES", 0)
-    monkeypatch.setattr(DiamondPattern, "paths", counted := Counted(DiamondPattern.paths))
-    reckoned = compensate_widths(replace(strip))
-    assert counted.calls <= 4
-    assert drawn.held_deviation < strip.held_deviation / 5
-    assert abs(reckoned.held_deviation - drawn.held_deviation) < ENOUGH_SHARE * strip.rod.length
 
 
 class Counted:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
+from elastica_cad.fabrication.interlocking.collisions import missing_slots
 from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.kit.kit_contents import kit_of
 

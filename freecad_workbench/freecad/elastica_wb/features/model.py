@@ -28,7 +28,7 @@ from freecad.elastica_wb.solving.strip_cache import bent_shape
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.lettering import engravable
-from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
+from elastica_cad.fabrication.interlocking.collisions import missing_slots
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip

@@ -17,7 +17,7 @@ from freecad.elastica_wb.shapes.drawn_meshes import mesh_of
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.plane_faces import plane_face
-from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove
+from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.placed_curve import placed_curve
@@ -86,39 +86,19 @@ def _frame_about(normal: tuple[float, float, float]) -> Frame:
     return Frame(x_axis=x, y_axis=y)
 
 
-def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Part.Shape:
+def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
     """A record as a solid."""
     if isinstance(record, PrismSolid):
         first, *rest = (make_solid(prism) for prism in record.added)
         whole = first.multiFuse(rest) if rest else first
         holes = [make_solid(prism) for prism in record.removed]
         return (whole.cut(holes) if holes else whole).removeSplitter()
-    if isinstance(record, RoundGroove):
-        return _groove(record)
     if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))
     boundary = record.boundary
     # a view draws it at once; elsewhere triangles are of no use, and boxes are drawn around them
     return _read(brep_bytes(boundary, mesh=mesh_of(boundary) if App.GuiUp else None))
-
-
-def _groove(record: RoundGroove) -> Part.Shape:
-    """A piece of a cylinder or a torus, or a ball."""
-    way, frame = record.way, record.start
-    if record.is_dent:
-        shape = Part.makeSphere(record.radius)
-    elif isinstance(way, Line):
-        shape = Part.makeCylinder(record.radius, record.length)
-    else:
-        origin, up = App.Vector(), App.Vector(0, 0, 1)
-        turn = float(np.degrees(abs(way.sweep)))
-        shape = Part.makeTorus(way.radius, record.radius, origin, up, 0, 360, turn)
-    shape.Placement = App.Placement(
-        App.Matrix(*np.column_stack([frame.axes.T, frame.origin]).ravel().tolist())
-    )
-    mitres = [make_solid(block) for block in record.mitres]
-    return shape.cut(mitres) if mitres else shape
 
 
 def _read(brep: bytes) -> Part.Shape:
