@@ -312,9 +312,10 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
         write_cutting_files([feature], tmp_path / "stopped", kinds=kinds, step=lambda done: done < 1)
     assert not list((tmp_path / "stopped").glob("*"))
     again = write_cutting_files([feature], tmp_path / "again", kinds=kinds)
-    assert [a.read_bytes() == b.read_bytes() for a, b in zip(files, again, strict=True)] == [True] * len(
-        files
-    )
+    alike = [
+        a.read_bytes() == b.read_bytes() for a, b in zip(files, again, strict=True) if a.suffix != ".step"
+    ]
+    assert alike == [True] * (len(files) - 1)
     names = [cut.piece.name for cut in cuts_of([feature, document.copyObject(feature)])]
     assert len(set(names)) == 2
     with pytest.raises(InputError, match="nothing to cut"):

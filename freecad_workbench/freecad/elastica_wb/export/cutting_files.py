@@ -5,7 +5,6 @@
 
 import csv
 import io
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
@@ -32,9 +31,6 @@ from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.bent_blank import tell_blank
-from elastica_cad.kernel.step_text import canonical_step
-
-HEADER = re.compile(rb"FILE_NAME\(\s*'[^']*'\s*,\s*'[^']*'")
 
 KINDS = ("dxf", "svg", "step", "csv", "nest")
 
@@ -133,15 +129,8 @@ def _write_step(obj: Any, path: Path) -> None:
             objects.append(body)
         document.recompute()
         Import.export(objects, str(path))
-        path.write_bytes(_lasting(path))
     finally:
         App.closeDocument(document.Name)
-
-
-def _lasting(path: Path) -> bytes:
-    """The same bytes for the same design: a name and no time instead of a temporary folder and today's."""
-    name = f"FILE_NAME('{path.stem}','2000-01-01T00:00:00'".encode("ascii", "replace")
-    return canonical_step(HEADER.sub(lambda _: name, path.read_bytes(), count=1))
 
 
 def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
