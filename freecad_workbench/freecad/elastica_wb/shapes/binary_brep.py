@@ -11,9 +11,8 @@ from functools import lru_cache
 from struct import pack
 
 import numpy as np
-from freecad.elastica_wb.shapes.drawn_meshes import FaceMesh, Mesh
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.solids.boundary_records import (
     Boundary,
     CylinderSurface,
@@ -54,11 +53,8 @@ _FLAGS = {
 _KINDS = [bytes([kind]) for kind in range(_VERTEX + 1)]
 
 
-def brep_bytes(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM, mesh: Mesh | None = None) -> bytes:
-    """A closed boundary as a solid, an open one as a shell, with the triangles of a mesh.
-
-    Edges end within `gap` mm of their vertices.
-    """
+def brep_bytes(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> bytes:
+    """A closed boundary as a solid, an open one as a shell; edges end within `gap` mm of their vertices."""
     tables = _Tables()
     vertices = [tables.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
@@ -72,22 +68,16 @@ def brep_bytes(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM, mesh: Mesh 
             start, end = _trace_ends(use.trace, *limits)
             ends = *_turned(turn, start), *_turned(turn, end)
             traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends))
-    for number, face in enumerate(mesh.faces if mesh is not None else (), start=1):
-        tables.triangulations.append(_triangulation(face, mesh.off))
-        for edge, nodes in face.edges:
-            polygon = _added(tables.polygons, _polygon(nodes, mesh.parameters[edge], mesh.off))
-            traces[edge].append(pack("<B3i", 6, polygon, number, 0))
     edges = [
         tables.edge(edge, (vertices[edge.start], vertices[edge.end]), rows)
         for edge, rows in zip(boundary.edges, traces, strict=True)
     ]
     faces = []
-    for number, (face, surface) in enumerate(zip(boundary.faces, surfaces, strict=True), start=1):
+    for face, surface in zip(boundary.faces, surfaces, strict=True):
         wires = [
             tables.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop]) for loop in face.loops
         ]
-        drawn = b"\1" if mesh is None else pack("<Bi", 2, number)
-        head = pack("<?d2i", False, EDGE_TOLERANCE_MM, surface, 0) + drawn
+        head = pack("<?d2iB", False, EDGE_TOLERANCE_MM, surface, 0, 1)
         faces.append((tables.shape(_FACE, head, [(wire, True) for wire in wires]), face.outward))
     closed = boundary.is_closed
     whole = tables.shape(_SHELL, b"", faces, closed=closed)
@@ -103,8 +93,6 @@ class _Tables:
         self.traces: list[bytes] = []
         self.curves: list[bytes] = []
         self.surfaces: list[bytes] = []
-        self.polygons: list[bytes] = []
-        self.triangulations: list[bytes] = []
         self.shapes: list[tuple[bytes, Sequence[tuple[int, bool]]]] = []
 
     def shape(
@@ -131,24 +119,13 @@ class _Tables:
             (b"Curve2ds", self.traces),
             (b"Curves", self.curves),
             (b"Polygon3D", []),
-            (b"PolygonOnTriangulations", self.polygons),
+            (b"PolygonOnTriangulations", []),
             (b"Surfaces", self.surfaces),
-            (b"Triangulations", self.triangulations),
+            (b"Triangulations", []),
             (b"\nTShapes", [row + b"*" for row in shapes]),
         )
         rows = [b"%s %d\n%s" % (name, len(table), b"".join(table)) for name, table in tables]
         return b"".join([_HEAD, *rows, pack("<3i", whole, 0, 0)])
-
-
-def _triangulation(face: FaceMesh, off: float) -> bytes:
-    head = pack("<2i?d", len(face.points), len(face.triangles), False, off)
-    return head + _reals(face.points) + (face.triangles + 1).astype("<i4").tobytes()
-
-
-def _polygon(nodes: IntArray, parameters: FloatArray, off: float) -> bytes:
-    count = nodes.size
-    numbers = [node + 1 for node in nodes.tolist()]
-    return pack(f"<{count + 1}id?{count}d", count, *numbers, off, True, *parameters.tolist())
 
 
 def _added(table: list[bytes], row: bytes) -> int:

@@ -13,7 +13,6 @@ import FreeCAD as App
 import numpy as np
 import Part
 from freecad.elastica_wb.shapes.binary_brep import EDGE_TOLERANCE_MM, brep_bytes
-from freecad.elastica_wb.shapes.drawn_meshes import mesh_of
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.plane_faces import plane_face
@@ -98,9 +97,7 @@ def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Part.Shape:
     if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))
-    boundary = record.boundary
-    # a view draws it at once; elsewhere triangles are of no use, and boxes are drawn around them
-    return _read(brep_bytes(boundary, mesh=mesh_of(boundary) if App.GuiUp else None))
+    return _read(brep_bytes(record.boundary))
 
 
 def _groove(record: RoundGroove) -> Part.Shape:
