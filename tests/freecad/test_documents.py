@@ -20,7 +20,7 @@ from freecad.elastica_wb.features import flat, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
-from freecad.elastica_wb.shapes.part_shapes import make_edge, make_wire
+from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.errors import InputError, MissingDependencyError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -243,7 +243,7 @@ def test_the_outline_of_a_face(document):
 def test_a_chain_in_a_sketch(document):
     sketch = document.addObject("Sketcher::SketchObject", "Sketch")
     arc = Arc((0, 0), 50, 0.2, 1.2)
-    edge = make_edge(arc)
+    (edge,) = make_wire(PlanePath([arc])).Edges
     circle = Part.Circle(App.Vector(0, 0, 0), App.Vector(0, 0, 1), 50)
     sketch.addGeometry(Part.ArcOfCircle(circle, 0.2, 1.2), False)
     end = edge.valueAt(edge.LastParameter)
