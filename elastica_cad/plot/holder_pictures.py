@@ -14,18 +14,17 @@ from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib
 from elastica_cad.fabrication.model.assembly import Holder, single_holders
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.plot.slabs import trapezoids
+from elastica_cad.plot.slabs import polygon_of, trapezoids
 
 Plate: TypeAlias = BasePlate | Ring | Rib
 
-EDGE_SHARE = 0.01
-"""Of a patch: how closely polygons follow the loops of a plate."""
 
-
-def level_plates(holders: Sequence[Holder]) -> tuple[BasePlate | Ring, ...]:
-    """The plates that tabs go through, which part what is drawn before them from what is drawn after."""
-    return tuple(holder for holder in single_holders(holders) if isinstance(holder, BasePlate | Ring))
+def plate_faces(holders: Sequence[Holder]) -> list[Frame]:
+    """The planes of both faces of the plates that tabs go through."""
+    plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate | Ring)]
+    return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
 
 
 def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
@@ -51,17 +50,16 @@ def _patches(
     solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
 ) -> tuple[FloatArray, FloatArray]:
     """Both faces and the rims of a plate."""
-    tolerance = EDGE_SHARE * size
     low, high = np.array([loop.bounds for loop in loops[:1]])[0]
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
-    flat = [part for slab in trapezoids(loops, stations, tolerance) for part in _split(slab, size)]
+    flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
     corners = np.array([[(a[0], a[1]), (b[0], b[1]), (b[0], b[2]), (a[0], a[2])] for a, b in flat])
     found = []
     for z in (0.0, solid.thickness):
         level = np.concatenate([corners, np.full((*corners.shape[:2], 1), z)], axis=2)
         found.append(solid.frame.point(level.reshape(-1, 3)).reshape(-1, 4, 3))
     for loop in loops:
-        points = _fine(loop.points(tolerance), size)
+        points = _fine(polygon_of(loop, size), size)
         under, over = (
             solid.frame.point(np.column_stack([points, np.full(len(points), z)]))
             for z in (0.0, solid.thickness)

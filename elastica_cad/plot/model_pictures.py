@@ -1,7 +1,6 @@
 """Models and bodies in space, drawn from behind to before."""
 
 from collections.abc import Sequence
-from functools import lru_cache
 from itertools import pairwise
 from textwrap import fill
 
@@ -11,40 +10,31 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.holders.base_plate import BasePlate
-from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
-from elastica_cad.plot.holder_pictures import holder_patches, level_plates
+from elastica_cad.plot.holder_pictures import holder_patches, plate_faces
 from elastica_cad.plot.slabs import trapezoids
 from elastica_cad.plot.strip_pictures import paint_flat
-
-FLAT_SHARE = 5e-4
-"""Of a strip's length: how closely polygons follow its loops."""
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
 """Of the strip's width, and at most of the model's extent: the dark line along every edge."""
 
-ON_PLANE_MM = 1e-6
-"""What is nearer to a plane lies on it: rounding."""
+ROUNDED_MM = 6
+"""Decimals of a height above a face, mm: what has none lies on it."""
 
 HOLDER_PATCH_SHARE = 0.02
 """Of the model's extent: patches of what holds it, small enough to be sorted by their depth."""
 
-OUTLINE_MM = 0.1
-"""How closely polygons follow outlines that strips stand in."""
-
 NAME_SHARE = 0.045
 """Of the longest flat part: room for its name."""
 
-_FLATS = 64
-"""Strips whose trapezoids are kept: a model is drawn as it stands and taken apart."""
+STATIONS, CORNERS = 81, 40
+"""Along a strip: where its patches end, and corners of its drawn outline."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
 """Towards the light: from above, the left and the front."""
@@ -68,12 +58,10 @@ def model(
     if not (is_whole(flat) and flat >= 0):
         raise InputError(f"flat is {flat!r}: give a whole number of parts to show, 0 for none")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
-    plates = level_plates(held_by)
-    faces = [frame for plate in plates for frame in _faces(plate)]
+    faces = plate_faces(held_by)
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
-    strips = [rule_strip(placed, faces, rim) for placed in model.placed]
-    strips = [_outside(one, plates) for one in strips]
+    strips = [rule_strip(placed, rim, faces) for placed in model.placed]
     size = HOLDER_PATCH_SHARE * float(np.ptp(bent, axis=0).max())
     drawn = [*strips, *((part, _lit(part) * color) for part, color in holder_patches(held_by, size))]
     patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
@@ -139,13 +127,18 @@ def _seen(
 ) -> Figure:
     """Patches (n, k, 3) painted from the farthest to the nearest, and flat parts with the longest one's length.
 
-    What lies on the eye's side of a face is painted after all that lies on its other side.
+    What lies on the eye's side of a plate's face is painted after all that lies on its other side: sorted by depth
+    alone, tabs would have ragged edges where they go through.
     """
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
     middle = patches.mean(axis=1)
-    before = [_height(middle, face) * np.sign(face.z_axis @ toward) > ON_PLANE_MM for face in faces]
-    order = np.lexsort([middle @ toward, *before])
+    # behind each face, on it, before it
+    sides = [
+        np.sign(np.round((middle - face.origin) @ face.z_axis, ROUNDED_MM)) * np.sign(face.z_axis @ toward)
+        for face in faces
+    ]
+    order = np.lexsort([middle @ toward, *sides])
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
     tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
     below = 0.0 if flat is None else WIDTH_INCHES * _flat_height(*flat) / (1.04 * flat[1])
@@ -222,14 +215,22 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 
 
 def rule_strip(
-    placed: Placed, faces: Sequence[Frame] = (), rim_most: float = np.inf
+    placed: Placed, rim_most: float = np.inf, faces: Sequence[Frame] = ()
 ) -> tuple[FloatArray, FloatArray]:
-    """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3)."""
+    """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3).
+
+    Patches end where the strip goes through one of the `faces`.
+    """
     strip = placed.strip
     rod = strip.rod
     (first, low), (last, high) = strip.outline.bounds
-    crossings = _crossings(placed, faces, (first, last))
-    flat = _flat(strip, tuple(crossings.tolist()))
+    x = np.unique([first, *rod.s, last])
+    stations = [np.linspace(0.0, rod.length, STATIONS)]
+    for face in faces:
+        height = (placed.frame.point(_bent(rod, x)) - face.origin) @ face.z_axis
+        i = np.flatnonzero(height[:-1] * height[1:] < 0)
+        stations.append(x[i] - height[i] * (x[i + 1] - x[i]) / (height[i + 1] - height[i]))
+    flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / CORNERS)
     across = np.diff(flat[..., 1:], axis=-1)
     rim = np.minimum(min(RIM_SHARE * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
@@ -238,57 +239,6 @@ def rule_strip(
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
     lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
-
-
-@lru_cache(maxsize=_FLATS)
-def _flat(strip: Strip, crossings: tuple[float, ...]) -> FloatArray:
-    """Its trapezoids, cut at even stations and at crossings, arc lengths in mm."""
-    (first, _), (last, _) = strip.outline.bounds
-    stations = np.concatenate([np.linspace(0.0, strip.rod.length, 81), crossings])
-    half = FLAT_SHARE * (last - first) / 2
-    flat = trapezoids((strip.outline, *strip.holes), stations, half, blur=half)
-    flat.setflags(write=False)
-    return flat
-
-
-def _faces(plate: BasePlate | Ring) -> tuple[Frame, Frame]:
-    """The planes of both faces of a plate."""
-    return plate.frame, plate.frame.shifted(z=-plate.sheet.thickness)
-
-
-def _height(points: FloatArray, face: Frame) -> FloatArray:
-    """Of points (n, 3) above a plane, mm."""
-    return np.asarray((points - face.origin) @ face.z_axis, dtype=float)
-
-
-def _crossings(placed: Placed, faces: Sequence[Frame], ends: tuple[float, float]) -> FloatArray:
-    """Arc lengths at which the middle of a strip, tabs included, goes through planes."""
-    rod = placed.strip.rod
-    x = np.unique([*ends, *rod.s])
-    points, found = placed.frame.point(_bent(rod, x)), []
-    for face in faces:
-        h = _height(points, face)
-        i = np.flatnonzero(h[:-1] * h[1:] < 0)
-        found.append(x[i] - h[i] * (x[i + 1] - x[i]) / (h[i + 1] - h[i]))
-    return np.concatenate([np.empty(0), *found])
-
-
-def _outside(
-    drawn: tuple[FloatArray, FloatArray], plates: Sequence[BasePlate | Ring]
-) -> tuple[FloatArray, FloatArray]:
-    """Patches of a strip without those that lie within a plate, in its slots."""
-    from matplotlib.path import Path as Polygon
-
-    patches, colors = drawn
-    for plate in plates:
-        place = plate.frame.local(patches.mean(axis=1))
-        inside = (place[:, 2] < 0) & (place[:, 2] > -plate.sheet.thickness)
-        outline = Polygon(plate.solid.outline.points(OUTLINE_MM))
-        inside[inside] = outline.contains_points(place[inside][:, :2])
-        if isinstance(plate, Ring):
-            inside &= np.hypot(place[:, 0], place[:, 1]) > plate.radii[0]
-        patches, colors = patches[~inside], colors[~inside]
-    return patches, colors
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:

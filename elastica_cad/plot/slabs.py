@@ -1,22 +1,23 @@
 """A flat pattern with its holes and slots as trapezoids, to be bent and painted."""
 
 from collections.abc import Sequence
+from math import ceil, dist
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.paths.chords import chord_errors
-from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 APART_MM = 1e-7
 """Stations nearer than this are one: slabs between them could not be seen."""
 
+FEWEST, ROUND = 4, 96
+"""Sides for a curve, and for a whole loop of one."""
 
-def trapezoids(
-    loops: Sequence[Path], stations: FloatArray, tolerance: float, *, blur: float = 0.0
-) -> FloatArray:
+
+def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
     """What lies inside an odd number of loops, cut along x at its corners and at `stations`.
 
     Parameters
@@ -25,10 +26,8 @@ def trapezoids(
         Closed; outline and holes in any direction.
     stations : (k,) array
         Further places where the trapezoids end, mm.
-    tolerance : float
-        Of the polygons that stand for curved loops, mm.
-    blur : float
-        How far their sides may leave corners out besides, mm: there are fewer trapezoids then.
+    step : float
+        Between the corners of the polygons that stand for curved loops, mm.
 
     Returns
     -------
@@ -38,14 +37,12 @@ def trapezoids(
     Examples
     --------
     >>> plate = [Path.rectangle(10.0, 4.0), Path.rectangle(2.0, 2.0, corner=(4.0, 1.0))]
-    >>> found = trapezoids(plate, np.array([]), 0.1)
+    >>> found = trapezoids(plate, np.array([]), 1.0)
     >>> width, height = np.diff(found[..., 0], axis=1)[:, 0], (found[..., 2] - found[..., 1]).mean(axis=1)
     >>> len(found), float(width @ height)
     (4, 36.0)
     """
-    polygons = polylines(loops, tolerance)
-    if blur > 0:
-        polygons = _blurred(polygons, blur)
+    polygons = [polygon_of(loop, step) for loop in loops]
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
     ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
     order = np.argsort(ends[..., 0], axis=1)
@@ -78,28 +75,13 @@ def trapezoids(
     return np.stack([x, *heights], axis=-1)
 
 
-def _blurred(polygons: Sequence[FloatArray], most: float) -> list[FloatArray]:
-    """Closed polygons (n, 2) without corners that lie within `most` mm of the sides that are left.
-
-    Every other corner is looked at, of all polygons at one go, until none goes any more; three always stay.
-    """
-    points, sizes = np.concatenate(polygons), np.array([len(polygon) for polygon in polygons])
-    # how far at most corners that are gone lie from the side behind each point
-    left_out = np.zeros(len(points))
-    turn = idle = 0
-    while idle < 2:
-        start, size = np.repeat(np.cumsum(sizes) - sizes, sizes), np.repeat(sizes, sizes)
-        place = numbers_in_groups(sizes)
-        number = (place + turn) % size
-        asked = np.flatnonzero((number % 2 == 1) & (number <= 2 * (size - 3)))
-        before, behind = (start[asked] + (place[asked] + step) % size[asked] for step in (-1, 1))
-        off = np.maximum(left_out[before], left_out[asked])
-        off += chord_errors(points[before], points[behind], points[asked, None])
-        gone = off <= most
-        left_out[before[gone]] = off[gone]
-        kept = np.ones(len(points), dtype=bool)
-        kept[asked[gone]] = False
-        sizes = np.add.reduceat(kept, np.cumsum(sizes) - sizes, dtype=int)
-        points, left_out = points[kept], left_out[kept]
-        turn, idle = 1 - turn, 0 if gone.any() else idle + 1
-    return np.split(points, np.cumsum(sizes)[:-1])
+def polygon_of(loop: Path, step: float) -> FloatArray:
+    """Points (n, 2) on a closed path, near enough for a picture: at corners, and some `step` mm apart on curves."""
+    rows = []
+    for segment in loop.segments:
+        parts = 1
+        if not isinstance(segment, Line):
+            fewest = ROUND if len(loop.segments) == 1 else FEWEST
+            parts = max(fewest, ceil(dist(segment.start, segment.end) / step))
+        rows.append(segment.at(np.linspace(0.0, 1.0, parts, endpoint=False)))
+    return np.concatenate(rows)

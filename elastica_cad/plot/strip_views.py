@@ -11,7 +11,6 @@ from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import require_curve
@@ -83,13 +82,8 @@ def view_layers(strip: Strip) -> list[FlatLayer]:
     shown = []
     for layer in strip.layers:
         # what runs against the outline is left out of the filling
-        clockwise = areas(layer.holes) < 0
-        outline, *holes = view_paths([layer.outline, *layer.holes])
-        loops = [
-            outline,
-            *(hole if right else hole[::-1] for hole, right in zip(holes, clockwise, strict=True)),
-        ]
-        shown.append(FlatLayer(loops, sheet_color(layer.sheet), layer is not strip.layers[0]))
+        loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
+        shown.append(FlatLayer(view_paths(loops), sheet_color(layer.sheet), layer is not strip.layers[0]))
     return shown
 
 
@@ -97,7 +91,7 @@ def view_paths(paths: Sequence[Path]) -> list[FloatArray]:
     """Polylines (n, 2) along paths, closed ones back to their start."""
     return [
         np.concatenate([points, points[:1]]) if path.closed else points
-        for path, points in zip(paths, polylines(paths, SMOOTH_MM), strict=True)
+        for path, points in ((path, path.points(SMOOTH_MM)) for path in paths)
     ]
 
 
