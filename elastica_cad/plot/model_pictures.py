@@ -1,25 +1,178 @@
-"""Models and bodies in space, drawn from behind to before."""
+"""Models and bodies in space: patches of bent patterns and of what holds them, painted from behind to before."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import ceil, dist
 from textwrap import fill
+from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model
+from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color, sheet_color
+from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model, single_holders
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Line
+from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
-from elastica_cad.plot.holder_pictures import holder_patches, plate_faces
-from elastica_cad.plot.slabs import trapezoids
 from elastica_cad.plot.strip_pictures import paint_flat
+
+APART_MM = 1e-7
+"""Stations nearer than this are one: slabs between them could not be seen."""
+
+FEWEST, ROUND = 4, 96
+"""Sides for a curve, and for a whole loop of one."""
+
+
+def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
+    """What lies inside an odd number of loops, cut along x at its corners and at `stations`.
+
+    Parameters
+    ----------
+    loops : sequence of Path
+        Closed; outline and holes in any direction.
+    stations : (k,) array
+        Further places where the trapezoids end, mm.
+    step : float
+        Between the corners of the polygons that stand for curved loops, mm.
+
+    Returns
+    -------
+    (n, 2, 3) array
+        x, lower y and upper y at the left and at the right side of each, mm.
+
+    Examples
+    --------
+    >>> plate = [Path.rectangle(10.0, 4.0), Path.rectangle(2.0, 2.0, corner=(4.0, 1.0))]
+    >>> found = trapezoids(plate, np.array([]), 1.0)
+    >>> width, height = np.diff(found[..., 0], axis=1)[:, 0], (found[..., 2] - found[..., 1]).mean(axis=1)
+    >>> len(found), float(width @ height)
+    (4, 36.0)
+    """
+    polygons = [_polygon_of(loop, step) for loop in loops]
+    ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
+    ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
+    order = np.argsort(ends[..., 0], axis=1)
+    left, right = np.moveaxis(np.take_along_axis(ends, order[..., None], axis=1), 1, 0)
+    slope = (right[:, 1] - left[:, 1]) / (right[:, 0] - left[:, 0])
+    low, high = left[:, 0].min(), right[:, 0].max()
+    cuts = np.unique(
+        np.concatenate([left[:, 0], right[:, 0], stations[(stations > low) & (stations < high)]])
+    )
+    cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
+    middles = (cuts[:-1] + cuts[1:]) / 2
+    # each line goes through all slabs from one to another
+    first = np.searchsorted(middles, left[:, 0], side="right")
+    count = np.searchsorted(middles, right[:, 0], side="left") - first
+    line = np.repeat(np.arange(len(left)), count)
+    slab = numbers_in_groups(count) + np.repeat(first, count)
+    order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
+    # loops are closed: every slab has its lines in pairs, below and above what lies inside
+    below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
+    # between the same two lines it is one trapezoid, up to the next station
+    ends_here = np.zeros(len(cuts), dtype=bool)
+    ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
+    along = np.lexsort((slab, above, below))
+    below, above, slab = below[along], above[along], slab[along]
+    goes_on = (np.diff(below) == 0) & (np.diff(above) == 0) & (np.diff(slab) == 1) & ~ends_here[slab[1:]]
+    begin = np.flatnonzero(np.concatenate([[True], ~goes_on]))
+    end = np.append(begin[1:], len(slab)) - 1
+    below, above, x = below[begin], above[begin], np.stack([cuts[slab[begin]], cuts[slab[end] + 1]], axis=1)
+    heights = (left[k, 1:] + slope[k, None] * (x - left[k, :1]) for k in (below, above))
+    return np.stack([x, *heights], axis=-1)
+
+
+def _polygon_of(loop: Path, step: float) -> FloatArray:
+    """Points (n, 2) on a closed path, near enough for a picture: at corners, and some `step` mm apart on curves."""
+    rows = []
+    for segment in loop.segments:
+        parts = 1
+        if not isinstance(segment, Line):
+            fewest = ROUND if len(loop.segments) == 1 else FEWEST
+            parts = max(fewest, ceil(dist(segment.start, segment.end) / step))
+        rows.append(segment.at(np.linspace(0.0, 1.0, parts, endpoint=False)))
+    return np.concatenate(rows)
+
+
+Plate: TypeAlias = BasePlate | Ring | Rib
+
+
+def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
+    """The planes of both faces of the plates that tabs go through."""
+    plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate | Ring)]
+    return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
+
+
+def _holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """Patches (n, 4, 3) of `size` mm or less and their colours (n, 3), unlit, of each body that holds strips.
+
+    Slots that tabs fill are drawn as if they were not cut.
+    """
+    for holder in single_holders(holders):
+        if isinstance(holder, EndFixture):
+            for prism in holder.solid.added:
+                yield _patches(prism, (prism.outline, *prism.holes), FIXTURE_COLOR, size)
+        else:
+            yield _patches(holder.solid, _loops(holder), sheet_color(holder.sheet), size)
+
+
+def _loops(holder: Plate) -> tuple[Path, ...]:
+    """Outline and opening, without slots."""
+    opening = None if isinstance(holder, Rib) else holder.opening
+    return (holder.outline, *(() if opening is None else (opening,)))
+
+
+def _patches(
+    solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
+) -> tuple[FloatArray, FloatArray]:
+    """Both faces and the rims of a plate."""
+    low, high = np.array([loop.bounds for loop in loops[:1]])[0]
+    stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
+    flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
+    corners = np.array([[(a[0], a[1]), (b[0], b[1]), (b[0], b[2]), (a[0], a[2])] for a, b in flat])
+    found = []
+    for z in (0.0, solid.thickness):
+        level = np.concatenate([corners, np.full((*corners.shape[:2], 1), z)], axis=2)
+        found.append(solid.frame.point(level.reshape(-1, 3)).reshape(-1, 4, 3))
+    for loop in loops:
+        points = _fine_polygon(_polygon_of(loop, size), size)
+        under, over = (
+            solid.frame.point(np.column_stack([points, np.full(len(points), z)]))
+            for z in (0.0, solid.thickness)
+        )
+        found.append(np.stack([under, np.roll(under, -1, axis=0), np.roll(over, -1, axis=0), over], axis=1))
+    patches = np.concatenate(found)
+    return patches, np.tile(np.asarray(color, dtype=float), (len(patches), 1))
+
+
+def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
+    """A trapezoid (2, 3) of x, lower and upper y, cut across y into parts no higher than `size`."""
+    count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
+    heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
+    for k, _ in pairwise(range(count + 1)):
+        yield np.column_stack([slab[:, 0], heights[:, k], heights[:, k + 1]])
+
+
+def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
+    """A closed polygon with no side longer than `size`."""
+    found = []
+    for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
+        count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))
+        found.append(a + (b - a) * (np.arange(count) / count)[:, None])
+    return np.concatenate(found)
+
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
 """Of the strip's width, and at most of the model's extent: the dark line along every edge."""
@@ -58,12 +211,12 @@ def model(
     if not (is_whole(flat) and flat >= 0):
         raise InputError(f"flat is {flat!r}: give a whole number of parts to show, 0 for none")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
-    faces = plate_faces(held_by)
+    faces = _plate_faces(held_by)
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, rim, faces) for placed in model.placed]
     size = HOLDER_PATCH_SHARE * float(np.ptp(bent, axis=0).max())
-    drawn = [*strips, *((part, _lit(part) * color) for part, color in holder_patches(held_by, size))]
+    drawn = [*strips, *((part, _lit(part) * color) for part, color in _holder_patches(held_by, size))]
     patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"

@@ -19,7 +19,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.plot.canvas import paint_patches
-from elastica_cad.plot.slabs import trapezoids
+from elastica_cad.plot.model_pictures import trapezoids
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 SLOTS = (Slot(at=60, width=2), Slot(at=120, width=2, side="lower"))
