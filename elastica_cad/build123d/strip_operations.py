@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from contextlib import nullcontext
-from typing import TYPE_CHECKING, Any, Literal, Unpack, overload
+from typing import TYPE_CHECKING, Any, Literal, Unpack
 
 import build123d as bd
 
@@ -17,42 +17,6 @@ if TYPE_CHECKING:
 from elastica_cad.build123d.strip_objects import BentStrip, Drawn, FlatStrip, StripOutline
 
 
-@overload
-def elastic_strip(
-    path: Drawn | None = None,
-    *,
-    sheet: Sheet | str | None = None,
-    max_width: float | None = None,
-    form: Literal["flat"] = "flat",
-    mode: bd.Mode = bd.Mode.ADD,
-    **options: Unpack[StripOptions],
-) -> FlatStrip: ...
-
-
-@overload
-def elastic_strip(
-    path: Drawn | None = None,
-    *,
-    sheet: Sheet | str | None = None,
-    max_width: float | None = None,
-    form: Literal["bent"],
-    mode: bd.Mode = bd.Mode.ADD,
-    **options: Unpack[StripOptions],
-) -> BentStrip: ...
-
-
-@overload
-def elastic_strip(
-    path: Drawn | None = None,
-    *,
-    sheet: Sheet | str | None = None,
-    max_width: float | None = None,
-    form: Literal["outline"],
-    mode: bd.Mode = bd.Mode.ADD,
-    **options: Unpack[StripOptions],
-) -> StripOutline: ...
-
-
 def elastic_strip(
     path: Drawn | None = None,
     *,
@@ -61,7 +25,7 @@ def elastic_strip(
     form: Literal["flat", "bent", "outline"] = "flat",
     mode: bd.Mode = bd.Mode.ADD,
     **options: Unpack[StripOptions],
-) -> FlatStrip | BentStrip | StripOutline:
+) -> Any:
     """Operation: the strip of a curve, of the builder's pending edges unless `path` is given.
 
     Parameters
@@ -112,11 +76,8 @@ def elastic_strip(
             strips: list[Any] = [
                 forms[form](chain, sheet, max_width=max_width, mode=mode, **options) for chain in path
             ]
-        made: Any = strips[0] if len(strips) == 1 else bd.ShapeList(strips)
-    else:
-        made = forms[form](path, sheet, max_width=max_width, mode=mode, **options)
-    found: FlatStrip | BentStrip | StripOutline = made
-    return found
+        return strips[0] if len(strips) == 1 else bd.ShapeList(strips)
+    return forms[form](path, sheet, max_width=max_width, mode=mode, **options)
 
 
 def section_strips(

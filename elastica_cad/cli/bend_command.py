@@ -255,7 +255,7 @@ def _write_files(
         if pictures:
             from elastica_cad.plot.canvas import save_figure
             from elastica_cad.plot.strip_pictures import rod as draw_rod
-            from elastica_cad.plot.travel_sheet import travel as draw_travel
+            from elastica_cad.plot.strip_pictures import travel as draw_travel
 
             wish = None if rod.shape is None else rod.curve
             save_figure(draw_rod(shapes[-1], wish=wish), workshop / f"{name}.png")

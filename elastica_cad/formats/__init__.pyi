@@ -10,7 +10,7 @@ from elastica_cad.formats.curve_files.write_curves import write_curves as write_
 from elastica_cad.formats.design_files.design_file import Design as Design, read_design as read_design
 from elastica_cad.formats.drawing_files.curve_style import CURVES as CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf as encode_dxf
-from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS as DXF_VERSIONS
+from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS as DXF_VERSIONS
 from elastica_cad.formats.drawing_files.layers import LayerStyle as LayerStyle, style_layers as style_layers
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg as encode_svg
 from elastica_cad.formats.drawing_files.write_drawing import (

@@ -39,44 +39,35 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
     if not hasattr(os, "fork"):
         return
     seconds = LEAST_S + S_PER_MB * size // 2**20
-    reads, writes = os.pipe()
-    parent, copy = os.getpid(), _fork()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # of threads: the copy runs none but this one
+        parent, copy = os.getpid(), os.fork()
     if not copy:
         with suppress(BaseException):
             _limit(parent, seconds)
-            _be_silent()
             with suppress(Exception):
                 task()
-            os.write(writes, b"1")
-        os._exit(0)
-    os.close(writes)
-    status = 0
+            os._exit(0)
+        os._exit(1)
     try:
-        done = os.read(reads, 1)  # nothing, once the copy has ended without a word
+        status = os.waitpid(copy, 0)[1]
     except BaseException:  # Ctrl-C
         os.kill(copy, signal.SIGKILL)
         raise
-    finally:
-        os.close(reads)
-        with suppress(ChildProcessError):  # somebody else has waited for it
-            status = os.waitpid(copy, 0)[1]
-    if done:
-        return
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):
         raise InputError(f"OpenCASCADE has not read this file within {seconds} s: export its curves alone")
-    raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")
-
-
-def _fork() -> int:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # of threads: the copy runs none but this one
-        return os.fork()
+    if status:
+        raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")
 
 
 def _limit(parent: int, seconds: int) -> None:
-    """End this copy with its parent where the system can, and in any case after a while, also in compiled loops."""
+    """Make this copy silent, and end it after a while, also in compiled loops, or with its parent on Linux."""
     import resource
 
+    faulthandler.disable()
+    silence = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silence, 1)
+    os.dup2(silence, 2)
     most = resource.getrlimit(resource.RLIMIT_CPU)[1]
     seconds = seconds if most == resource.RLIM_INFINITY else min(seconds, most)
     signal.signal(signal.SIGXCPU, signal.SIG_DFL)
@@ -89,11 +80,3 @@ def _limit(parent: int, seconds: int) -> None:
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
         if os.getppid() != parent:  # it has ended already
             os._exit(1)
-
-
-def _be_silent() -> None:
-    """Nothing is printed, and no crash is told."""
-    faulthandler.disable()
-    silence = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(silence, 1)
-    os.dup2(silence, 2)

@@ -24,16 +24,14 @@ def bare(shape: Any) -> Any:
 
 
 MODULES = (
-    "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools", "GeomAbs",
-    "GeomConvert", "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",
+    "APIHeaderSection", "BinTools", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools",
+    "GeomAbs", "GeomConvert", "Geom", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",
     "STEPCAFControl", "STEPControl", "ShapeBuild", "ShapeFix", "ShapeUpgrade", "TCollection", "TDataStd",
     "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS", "XCAFDoc", "gp",
 )  # fmt: skip
 ARRAYS = {
-    "7": "TColgp.TColgp_Array1OfPnt TColgp.TColgp_Array1OfPnt2d TColgp.TColgp_Array2OfPnt "
-    "TColStd.TColStd_Array1OfReal TColStd.TColStd_Array1OfInteger TColStd.TColStd_IndexedDataMapOfStringString",
-    "8": "collections.Array1_gp_Pnt collections.Array1_gp_Pnt2d collections.Array2_gp_Pnt "
-    "collections.Array1_double collections.Array1_int "
+    "7": "TColgp.TColgp_Array1OfPnt TColStd.TColStd_IndexedDataMapOfStringString",
+    "8": "collections.Array1_gp_Pnt "
     "collections.IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString",
 }
 
@@ -63,7 +61,7 @@ def kernel() -> SimpleNamespace:
             "install a build123d or cadquery release that brings one of these"
         )
     names: dict[str, Any] = {}
-    called = ("Points", "Points2d", "Grid", "Reals", "Integers", "Remarks")
+    called = ("Points", "Remarks")
     try:
         for module in MODULES:
             names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
@@ -72,9 +70,10 @@ def kernel() -> SimpleNamespace:
             names[name] = getattr(import_module(f"OCP.{module}"), own)
     except (ImportError, AttributeError) as error:
         raise _unsound(error) from error
-    names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge
-    names["as_vertex"] = getattr(names["TopoDS"], "Vertex_s", None) or names["TopoDS"].Vertex
-    names["as_face"] = getattr(names["TopoDS"], "Face_s", None) or names["TopoDS"].Face
+    for kind in ("Vertex", "Edge", "Wire", "Face", "Shell", "Solid"):
+        names[f"as_{kind.lower()}"] = getattr(names["TopoDS"], f"{kind}_s", None) or getattr(
+            names["TopoDS"], kind
+        )
     return SimpleNamespace(**names)
 
 

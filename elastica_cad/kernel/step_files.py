@@ -29,7 +29,6 @@ from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
-from elastica_cad.kernel.step_text import canonical_step, with_shared_geometry
 from elastica_cad.kernel.step_transfer import has_many_wires, transfer_as_they_are, with_wires_apart
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
@@ -63,7 +62,7 @@ def model_shapes(model: Model, others: Iterable[Holder] = ()) -> list[NamedShape
 def write_step(
     parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str | None = None, force: bool = False
 ) -> None:
-    """Write parts to a STEP file: AP214, millimetres, names, colours, the same bytes for the same parts.
+    """Write parts to a STEP file: AP214, millimetres, names, colours.
 
     Several parts make one assembly, called `name` (the file's own unless told).
 
@@ -132,8 +131,7 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         done = done and writer.WriteStream(stream) == k.IFSelect_ReturnStatus.IFSelect_RetDone
     if not done:
         raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
-    content = canonical_step(stream.getvalue())
-    return with_shared_geometry(content) if elementary or holed else content
+    return stream.getvalue()
 
 
 def _is_elementary(shape: Shape) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
@@ -24,9 +24,6 @@ from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
-
-if TYPE_CHECKING:
-    from elastica_cad.plot.strip_page import StripPage
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
 """The plane of a curve that says none, as screens show it."""
@@ -131,13 +128,6 @@ class StripKit:
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 
     @cached_property
-    def page(self) -> "StripPage":
-        """What its picture shows."""
-        from elastica_cad.plot.strip_views import view_page
-
-        return view_page(self.strip, None if self.near is None else self.near.target)
-
-    @cached_property
     def report(self) -> dict[str, Any]:
         """All that was asked and found, ready for JSON."""
         report = report_strip(
@@ -197,8 +187,9 @@ def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
 
 def _draw_picture(kit: StripKit, path: Path) -> None:
     from elastica_cad.plot.canvas import save_figure
+    from elastica_cad.plot.strip_pictures import strip_sheet
 
-    save_figure(kit.page.figure(), path)
+    save_figure(strip_sheet(kit.strip, wish=None if kit.near is None else kit.near.target), path)
 
 
 def _draw_template(kit: StripKit, path: Path) -> None:

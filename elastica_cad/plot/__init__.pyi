@@ -6,6 +6,6 @@ from elastica_cad.plot.strip_pictures import (
     strip_sheet as strip_sheet,
 )
 from elastica_cad.plot.model_pictures import bodies as bodies, model as model
-from elastica_cad.plot.travel_sheet import travel as travel
+from elastica_cad.plot.strip_pictures import travel as travel
 from elastica_cad.plot.assembly_sheet import save_assembly_sheet as save_assembly_sheet
 from elastica_cad.plot.template_pages import save_template as save_template

@@ -134,7 +134,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     whole = order >= len(patches)
     for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
         if run[0] < len(patches):
-            paint_patches(axes, patches[run] @ screen, colors[run], as_pixels=True)
+            paint_patches(axes, patches[run] @ screen, colors[run], rasterized=True)
             continue
         some = [outlines[k - len(patches)] for k in run]
         polygons = [outline @ screen for outline, _, _ in some]

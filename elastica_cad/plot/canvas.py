@@ -30,9 +30,6 @@ MOST_RESOLUTION = 2400.0
 
 PICTURES = ("png", "svg", "pdf")
 
-COMPRESSION = 3
-"""Of PNG files: beyond, they take half as long again to write and are a twentieth smaller."""
-
 INK = "#1f2430"
 
 SEAM_POINTS = 0.3
@@ -74,37 +71,10 @@ def save_figure(
     kind = require_path(path).suffix.lower().removeprefix(".")
     if kind not in PICTURES:
         raise InputError(f"{path} has no ending of a picture: .png, .svg and .pdf are written")
-    write_atomically(path, _bytes_of(figure, kind, resolution), force=force)
-
-
-def _bytes_of(figure: Figure, kind: str, resolution: float) -> bytes:
-    if kind == "png":
-        return _draw_png(figure, resolution)
     stream = BytesIO()
-    undated = {"Date": None} if kind == "svg" else {"CreationDate": None}
+    undated = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]
     figure.savefig(stream, format=kind, dpi=resolution, metadata=undated)
-    return stream.getvalue()
-
-
-def _draw_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
-    """A PNG file of what `savefig` shows, which itself would go through the whole figure twice."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from PIL import Image
-
-    stream, canvas, before = BytesIO(), figure.canvas, figure.dpi
-    figure.dpi = resolution
-    try:
-        drawn = FigureCanvasAgg(figure)
-        drawn.draw()
-        pixels = np.asarray(drawn.buffer_rgba())
-        page = Image.fromarray(pixels)
-        if np.all(pixels[..., 3] == 255):  # opaque all over
-            page = page.convert("RGB")
-        page.save(stream, format="png", dpi=(resolution, resolution), compress_level=COMPRESSION)
-    finally:
-        figure.dpi = before
-        figure.set_canvas(canvas)
-    return stream.getvalue()
+    write_atomically(path, stream.getvalue(), force=force)
 
 
 def write_pages(
@@ -165,42 +135,9 @@ def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **st
     axes.update_datalim(box_about(corners))
 
 
-def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, *, as_pixels: bool = False) -> None:
-    """Convex patches (n, k, 2) of one colour each (n, 3), one over the other without seams.
-
-    Pixels are painted as triangles, which matplotlib takes as arrays and makes half a pixel larger on all sides: it
-    takes polygons one by one, each with an outline. SVG and PDF get these, unless `as_pixels`: of thousands of
-    patches they take twice the time and room, SVG five times the room.
-    """
-    from matplotlib import artist
-    from matplotlib.backends.backend_agg import RendererAgg
-    from matplotlib.collections import Collection
-    from matplotlib.path import Path
-    from matplotlib.transforms import IdentityTransform
-
-    fan = np.array([(0, k, k + 1) for k in range(1, patches.shape[1] - 1)])
-    rasterizable: Any = artist.allow_rasterization
-
-    def paint(collection: Any, renderer: Any) -> None:
-        if not (as_pixels or isinstance(renderer, RendererAgg)):
-            Collection.draw(collection, renderer)
-            return
-        placed = collection.get_transform().transform(patches.reshape(-1, 2)).reshape(patches.shape)
-        inks = np.repeat(collection.get_facecolor(), 3 * len(fan), axis=0).reshape(-1, 3, 4)
-        context = renderer.new_gc()
-        context.set_clip_rectangle(axes.bbox)
-        renderer.draw_gouraud_triangles(context, placed[:, fan].reshape(-1, 3, 2), inks, IdentityTransform())
-        context.restore()
-
-    class Patches(Collection):
-        draw: Any = rasterizable(paint)
-
-        def get_paths(self) -> list[Path]:
-            return [Path(patch, closed=True) for patch in np.concatenate([patches, patches[:, :1]], axis=1)]
-
-    painted = Patches(facecolors=colors, edgecolors="face", linewidths=SEAM_POINTS, rasterized=as_pixels)
-    axes.add_collection(painted, autolim=False)
-    axes.update_datalim(box_about(patches.reshape(-1, 2)))
+def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: Any) -> None:
+    """Polygons (n, k, 2) of one colour each (n, 3), one over the other without seams."""
+    paint_polygons(axes, patches, facecolors=colors, edgecolors="face", linewidths=SEAM_POINTS, **style)
 
 
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:

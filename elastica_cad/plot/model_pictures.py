@@ -1,50 +1,193 @@
-"""Models and bodies in space, drawn from behind to before."""
+"""Models and bodies in space: patches of bent patterns and of what holds them, painted from behind to before."""
 
-from collections.abc import Sequence
-from functools import lru_cache
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import ceil, dist
 from textwrap import fill
+from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color, sheet_color
 from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model
+from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model, single_holders
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
-from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Line
+from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
-from elastica_cad.plot.holder_pictures import holder_patches, level_plates
-from elastica_cad.plot.slabs import trapezoids
 from elastica_cad.plot.strip_pictures import paint_flat
 
-FLAT_SHARE = 5e-4
-"""Of a strip's length: how closely polygons follow its loops."""
+APART_MM = 1e-7
+"""Stations nearer than this are one: slabs between them could not be seen."""
+
+FEWEST, ROUND = 4, 96
+"""Sides for a curve, and for a whole loop of one."""
+
+
+def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
+    """What lies inside an odd number of loops, cut along x at its corners and at `stations`.
+
+    Parameters
+    ----------
+    loops : sequence of Path
+        Closed; outline and holes in any direction.
+    stations : (k,) array
+        Further places where the trapezoids end, mm.
+    step : float
+        Between the corners of the polygons that stand for curved loops, mm.
+
+    Returns
+    -------
+    (n, 2, 3) array
+        x, lower y and upper y at the left and at the right side of each, mm.
+
+    Examples
+    --------
+    >>> plate = [Path.rectangle(10.0, 4.0), Path.rectangle(2.0, 2.0, corner=(4.0, 1.0))]
+    >>> found = trapezoids(plate, np.array([]), 1.0)
+    >>> width, height = np.diff(found[..., 0], axis=1)[:, 0], (found[..., 2] - found[..., 1]).mean(axis=1)
+    >>> len(found), float(width @ height)
+    (4, 36.0)
+    """
+    polygons = [_polygon_of(loop, step) for loop in loops]
+    ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
+    ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
+    order = np.argsort(ends[..., 0], axis=1)
+    left, right = np.moveaxis(np.take_along_axis(ends, order[..., None], axis=1), 1, 0)
+    slope = (right[:, 1] - left[:, 1]) / (right[:, 0] - left[:, 0])
+    low, high = left[:, 0].min(), right[:, 0].max()
+    cuts = np.unique(
+        np.concatenate([left[:, 0], right[:, 0], stations[(stations > low) & (stations < high)]])
+    )
+    cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
+    middles = (cuts[:-1] + cuts[1:]) / 2
+    # each line goes through all slabs from one to another
+    first = np.searchsorted(middles, left[:, 0], side="right")
+    count = np.searchsorted(middles, right[:, 0], side="left") - first
+    line = np.repeat(np.arange(len(left)), count)
+    slab = numbers_in_groups(count) + np.repeat(first, count)
+    order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
+    # loops are closed: every slab has its lines in pairs, below and above what lies inside
+    below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
+    # between the same two lines it is one trapezoid, up to the next station
+    ends_here = np.zeros(len(cuts), dtype=bool)
+    ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
+    along = np.lexsort((slab, above, below))
+    below, above, slab = below[along], above[along], slab[along]
+    goes_on = (np.diff(below) == 0) & (np.diff(above) == 0) & (np.diff(slab) == 1) & ~ends_here[slab[1:]]
+    begin = np.flatnonzero(np.concatenate([[True], ~goes_on]))
+    end = np.append(begin[1:], len(slab)) - 1
+    below, above, x = below[begin], above[begin], np.stack([cuts[slab[begin]], cuts[slab[end] + 1]], axis=1)
+    heights = (left[k, 1:] + slope[k, None] * (x - left[k, :1]) for k in (below, above))
+    return np.stack([x, *heights], axis=-1)
+
+
+def _polygon_of(loop: Path, step: float) -> FloatArray:
+    """Points (n, 2) on a closed path, near enough for a picture: at corners, and some `step` mm apart on curves."""
+    rows = []
+    for segment in loop.segments:
+        parts = 1
+        if not isinstance(segment, Line):
+            fewest = ROUND if len(loop.segments) == 1 else FEWEST
+            parts = max(fewest, ceil(dist(segment.start, segment.end) / step))
+        rows.append(segment.at(np.linspace(0.0, 1.0, parts, endpoint=False)))
+    return np.concatenate(rows)
+
+
+Plate: TypeAlias = BasePlate | Ring | Rib
+
+
+def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
+    """The planes of both faces of the plates that tabs go through."""
+    plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate | Ring)]
+    return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
+
+
+def _holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """Patches (n, 4, 3) of `size` mm or less and their colours (n, 3), unlit, of each body that holds strips.
+
+    Slots that tabs fill are drawn as if they were not cut.
+    """
+    for holder in single_holders(holders):
+        if isinstance(holder, EndFixture):
+            for prism in holder.solid.added:
+                yield _patches(prism, (prism.outline, *prism.holes), FIXTURE_COLOR, size)
+        else:
+            yield _patches(holder.solid, _loops(holder), sheet_color(holder.sheet), size)
+
+
+def _loops(holder: Plate) -> tuple[Path, ...]:
+    """Outline and opening, without slots."""
+    opening = None if isinstance(holder, Rib) else holder.opening
+    return (holder.outline, *(() if opening is None else (opening,)))
+
+
+def _patches(
+    solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
+) -> tuple[FloatArray, FloatArray]:
+    """Both faces and the rims of a plate."""
+    low, high = np.array([loop.bounds for loop in loops[:1]])[0]
+    stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
+    flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
+    corners = np.array([[(a[0], a[1]), (b[0], b[1]), (b[0], b[2]), (a[0], a[2])] for a, b in flat])
+    found = []
+    for z in (0.0, solid.thickness):
+        level = np.concatenate([corners, np.full((*corners.shape[:2], 1), z)], axis=2)
+        found.append(solid.frame.point(level.reshape(-1, 3)).reshape(-1, 4, 3))
+    for loop in loops:
+        points = _fine_polygon(_polygon_of(loop, size), size)
+        under, over = (
+            solid.frame.point(np.column_stack([points, np.full(len(points), z)]))
+            for z in (0.0, solid.thickness)
+        )
+        found.append(np.stack([under, np.roll(under, -1, axis=0), np.roll(over, -1, axis=0), over], axis=1))
+    patches = np.concatenate(found)
+    return patches, np.tile(np.asarray(color, dtype=float), (len(patches), 1))
+
+
+def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
+    """A trapezoid (2, 3) of x, lower and upper y, cut across y into parts no higher than `size`."""
+    count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
+    heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
+    for k, _ in pairwise(range(count + 1)):
+        yield np.column_stack([slab[:, 0], heights[:, k], heights[:, k + 1]])
+
+
+def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
+    """A closed polygon with no side longer than `size`."""
+    found = []
+    for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
+        count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))
+        found.append(a + (b - a) * (np.arange(count) / count)[:, None])
+    return np.concatenate(found)
+
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
 """Of the strip's width, and at most of the model's extent: the dark line along every edge."""
 
-ON_PLANE_MM = 1e-6
-"""What is nearer to a plane lies on it: rounding."""
+ROUNDED_MM = 6
+"""Decimals of a height above a face, mm: what has none lies on it."""
 
 HOLDER_PATCH_SHARE = 0.02
 """Of the model's extent: patches of what holds it, small enough to be sorted by their depth."""
 
-OUTLINE_MM = 0.1
-"""How closely polygons follow outlines that strips stand in."""
-
 NAME_SHARE = 0.045
 """Of the longest flat part: room for its name."""
 
-_FLATS = 64
-"""Strips whose trapezoids are kept: a model is drawn as it stands and taken apart."""
+STATIONS, CORNERS = 81, 40
+"""Along a strip: where its patches end, and corners of its drawn outline."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
 """Towards the light: from above, the left and the front."""
@@ -68,14 +211,12 @@ def model(
     if not (is_whole(flat) and flat >= 0):
         raise InputError(f"flat is {flat!r}: give a whole number of parts to show, 0 for none")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
-    plates = level_plates(held_by)
-    faces = [frame for plate in plates for frame in _faces(plate)]
+    faces = _plate_faces(held_by)
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
-    strips = [rule_strip(placed, faces, rim) for placed in model.placed]
-    strips = [_outside(one, plates) for one in strips]
+    strips = [rule_strip(placed, rim, faces) for placed in model.placed]
     size = HOLDER_PATCH_SHARE * float(np.ptp(bent, axis=0).max())
-    drawn = [*strips, *((part, _lit(part) * color) for part, color in holder_patches(held_by, size))]
+    drawn = [*strips, *((part, _lit(part) * color) for part, color in _holder_patches(held_by, size))]
     patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
@@ -139,13 +280,18 @@ def _seen(
 ) -> Figure:
     """Patches (n, k, 3) painted from the farthest to the nearest, and flat parts with the longest one's length.
 
-    What lies on the eye's side of a face is painted after all that lies on its other side.
+    What lies on the eye's side of a plate's face is painted after all that lies on its other side: sorted by depth
+    alone, tabs would have ragged edges where they go through.
     """
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
     middle = patches.mean(axis=1)
-    before = [_height(middle, face) * np.sign(face.z_axis @ toward) > ON_PLANE_MM for face in faces]
-    order = np.lexsort([middle @ toward, *before])
+    # behind each face, on it, before it
+    sides = [
+        np.sign(np.round((middle - face.origin) @ face.z_axis, ROUNDED_MM)) * np.sign(face.z_axis @ toward)
+        for face in faces
+    ]
+    order = np.lexsort([middle @ toward, *sides])
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
     tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
     below = 0.0 if flat is None else WIDTH_INCHES * _flat_height(*flat) / (1.04 * flat[1])
@@ -222,14 +368,22 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 
 
 def rule_strip(
-    placed: Placed, faces: Sequence[Frame] = (), rim_most: float = np.inf
+    placed: Placed, rim_most: float = np.inf, faces: Sequence[Frame] = ()
 ) -> tuple[FloatArray, FloatArray]:
-    """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3)."""
+    """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3).
+
+    Patches end where the strip goes through one of the `faces`.
+    """
     strip = placed.strip
     rod = strip.rod
     (first, low), (last, high) = strip.outline.bounds
-    crossings = _crossings(placed, faces, (first, last))
-    flat = _flat(strip, tuple(crossings.tolist()))
+    x = np.unique([first, *rod.s, last])
+    stations = [np.linspace(0.0, rod.length, STATIONS)]
+    for face in faces:
+        height = (placed.frame.point(_bent(rod, x)) - face.origin) @ face.z_axis
+        i = np.flatnonzero(height[:-1] * height[1:] < 0)
+        stations.append(x[i] - height[i] * (x[i + 1] - x[i]) / (height[i + 1] - height[i]))
+    flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / CORNERS)
     across = np.diff(flat[..., 1:], axis=-1)
     rim = np.minimum(min(RIM_SHARE * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
@@ -238,57 +392,6 @@ def rule_strip(
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
     lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
-
-
-@lru_cache(maxsize=_FLATS)
-def _flat(strip: Strip, crossings: tuple[float, ...]) -> FloatArray:
-    """Its trapezoids, cut at even stations and at crossings, arc lengths in mm."""
-    (first, _), (last, _) = strip.outline.bounds
-    stations = np.concatenate([np.linspace(0.0, strip.rod.length, 81), crossings])
-    half = FLAT_SHARE * (last - first) / 2
-    flat = trapezoids((strip.outline, *strip.holes), stations, half, blur=half)
-    flat.setflags(write=False)
-    return flat
-
-
-def _faces(plate: BasePlate | Ring) -> tuple[Frame, Frame]:
-    """The planes of both faces of a plate."""
-    return plate.frame, plate.frame.shifted(z=-plate.sheet.thickness)
-
-
-def _height(points: FloatArray, face: Frame) -> FloatArray:
-    """Of points (n, 3) above a plane, mm."""
-    return np.asarray((points - face.origin) @ face.z_axis, dtype=float)
-
-
-def _crossings(placed: Placed, faces: Sequence[Frame], ends: tuple[float, float]) -> FloatArray:
-    """Arc lengths at which the middle of a strip, tabs included, goes through planes."""
-    rod = placed.strip.rod
-    x = np.unique([*ends, *rod.s])
-    points, found = placed.frame.point(_bent(rod, x)), []
-    for face in faces:
-        h = _height(points, face)
-        i = np.flatnonzero(h[:-1] * h[1:] < 0)
-        found.append(x[i] - h[i] * (x[i + 1] - x[i]) / (h[i + 1] - h[i]))
-    return np.concatenate([np.empty(0), *found])
-
-
-def _outside(
-    drawn: tuple[FloatArray, FloatArray], plates: Sequence[BasePlate | Ring]
-) -> tuple[FloatArray, FloatArray]:
-    """Patches of a strip without those that lie within a plate, in its slots."""
-    from matplotlib.path import Path as Polygon
-
-    patches, colors = drawn
-    for plate in plates:
-        place = plate.frame.local(patches.mean(axis=1))
-        inside = (place[:, 2] < 0) & (place[:, 2] > -plate.sheet.thickness)
-        outline = Polygon(plate.solid.outline.points(OUTLINE_MM))
-        inside[inside] = outline.contains_points(place[inside][:, :2])
-        if isinstance(plate, Ring):
-            inside &= np.hypot(place[:, 0], place[:, 1]) > plate.radii[0]
-        patches, colors = patches[~inside], colors[~inside]
-    return patches, colors
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:

@@ -1,22 +1,23 @@
-"""A strip on one page: its curve, its stiffness, its flat pattern; and drawings in the colours of their layers."""
+"""A strip on one page and on its travel, and drawings in the colours of their layers."""
+
+from collections.abc import Sequence
+from textwrap import fill
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.travel import Travel
+from elastica_cad.geometry.boxes import box_about
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.plot.canvas import INK, Axes, Figure, new_page
-from elastica_cad.plot.strip_page import NUMBERED, STIFFNESS, WIDE, paint_both_axes, paint_legend
-from elastica_cad.plot.strip_views import (
-    view_bent,
-    view_flat,
-    view_layers,
-    view_page,
-    view_paths,
-    view_stiffness,
-)
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 LAYER_COLORS = {
     "CUT_OUTER": "#c2452d",
@@ -25,6 +26,24 @@ LAYER_COLORS = {
     "MARK": "#3a8f4d",
     "SHEET": "#8a8f98",
 }
+COMB, LINE, FAINT = "#2f6db3", "#c2452d", "#8a8f98"
+
+NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
+"""A drawing with both its axes, a title, and a legend below that."""
+
+STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
+"""K along the strip, under a title."""
+
+WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
+"""Of the axes of these pages, inches."""
+
+MARGIN_SHARE = 0.04
+"""Of the flat strip's length: the room beside it."""
+COMB_SHARE = 0.16
+"""Of the curve's extent: the longest tooth of its comb."""
+
+SMOOTH_MM = 0.02
+"""How closely polylines follow splines in pictures: less than a printed dot."""
 
 
 def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
@@ -33,19 +52,17 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
     `wish` is drawn beside it where the rod is the nearest one to a curve that was asked for.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
-    bent = view_bent(rod, wish)
-    figure, (above, below) = new_page([bent.panel, STIFFNESS])
-    bent.paint(above)
-    view_stiffness(rod).paint(below)
+    figure, (above, below) = new_page([_bent_panel(rod, wish), STIFFNESS])
+    _paint_bent(above, rod, wish)
+    _paint_stiffness(below, rod)
     return figure
 
 
 def strip(strip: Strip) -> Figure:
     """The flat strip with its dimensions."""
     require_record(strip, Strip, "what is drawn", "a Strip")
-    flat = view_flat(strip)
-    figure, (axes,) = new_page([flat.panel])
-    flat.paint(axes)
+    figure, (axes,) = new_page([_flat_panel(strip)])
+    _paint_dimensioned(axes, strip)
     return figure
 
 
@@ -59,7 +76,7 @@ def drawing(drawing: Drawing) -> Figure:
     figure, (axes,) = new_page(
         [NUMBERED._replace(height=float(np.clip(WIDE * size[1] / size[0], 1.6, 11.0)))]
     )
-    lines = view_paths([item.path for item in drawing.strokes])
+    lines = _polylines([item.path for item in drawing.strokes])
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
         # on whole pixels, dots of letters would shrink to nothing
@@ -67,8 +84,8 @@ def drawing(drawing: Drawing) -> Figure:
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
         )
     axes.autoscale_view()
-    paint_both_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
-    paint_legend(axes)
+    _paint_both_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
+    _paint_legend(axes)
     return figure
 
 
@@ -81,10 +98,287 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     wish : PlaneCurve, optional
         The curve that was asked for, where the rod is the nearest one that can be made.
     """
-    return view_page(strip, wish).figure()
+    require_record(strip, Strip, "what is drawn", "a Strip")
+    sheet = strip.sheet
+    size = strip.breadth() if strip.tapered else f"{sheet.thickness:g} mm thick"
+    facts = f"{sheet.name}, {size}, {strip.mass_told}"
+    strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
+    title = f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}"
+    panels = [_bent_panel(strip.rod, wish), STIFFNESS, _flat_panel(strip)]
+    figure, (bent, *below) = new_page(panels, title)
+    _paint_bent(bent, strip.rod, wish)
+    _paint_stiffness(below[0], strip.rod)
+    _paint_dimensioned(below[1], strip)
+    (start, _), (end, _) = strip.outline.bounds
+    margin = MARGIN_SHARE * (end - start)
+    for axes in below:
+        axes.set_xlim(start - margin, end + margin)
+    return figure
 
 
 def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
     """The cut pattern in the colours of its sheets, a backing seen through, moved by `shift` mm."""
-    for layer in view_layers(strip):
-        layer.paint(axes, shift)
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path as Outline
+
+    for layer in strip.layers:
+        # what runs against the outline is left out of the filling
+        loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
+        outlines = [Outline(loop + shift, closed=True) for loop in _polylines(loops)]
+        seen_through = layer is not strip.layers[0]
+        # `add_patch` would look at every piece of every hole for limits that are set afterwards
+        axes.add_artist(
+            PathPatch(
+                Outline.make_compound_path(*outlines),
+                facecolor=sheet_color(layer.sheet),
+                edgecolor=INK,
+                linewidth=1.0,
+                alpha=0.6 if seen_through else None,
+            )
+        )
+
+
+def _bent_panel(rod: Rod, wish: PlaneCurve | None) -> Panel:
+    """The room of a bent rod."""
+    if wish is not None:
+        require_curve(wish)
+    shown = [rod.position, _comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
+    width, height = _widened(np.ptp(np.concatenate(shown), axis=0))
+    return NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
+
+
+def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
+    """The rod as it is bent, its curvature comb and inflection line, and the curve that was asked for."""
+    position, tips, turns = rod.position, _comb_tips(rod), _inflections(rod)
+    step = max(1, len(position) // 100)
+    teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
+    axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
+    axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
+    wished = [] if wish is None else [wish.sample(600).position]
+    for points in wished:
+        dashed = {"color": FAINT, "linewidth": 1.4, "linestyle": (0, (4, 2))}
+        axes.plot(*points.T, label="drawn curve", **dashed)
+    axes.plot(*position.T, color=INK, linewidth=2.2, label="strip")
+    if len(turns):
+        called = "inflection" if len(turns) == 1 else "inflections"
+        axes.plot(*turns.T, "o", color=LINE, markersize=6, label=called)
+    low, high = box_about(np.concatenate([position, tips, *wished, turns]))
+    at_rest, shown = _inflection_line(rod), [low, high]
+    if at_rest is not None:
+        reach = 0.04 * float(np.max(high - low))
+        line = _clipped(*at_rest, low - reach, high + reach)
+        if line is not None:
+            axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
+            shown += [*line]
+    # a curve that is nearly straight has some room across, for its axis to be read
+    box = box_about(np.array(shown))
+    least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
+    axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
+    axes.set_ylim(middle[1] - least[1], middle[1] + least[1])
+    _paint_both_axes(axes, f"Bent: {rod.length:.1f} mm along the curve")
+    _paint_legend(axes)
+
+
+def _paint_stiffness(axes: Axes, rod: Rod) -> None:
+    """The stiffness along a rod."""
+    s = np.linspace(0.0, rod.length, 1201)
+    stiffness = rod.profile(s)
+    axes.plot(s, stiffness, color=INK, linewidth=1.6)
+    axes.fill_between(s, 0, stiffness, color=COMB, alpha=0.12, linewidth=0)
+    axes.set_xlim(0, s[-1])
+    axes.set_ylim(0, 1.12 * stiffness.max())
+    axes.set_xlabel("arc length from the start of the free part (mm)")
+    axes.set_ylabel("stiffness K")
+    _entitle(axes, f"Stiffness: largest over smallest {rod.ratio:.3f}")
+    axes.grid(visible=True, color="#e3e5e8", linewidth=0.6)
+    _quiet(axes)
+
+
+def _flat_panel(strip: Strip) -> Panel:
+    """The room of a flat strip."""
+    (left, bottom), (right, top) = strip.outline.bounds
+    tall = float(np.clip(WIDE * ((top - bottom) / (right - left) + 0.13), 1.2, 4.5))
+    return STIFFNESS._replace(height=tall, below=0.08)
+
+
+def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
+    """The flat strip with its dimensions."""
+    paint_flat(axes, strip)
+    (left, bottom), (right, top) = strip.outline.bounds
+    length, free = right - left, strip.rod.length
+    unit = 0.012 * length
+    axes.plot([0, 0, np.nan, free, free],
+              [bottom, top, np.nan, bottom, top], color=FAINT, linewidth=0.8, linestyle=":")  # fmt: skip
+    above, below = top + 1.6 * unit, bottom - 1.2 * unit
+    _dimension(axes, (left, above), (right, above), f"{length:.2f} mm in all, {free:.2f} mm free")
+    called, size = next(iter(strip.tapered.items()), ("width", strip.width))
+    for x in _stations_of(size):
+        half = float(strip.width(x)) / 2
+        axes.plot([x, x], [-half, half], color=LINE, linewidth=0.9)
+        axes.text(x, below, f"{float(size(x)):.2f}", ha="center", va="top", fontsize=9, color=LINE)
+    axes.set_xlim(left - MARGIN_SHARE * length, right + MARGIN_SHARE * length)
+    axes.set_ylim(bottom - 5.0 * unit, top + 5.2 * unit)
+    axes.set_aspect("equal")
+    axes.set_xticks([])
+    axes.set_yticks([])
+    for side in axes.spines.values():
+        side.set_visible(False)
+    called = "widths" if called == "width" else called
+    then = "; to be bent beforehand" if np.any(strip.rod.natural_curvature) else ""
+    title = f"Flat: {strip.breadth()}, {called} in mm below{then}"
+    if strip.backing_side:
+        title += f"\n{fill(strip.backing_side, 100)}"
+    _entitle(axes, title)
+
+
+def _polylines(paths: Sequence[Path]) -> list[FloatArray]:
+    """Points (n, 2) along paths, closed ones back to their start."""
+    rows = [path.points(SMOOTH_MM) for path in paths]
+    return [
+        np.concatenate([row, row[:1]]) if path.closed else row for path, row in zip(paths, rows, strict=True)
+    ]
+
+
+def _widened(size: FloatArray) -> FloatArray:
+    """Width and height shown of so large a drawing: the axis of a nearly straight curve can be read."""
+    return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
+
+
+def _stations_of(size: Profile) -> list[float]:
+    """Widest and narrowest place, the ends, then the quarters, as far as their labels keep apart."""
+    length = size.length
+    s = np.linspace(0.0, length, 801)
+    w = np.round(size(s), 9)  # where many places are widest, rounding does not choose
+    wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
+    kept: list[float] = []
+    for x in map(float, wanted):
+        if all(abs(x - other) > 0.08 * length for other in kept):
+            kept.append(x)
+    return sorted(kept)
+
+
+def _inflections(rod: Rod) -> FloatArray:
+    """Points (k, 2) where the bending changes sign: of a flat blank, where the curvature does."""
+    if rod.shape is not None and not np.any(rod.natural_curvature):
+        return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
+    kappa = rod.curvature - rod.natural_curvature
+    i = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
+    u = (kappa[i] / (kappa[i] - kappa[i + 1]))[:, None]
+    return np.asarray(rod.position[i] * (1 - u) + rod.position[i + 1] * u, dtype=float)
+
+
+def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
+    """Point and direction of the line on which the moment vanishes (Eq. 3); with weight there is none."""
+    size = float(np.linalg.norm(rod.force[0]))
+    if rod.gravity is not None or size == 0.0:
+        return None
+    direction = rod.force[0] / size
+    gradient = np.array([direction[1], -direction[0]])  # b = R^t lambda
+    return rod.position[0] - gradient * rod.moment[0] / size, direction
+
+
+def _clipped(
+    point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray
+) -> FloatArray | None:
+    """The part (2, 2) of a line inside a box, or None."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
+    inside = np.all((direction != 0) | ((low <= point) & (point <= high)))
+    first, last = (
+        np.nanmax(np.where(direction != 0, t[0], -np.inf)),
+        np.nanmin(np.where(direction != 0, t[1], np.inf)),
+    )
+    return (
+        np.array([point + first * direction, point + last * direction]) if inside and first < last else None
+    )
+
+
+def _comb_tips(rod: Rod) -> FloatArray:
+    """Ends (n, 2) of the teeth of the curvature comb."""
+    largest = float(np.abs(rod.curvature).max())
+    extent = float(np.ptp(rod.position, axis=0).max())
+    scale = COMB_SHARE * extent / largest if largest > 0 else 0.0
+    normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
+    return np.asarray(rod.position - scale * rod.curvature[:, None] * normal)
+
+
+def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
+    arrow = {"arrowstyle": "<->", "color": FAINT, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", start, end, arrowprops=arrow)
+    middle = ((start[0] + end[0]) / 2, start[1])
+    above = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
+    axes.annotate(text, middle, fontsize=9, color=INK, **above)
+
+
+def _paint_both_axes(axes: Axes, title: str) -> None:
+    """Numbers along x and y, at one scale, and a title."""
+    axes.set_aspect("equal")
+    axes.set_xlabel("x (mm)")
+    axes.set_ylabel("y (mm)")
+    _entitle(axes, title, pad=22)
+    _quiet(axes)
+
+
+def _entitle(axes: Axes, title: str, pad: float = 6.0) -> None:
+    """Above the axes, at a place that needs no look at what else is drawn."""
+    axes.set_title(title, fontsize=10, loc="left", color=INK, pad=pad, y=1.0)
+
+
+def _quiet(axes: Axes) -> None:
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.tick_params(labelsize=9)
+
+
+def _paint_legend(axes: Axes) -> None:
+    """In one line above the axes, below the title."""
+    axes.legend(
+        fontsize=9, frameon=False, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=5, borderpad=0.1
+    )
+
+
+FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"  # shapes from first to last; what snaps away
+SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
+COSTS = SHAPES._replace(height=2.4)  # force on one side, energy on the other
+FORCE, ENERGY = "#1d4f8c", "#e0962b"
+
+
+def travel(moved: Travel) -> Figure:
+    """All shapes of a travel above, force along the way and bending energy below."""
+    require_record(moved, Travel, "what is drawn", "a Travel")
+    figure, (above, below) = new_page([SHAPES, COSTS])
+    steps = len(moved.rods)
+    colors = _blend(FIRST, LAST, steps)
+    for k, rod in enumerate(moved.rods):
+        color = colors[k] if moved.stable[k] else UNSTABLE
+        above.plot(*rod.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
+    above.set_aspect("equal", adjustable="datalim")
+    snapping = "" if moved.stable.all() else "; red: unstable, it snaps away"
+    above.set_title(f"{steps} shapes, the last one darkest{snapping}", fontsize=9, color=INK, y=1.0)
+    above.set_xlabel("x, mm")
+    above.set_ylabel("y, mm")
+    below.plot(moved.travel, moved.force_along, color=FORCE, marker=".", label="force along the way, N")
+    below.set_xlabel("travel of the end, mm")
+    below.set_ylabel("force, N", color=FORCE)
+    below.grid(alpha=0.25)
+    beside = below.twinx()
+    beside.plot(moved.travel, moved.energy, color=ENERGY, linestyle="--")
+    beside.set_ylabel("bending energy, N mm", color=ENERGY)
+    for axes in (below, beside):  # from 0, so that a force that hardly changes looks so
+        low, high = axes.get_ylim()
+        room = 0.05 * (high - low) if low * high > 0 else 0.0
+        axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
+    worst = int(np.argmin(moved.safety))
+    below.set_title(
+        f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.travel[worst]:.4g} mm of travel, "
+        f"safety {moved.safety[worst]:.2g}",
+        fontsize=9,
+        color=INK,
+        y=1.0,
+    )
+    return figure
+
+
+def _blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
+    """Colours from one to another."""
+    a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (first, last))
+    return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]

@@ -30,7 +30,7 @@ def check(record, flat, thickness, measure):
     assert record.boundary.is_closed
     solid = occt.make_solid(record)
     assert measure.is_valid(solid)
-    assert measure.area(occt.make_shell(record.middle)) == pytest.approx(flat, rel=1e-6)
+    assert measure.area(occt.make_boundary(record.middle)) == pytest.approx(flat, rel=1e-6)
     assert measure.volume(solid) == pytest.approx(flat * thickness, rel=1e-6)
     return solid
 
@@ -39,7 +39,7 @@ def test_every_curve_and_every_end(curve, ends, card, tilted, measure):
     strip = Strip(optimal_rod(curve), card, max_width=30, ends=ends)
     record = BentSolid.of(strip, tilted)
     solid = check(record, strip.area, card.thickness, measure)
-    assert measure.distance(occt.make_shell(record.middle), strip_points(strip, tilted)) < 1e-5
+    assert measure.distance(occt.make_boundary(record.middle), strip_points(strip, tilted)) < 1e-5
     s = strip.rod.length * np.array([0.1, 0.55])
     samples = strip.rod.curve.at(s)
     normal = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
@@ -129,7 +129,7 @@ def test_rod_without_a_drawn_curve(card, measure):
     strip = Strip(rod, card, max_width=20)
     record = BentSolid.of(strip)
     check(record, strip.area, card.thickness, measure)
-    assert measure.distance(occt.make_shell(record.middle), strip_points(strip, record.frame)) < 1e-4
+    assert measure.distance(occt.make_boundary(record.middle), strip_points(strip, record.frame)) < 1e-4
     for name, angle, sign in (("start", rod.angle[0], -1), ("end", rod.angle[-1], 1)):
         tangent = [sign * np.cos(angle), sign * np.sin(angle), 0]
         assert record.joints[name].x_axis == pytest.approx(tangent, abs=1e-7)
@@ -143,7 +143,7 @@ def test_nearest_rod(card, measure):
     record = BentSolid.of(strip)
     check(record, strip.area, card.thickness, measure)
     sag = rod.s[1] ** 2 * np.abs(rod.curvature).max() / 24
-    assert measure.distance(occt.make_shell(record.middle), strip_points(strip, record.frame)) < 3 * sag
+    assert measure.distance(occt.make_boundary(record.middle), strip_points(strip, record.frame)) < 3 * sag
     outward = [np.cos(rod.angle[-1]), np.sin(rod.angle[-1]), 0]
     assert record.joints["end"].x_axis == pytest.approx(outward, abs=1e-7)
 

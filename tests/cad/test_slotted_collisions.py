@@ -18,12 +18,13 @@ def depth_in(placed, point):
     from OCP.BRepClass3d import BRepClass3d_SolidClassifier
     from OCP.BRepExtrema import BRepExtrema_DistShapeShape
     from OCP.gp import gp_Pnt
-    from OCP.TopAbs import TopAbs_IN
+    from OCP.TopAbs import TopAbs_IN, TopAbs_SHELL
 
     record, place = BentSolid.of(placed.strip, placed.frame), gp_Pnt(*point)
-    if BRepClass3d_SolidClassifier(occt.make_solid(record), place, 1e-7).State() != TopAbs_IN:
+    solid = occt.make_solid(record)
+    if BRepClass3d_SolidClassifier(solid, place, 1e-7).State() != TopAbs_IN:
         return None
-    shell = occt.make_shell(record.boundary)
+    (shell,) = occt.sub_shapes(solid, TopAbs_SHELL)
     return BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(place).Vertex(), shell).Value()
 
 

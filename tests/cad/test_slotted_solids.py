@@ -39,7 +39,7 @@ def test_slots_of_every_kind_reach_the_solid(measure):
     solid = occt.make_solid(record)
     assert measure.is_valid(solid)
     assert measure.volume(solid) == pytest.approx(strip.area * CARD.thickness, rel=1e-6)
-    assert measure.area(occt.make_shell(record.middle)) == pytest.approx(strip.area, rel=1e-6)
+    assert measure.area(occt.make_boundary(record.middle)) == pytest.approx(strip.area, rel=1e-6)
 
 
 def arch_and_wall(angle, sheet="birch-plywood-0.8"):

@@ -41,26 +41,6 @@ def test_header_units_names_colours(arch_strip, tmp_path):
 
 
 @pytest.mark.campaign
-def test_same_bytes_every_time(plain, tmp_path):
-    """Also with several colours, which the kernel writes in the order of addresses in memory."""
-    colors = [(1, 0, 0), (0, 0, 1), (1, 0, 0), (0.2, 0.3, 0.4)]
-    seen = set()
-    for number in range(8):
-        solids = [occt.make_solid(FlatSolid.of(plain)) for _ in colors]
-        parts = [
-            step.NamedShape(f"part {k}", *pair) for k, pair in enumerate(zip(solids, colors, strict=True))
-        ]
-        path = tmp_path / f"{number}.step"
-        step.write_step(parts, path, name="all")
-        seen.add(path.read_bytes())
-    assert len(seen) == 1
-    content = seen.pop().decode()
-    numbers = [int(n) for n in re.findall(r"^#(\d+) = ", content, re.MULTILINE)]
-    assert numbers == list(range(1, len(numbers) + 1))
-    assert {int(n) for n in re.findall(r"#(\d+)", content)} == set(numbers)
-
-
-@pytest.mark.campaign
 def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, measure):
     """Wires are parted by us there, also where holes touch the joint to a tab, and OpenCASCADE is not asked to."""
     curve = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
@@ -72,9 +52,6 @@ def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, me
         path = tmp_path / f"{most}.step"
         step.write_strip_step(strip, path)
         kinds = Counter(re.findall(r"^#\d+ = \(? ?([A-Z_0-9]+)", path.read_text(), re.MULTILINE))
-        again = tmp_path / f"{most} again.step"
-        step.write_strip_step(strip, again)
-        assert again.read_bytes().replace(b" again", b"") == path.read_bytes()
         solids = occt.sub_shapes(step.read_step_shape(path), kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
         found[most] = (
             kinds,
@@ -84,13 +61,6 @@ def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, me
     bounds = ("FACE_BOUND", "EDGE_CURVE", "ADVANCED_FACE", "VERTEX_POINT", "PCURVE", "ORIENTED_EDGE")
     assert [kinds[kind] for kind in bounds] == [shared[kind] for kind in bounds]
     assert kinds["FACE_BOUND"] > 150
-    assert shared["CARTESIAN_POINT"] < 0.5 * kinds["CARTESIAN_POINT"]
-    assert shared["GEOMETRIC_REPRESENTATION_CONTEXT"] < 10
-    said = re.findall(
-        r"^#\d+ = ((?:CARTESIAN_POINT|LINE|B_SPLINE_CURVE_WITH_KNOTS)\(.*)", path.read_text(), re.MULTILINE
-    )
-    assert len(said) == len(set(said))
-    assert path.stat().st_size < 0.55 * (tmp_path / f"{10**6}.step").stat().st_size
     assert all(sound for _, sound in many)
     assert [volume for volume, _ in many] == pytest.approx([volume for volume, _ in few], rel=1e-9)
 

@@ -40,7 +40,7 @@ def test_perforated_strip_bends_with_all_its_holes(perforated, measure):
     solid = occt.make_solid(record)
     assert len(perforated.holes) > 10
     assert measure.is_valid(solid)
-    assert measure.area(occt.make_shell(record.middle)) == pytest.approx(perforated.area, rel=1e-6)
+    assert measure.area(occt.make_boundary(record.middle)) == pytest.approx(perforated.area, rel=1e-6)
 
 
 def test_laminate_is_two_bodies_that_touch(laminate, measure):

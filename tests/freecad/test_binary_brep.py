@@ -7,7 +7,6 @@ import FreeCAD as App
 import numpy as np
 import Part
 import pytest
-from freecad.elastica_wb.shapes.binary_brep import brep_bytes
 from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid, make_wire
 
 from elastica_cad.errors import InputError
@@ -16,6 +15,7 @@ from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
+from elastica_cad.formats.binary_brep import boundary_brep
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -101,7 +101,7 @@ def test_edges_run_on_their_faces(record):
 
 def test_an_open_sheet_is_a_shell(record, tmp_path: pathlib.Path):
     file = tmp_path / "middle.bin"
-    file.write_bytes(brep_bytes(record.middle))
+    file.write_bytes(boundary_brep(record.middle).for_freecad)
     shell = Part.Shape()
     shell.importBinary(str(file))
     assert shell.ShapeType == "Shell"

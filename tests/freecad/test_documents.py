@@ -20,7 +20,7 @@ from freecad.elastica_wb.features import flat, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
-from freecad.elastica_wb.shapes.part_shapes import make_edge, make_wire
+from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.errors import InputError, MissingDependencyError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -243,7 +243,7 @@ def test_the_outline_of_a_face(document):
 def test_a_chain_in_a_sketch(document):
     sketch = document.addObject("Sketcher::SketchObject", "Sketch")
     arc = Arc((0, 0), 50, 0.2, 1.2)
-    edge = make_edge(arc)
+    (edge,) = make_wire(PlanePath([arc])).Edges
     circle = Part.Circle(App.Vector(0, 0, 0), App.Vector(0, 0, 1), 50)
     sketch.addGeometry(Part.ArcOfCircle(circle, 0.2, 1.2), False)
     end = edge.valueAt(edge.LastParameter)
@@ -312,9 +312,10 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
         write_cutting_files([feature], tmp_path / "stopped", kinds=kinds, step=lambda done: done < 1)
     assert not list((tmp_path / "stopped").glob("*"))
     again = write_cutting_files([feature], tmp_path / "again", kinds=kinds)
-    assert [a.read_bytes() == b.read_bytes() for a, b in zip(files, again, strict=True)] == [True] * len(
-        files
-    )
+    alike = [
+        a.read_bytes() == b.read_bytes() for a, b in zip(files, again, strict=True) if a.suffix != ".step"
+    ]
+    assert alike == [True] * (len(files) - 1)
     names = [cut.piece.name for cut in cuts_of([feature, document.copyObject(feature)])]
     assert len(set(names)) == 2
     with pytest.raises(InputError, match="nothing to cut"):

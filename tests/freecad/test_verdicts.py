@@ -1,14 +1,13 @@
 """Three verdicts, DXF without ezdxf, caches that grow, strips that follow their body."""
 
 import re
+import sys
 from dataclasses import replace
-from io import StringIO
 
 import ezdxf
 import FreeCAD as App
-import numpy as np
 import pytest
-from freecad.elastica_wb.export.plain_dxf import plain_dxf
+from freecad.elastica_wb.export.cutting_files import write_cut
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, strip_answer
@@ -109,19 +108,20 @@ def test_what_cannot_be_bent_and_what_cannot_be_made():
     assert refusal_answer(narrow.value).verdict is Verdict.BREAKS
 
 
-def test_dxf_without_ezdxf():
+def test_dxf_without_ezdxf(monkeypatch, tmp_path, check_drawing_file):
     made = solve_strip(asked(ARCH, label="A1"))
-    document = ezdxf.read(StringIO(plain_dxf(made.drawing())))
+    with monkeypatch.context() as bare:
+        bare.setitem(sys.modules, "ezdxf", None)
+        path = write_cut(made.drawing(), tmp_path / "A1.dxf", version="R2010")
+    document = ezdxf.readfile(path)
     assert document.dxfversion == "AC1009"
-    lines = list(document.modelspace().query("POLYLINE"))
-    outer = [line for line in lines if line.dxf.layer == "CUT_OUTER"]
-    assert len(outer) == 1
-    assert outer[0].is_closed
-    assert {line.dxf.layer for line in lines} == {"CUT_OUTER", "ENGRAVE", "MARK"}
-    points = np.array([tuple(p)[:2] for p in outer[0].points()])
+    loops = [curve for curve in check_drawing_file(path) if curve.layer == "CUT_OUTER"]
+    assert len(loops) == 1
+    assert loops[0].closed
+    assert {entity.dxf.layer for entity in document.modelspace()} == {"CUT_OUTER", "ENGRAVE", "MARK"}
     box = made.outline.bounds
-    assert points.min(axis=0) == pytest.approx(box[0], abs=0.05)
-    assert points.max(axis=0) == pytest.approx(box[1], abs=0.05)
+    assert loops[0].points.min(axis=0) == pytest.approx(box[0], abs=0.05)
+    assert loops[0].points.max(axis=0) == pytest.approx(box[1], abs=0.05)
 
 
 def test_caches_grow_with_the_documents(document):

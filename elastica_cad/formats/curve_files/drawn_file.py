@@ -5,7 +5,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs, near_ends
 from elastica_cad.formats.curve_files.edges import Run, Source
@@ -210,7 +209,6 @@ def collect_curves(
     fit_tolerance: float,
     shown: Provenance | None = None,
     flat: Callable[[Run, float], Run] | None = None,
-    doubt: Callable[[Iterable[Iterable[FloatArray]]], str] = lambda _: "",
 ) -> DrawnFile:
     """The curves of a file that draws runs of edges, joined where their ends meet.
 
@@ -222,8 +220,6 @@ def collect_curves(
         Of joints, and of polylines' vertices, mm.
     flat : callable, optional
         Brings edges in space into their plane.
-    doubt : callable, optional
-        What is said of the size of the curves, as `DrawnFile.size`.
 
     Raises
     ------
@@ -246,14 +242,13 @@ def collect_curves(
         DrawnCurve(number, partial(make, chain), source.name, source.layer)
         for number, (chain, source) in enumerate(zip(chains, sources, strict=True), start=1)
     ]
-    size = doubt((edge.points for edge in chain) for chain in chains)
     gaps = tuple(
         f"{curves[i].called} and {curves[j].called} end {apart:.2g} mm apart near "
         f"({place[0]:.4g}, {place[1]:.4g}) mm and are two strips: close the gap in the drawing where they are "
         "meant to be one"
         for apart, i, j, place in near_ends(chains, tolerance)[:_SHOWN]
     )
-    return DrawnFile(path, curves, dict(sorted(skipped.items())), size, gaps)
+    return DrawnFile(path, curves, dict(sorted(skipped.items())), gaps=gaps)
 
 
 _SHOWN = 6  # curves and kinds named in a sentence

@@ -21,7 +21,6 @@ from elastica_cad.formats.curve_files.dxf_text import (
 )
 from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.likely_size import NO_UNIT, doubt_size
 from elastica_cad.formats.curve_files.number_gate import check_degree, check_places
 from elastica_cad.formats.file_access.source_file import look_up_unit, quiet_log
 from elastica_cad.geometry.pen_curves.provenance import Provenance
@@ -29,13 +28,11 @@ from elastica_cad.geometry.pen_curves.provenance import Provenance
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
-# $INSUNITS -> name of the unit, and millimetres in it; 0 is "no unit", which we read as mm
 _INSUNITS = {
-    0: ("", 1.0), 1: ("inches", 25.4), 2: ("feet", 304.8), 3: ("miles", 1609344.0), 4: ("mm", 1.0), 5: ("cm", 10.0),
-    6: ("m", 1000.0), 7: ("km", 1e6), 8: ("microinches", 25.4e-6), 9: ("mils", 0.0254), 10: ("yards", 914.4),
-    11: ("angstroms", 1e-7), 12: ("nm", 1e-6), 13: ("microns", 1e-3), 14: ("dm", 100.0), 15: ("decametres", 1e4),
-    16: ("hectometres", 1e5), 17: ("gigametres", 1e12), 21: ("US survey feet", 1.2e6 / 3937),
+    0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254, 10: 914.4,
+    11: 1e-7, 12: 1e-6, 13: 1e-3, 14: 100.0, 15: 1e4, 16: 1e5, 17: 1e12, 21: 1.2e6 / 3937,
 }  # fmt: skip
+"""Millimetres in the units that $INSUNITS numbers; 0 is "no unit", which is read as mm."""
 
 
 def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None) -> DrawnFile:
@@ -52,12 +49,10 @@ def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
         ezdxf is not installed.
     """
     document = _opened(file)
-    code = 0 if unit else _unit_code(document)
-    called, scale = (unit, look_up_unit(unit)) if unit else _INSUNITS[code]
+    scale = look_up_unit(unit) if unit else _INSUNITS[_unit_code(document)]
     refuse_many_inserts(document)
     rounding = scale * dxf_rounding(file)
     skipped: Counter[str] = Counter()
-    why = f"its file says {called} ($INSUNITS = {code})" if code else NO_UNIT
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
@@ -68,7 +63,6 @@ def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
             nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
             fit_tolerance=fit_tolerance, shown=shown,
-            doubt=lambda runs: "" if unit else doubt_size(runs, scale, why),
         )  # fmt: skip
 
 

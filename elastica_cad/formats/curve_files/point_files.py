@@ -10,7 +10,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.chains import curve_from_points
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
-from elastica_cad.formats.curve_files.likely_size import NO_UNIT, doubt_size
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
     NUMBER,
@@ -55,14 +54,8 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     blocks = [scale * block for block in _blocks(rows)]
     digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
     makers = [partial(_fitted, block, fit_tolerance, digits) for block in blocks]
-    size = "" if unit else doubt_size(([block] for block in blocks), scale, _why(headed))
     curves = [DrawnCurve(number, make) for number, make in enumerate(makers, start=1)]
-    return DrawnFile(file, curves, size=size)
-
-
-def _why(headed: str | None) -> str:
-    """What says the unit of numbers whose user did not."""
-    return f"its heading says {headed}" if headed else NO_UNIT
+    return DrawnFile(file, curves)
 
 
 def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
@@ -105,8 +98,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
     knots = np.arange(-degree, count + 1, dtype=float)
     curve = PlaneCurve(knots, scale * points, degree, provenance=digits)
-    size = "" if unit else doubt_size([[curve.control_points]], scale, NO_UNIT)
-    return DrawnFile(file, [DrawnCurve(1, lambda: curve)], size=size)
+    return DrawnFile(file, [DrawnCurve(1, lambda: curve)])
 
 
 def _text(path: Path) -> str:

@@ -10,7 +10,7 @@ from elastica_cad.formats.design_files.keys.values import NUMBER
 from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop
 from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS
+from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 

@@ -1,28 +1,35 @@
-"""Drawings as DXF files, R12 to R2018."""
+"""Drawings as DXF files: R2000 to R2018 through ezdxf, R12 without any library."""
 
+import io
+import logging
 import re
-from collections.abc import Mapping
-from functools import lru_cache
-from itertools import count
-from math import degrees
-
-import numpy as np
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from importlib import import_module
+from math import degrees, pi
+from threading import Lock
+from typing import Any
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
-from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
 from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_paths
-from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS, DxfFrame, dxf_frame
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
 from elastica_cad.geometry.paths.trim import trim_segment
 
+DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
+
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
-_SPLINE_POINT = " 10\n%r\n 20\n%r\n 30\n0.0\n"
-_KEPT_KNOTS = 16384  # some 10 MB
+_OPTIONS = Lock()
+
+_INKS = {
+    1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
+    7: (0, 0, 0), 8: (128, 128, 128), 9: (192, 192, 192), 30: (255, 127, 0), 140: (0, 191, 255), 200: (191, 0, 255),
+}  # fmt: skip
+"""Some of AutoCAD's colour numbers; 7 is drawn in black on white paper and in white on a black screen."""
 
 
 def encode_dxf(
@@ -51,7 +58,7 @@ def encode_dxf(
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.
     version : str
-        One of `DXF_VERSIONS`. R12 has no units in its header; a comment says mm.
+        One of `DXF_VERSIONS`. R12 has no units in its header; a comment says mm. It is written without ezdxf.
     layers : mapping, optional
         Names and colours, see `style_layers`.
 
@@ -67,140 +74,134 @@ def encode_dxf(
     if not isinstance(version, str) or version not in DXF_VERSIONS:
         raise InputError(f"there is no DXF version {version!r}: use one of {', '.join(DXF_VERSIONS)}")
     styles = style_layers(layers)
-    if version == "R12":
+    old = version == "R12"
+    if old:
         _check_old_names(styles)
         curves = "arc" if curves in ("spline", EXACT) else curves
-    bounds = drawing.bounds
-    shown = tuple((layer, styles[layer]) for layer in drawing.layers)
-    frame = dxf_frame(version, shown)
-    writer = _Writer(frame, curves, tolerance, old=version == "R12")
-    writer.draw(drawing, styles)
-    return frame.around(writer.entities, writer.groups, bounds, free=next(writer.numbers))
+    shown = {layer: styles[layer] for layer in drawing.layers}
+    strokes = drawing.strokes
+    shaped = shape_paths([stroke.path for stroke in strokes], curves, tolerance)
+    named = [(styles[stroke.layer].name, path) for stroke, path in zip(strokes, shaped, strict=True)]
+    if old:
+        return _r12(named, shown, drawing.bounds)
+    return _through_ezdxf(named, shown, drawing.bounds, version)
 
 
-class _Writer:
-    """Turns paths into the text of entities under numbers of one file.
-
-    ezdxf makes all that is around them; made by it one by one they would take eight times as long.
-    """
-
-    def __init__(self, frame: DxfFrame, curves: str, tolerance: float, *, old: bool) -> None:
-        self.frame = frame
-        self.old = old
-        self.numbers = count(frame.first)
-        self.curves = curves
-        self.tolerance = tolerance
-        self.entities: list[str] = []
-        self.groups: list[tuple[str, list[str]]] = []
-
-    def draw(self, drawing: Drawing, styles: Mapping[str, LayerStyle]) -> None:
-        shaped = shape_paths([item.path for item in drawing.strokes], self.curves, self.tolerance)
-        for item, path in zip(drawing.strokes, shaped, strict=True):
-            self.path(path, styles[item.layer].name)
-
-    def path(self, path: Path, layer: str) -> None:
-        first = path.segments[0]
-        alone = len(path.segments) == 1
-        if alone and isinstance(first, Arc) and first.is_circle:
-            self._add("CIRCLE", layer, self.number(), self._round(first))
-        elif not (path.has_splines or (path.closed and self.old)):
-            self._polyline(path, layer)
-        else:
-            numbers = [self.number() for _ in path.segments]
-            group = "" if alone or self.old else self._group(numbers)
-            head, closed = self._head(layer, group), path.closed and alone
-            for segment, number in zip(path.segments, numbers, strict=True):
-                kind, rest = self._segment(segment, closed=closed)
-                self.entities.append(f"  0\n{kind}\n  5\n{number}\n{head}{rest}")
-
-    def number(self) -> str:
-        """A new one."""
-        return f"{next(self.numbers):X}"
-
-    def _group(self, members: list[str]) -> str:
-        """The number of a new group that binds a loop."""
-        number = self.number()
-        self.groups.append((number, members))
-        return number
-
-    def _add(self, kind: str, layer: str, number: str, rest: str) -> None:
-        self.entities.append(f"  0\n{kind}\n  5\n{number}\n{self._head(layer)}{rest}")
-
-    def _head(self, layer: str, group: str = "") -> str:
-        """What all entities of a path have between their numbers and their shapes."""
-        bound = f"102\n{{ACAD_REACTORS\n330\n{group}\n102\n}}\n" if group else ""
-        owned = "" if self.old else f"{bound}330\n{self.frame.owner}\n100\nAcDbEntity\n"
-        return f"{owned}  8\n{layer}\n"
-
-    def _class(self, name: str) -> str:
-        return "" if self.old else f"100\nAcDb{name}\n"
-
-    def _polyline(self, path: Path, layer: str) -> None:
-        segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
-        ends = [segment.start for segment in segments] + ([] if path.closed else [path.end])
-        bulges = [segment.bulge if isinstance(segment, Arc) else 0.0 for segment in segments] + [0.0]
-        rows = [
-            (_written(10, x, y, flat=not self.old), f" 42\n{bulge}\n" if bulge else "")
-            for (x, y), bulge in zip([end.tolist() for end in ends], map(float, bulges), strict=False)
-        ]
-        number = self.number()
-        if not self.old:
-            count = f" 90\n{len(rows)}\n 70\n{int(path.closed)}\n"
-            places = "".join([place + bulge for place, bulge in rows])
-            self._add("LWPOLYLINE", layer, number, f"{self._class('Polyline')}{count}{places}")
-            return
-        last = self.number()
-        self._add("POLYLINE", layer, number, f" 66\n1\n{_place(10, np.zeros(2))} 70\n0\n")
-        for place, bulge in rows:
-            self._add("VERTEX", layer, self.number(), f"{place}{bulge} 70\n0\n")
-        self._add("SEQEND", layer, last, "")
-
-    def _segment(self, segment: Segment, *, closed: bool) -> tuple[str, str]:
-        """The kind of its entity, and what tells its shape."""
-        if isinstance(segment, Spline):
-            return "SPLINE", _spline_text(segment.curve, closed=closed)
-        if isinstance(segment, Arc):
-            first, last = sorted((degrees(segment.start_angle), degrees(segment.end_angle)))
-            return "ARC", f"{self._round(segment)}{self._class('Arc')} 50\n{first}\n 51\n{last}\n"
-        return "LINE", f"{self._class('Line')}{_place(10, segment.start)}{_place(11, segment.end)}"
-
-    def _round(self, arc: Arc) -> str:
-        return f"{self._class('Circle')}{_place(10, arc.center)} 40\n{float(arc.radius)}\n"
+# --- R2000 and later ---
 
 
-def _place(code: int, point: FloatArray) -> str:
-    x, y = point.tolist()
-    return _written(code, x, y, flat=False)
+def _through_ezdxf(
+    paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray, version: str
+) -> bytes:
+    """Paths on named layers as the content of a file."""
+    with _plain_ezdxf() as ezdxf:
+        document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
+        for layer, style in styles.items():
+            row = document.layers.add(style.name, color=_ink(style.rgb))
+            row.rgb = style.rgb
+            row.dxf.plot = int(layer != SHEET)  # the border of a sheet is seen, not worked
+        space, groups = document.modelspace(), document.rootdict["ACAD_GROUP"]
+        for layer, path in paths:
+            entities = [*_entities(space, path, {"layer": layer})]
+            if len(entities) > 1:
+                # `document.groups.new` compares the name with all others: minutes for thousands of holes
+                group = document.objects.add_dxf_object_with_reactor("GROUP", {"owner": groups.dxf.handle})
+                groups.add(f"LOOP_{len(groups) + 1}", group)
+                group.set_data(entities)
+        (left, low), (right, high) = bounds.tolist()
+        space.reset_extents((left, low, 0.0), (right, high, 0.0))
+        document.header["$EXTMIN"], document.header["$EXTMAX"] = (left, low, 0.0), (right, high, 0.0)
+        height = 1.1 * max(high - low, (right - left) / 2)
+        document.set_modelspace_vport(height, ((left + right) / 2, (low + high) / 2))
+        # ezdxf keeps the classes that a version needs in a set, whose order changes with every process
+        document.classes.add_required_classes(document.dxfversion)
+        document.classes.classes = dict(sorted(document.classes.classes.items()))
+        stream = io.StringIO()
+        document.write(stream)
+        return bytes(document.encode(stream.getvalue()))
 
 
-def _written(code: int, x: float, y: float, *, flat: bool) -> str:
-    return f" {code}\n{x}\n {code + 10}\n{y}\n" + ("" if flat else f" {code + 20}\n0.0\n")
+def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
+    """The entities that draw a path."""
+    if circle := _circle(path):
+        yield space.add_circle(circle.center, circle.radius, on)
+    elif not path.has_splines:
+        yield space.add_lwpolyline(_bulges(path), "xyb", close=path.closed, dxfattribs=on)
+    else:
+        for segment in path.segments:
+            if isinstance(segment, Spline):
+                curve, alone = segment.curve, path.closed and len(path.segments) == 1
+                spline = space.add_spline(degree=curve.degree, dxfattribs=on)
+                spline.control_points, spline.knots = curve.control_points, curve.knots
+                spline.weights = () if curve.weights is None else curve.weights
+                rational = 0 if curve.weights is None else _RATIONAL
+                spline.dxf.flags = _PLANAR | rational | (_CLOSED if alone else 0)
+                yield spline
+            elif isinstance(segment, Arc):
+                yield space.add_arc(segment.center, segment.radius, *_angles(segment), dxfattribs=on)
+            else:
+                yield space.add_line(segment.start, segment.end, on)
 
 
-def _spline_text(curve: PlaneCurve, *, closed: bool) -> str:
-    weighted = curve.weights is not None
-    flags = _PLANAR | (_RATIONAL if weighted else 0) | (_CLOSED if closed else 0)
-    head = _spline_head(curve.knots.tobytes(), curve.degree, flags)
-    weights = "" if curve.weights is None else "".join([f" 41\n{w}\n" for w in curve.weights.tolist()])
-    # one template for all numbers of a curve is filled faster than one for each point
-    points = curve.control_points
-    return f"{head}{weights}{_SPLINE_POINT * len(points)}" % (*points.ravel().tolist(),)
+@contextmanager
+def _plain_ezdxf() -> Iterator[Any]:
+    """ezdxf without time stamps and random identifiers, by which files would differ, and without its log."""
+    try:
+        ezdxf = import_module("ezdxf")
+    except ImportError:
+        raise MissingDependencyError(f"writing DXF needs ezdxf: {how_to_install('ezdxf')}") from None
+    logger = logging.getLogger("ezdxf")
+    with _OPTIONS:
+        before, level = ezdxf.options.write_fixed_meta_data_for_testing, logger.level
+        ezdxf.options.write_fixed_meta_data_for_testing = True
+        logger.setLevel(logging.ERROR)
+        try:
+            yield ezdxf
+        finally:
+            ezdxf.options.write_fixed_meta_data_for_testing = before
+            logger.setLevel(level)
 
 
-@lru_cache(maxsize=_KEPT_KNOTS)
-def _spline_head(knots: bytes, degree: int, flags: int) -> str:
-    """Of knots as bytes: sides of holes side by side share theirs, and those of a part and of its sheet."""
-    places = np.frombuffer(knots).tolist()
-    counts = f" 72\n{len(places)}\n 73\n{len(places) - degree - 1}\n 74\n0\n"
-    lines = "".join([f" 40\n{knot}\n" for knot in places])
-    return f"100\nAcDbSpline\n 70\n{flags}\n 71\n{degree}\n{counts}{lines}"
+# --- R12 ---
 
 
-def _up_to_half_turns(segment: Segment) -> list[Segment]:
-    """An arc of more than half a turn in two, so that its bulge stays moderate."""
-    if isinstance(segment, Arc) and abs(segment.sweep) > np.pi * (1 + 1e-9):
-        return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
-    return [segment]
+def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
+    """Paths on named layers as the content of a file, as pairs of lines: a code and its value."""
+    tags: list[tuple[int, object]] = [(999, "all lengths in mm"), (0, "SECTION"), (2, "HEADER")]
+    tags += [(9, "$ACADVER"), (1, "AC1009")]
+    for name, corner in zip(("$EXTMIN", "$EXTMAX"), bounds.tolist(), strict=True):
+        tags += [(9, name), *_at(10, corner)]
+    tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, len(styles))]
+    for style in styles.values():
+        tags += [(0, "LAYER"), (2, style.name), (70, 0), (62, _ink(style.rgb)), (6, "CONTINUOUS")]
+    tags += [(0, "ENDTAB"), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
+    for layer, path in paths:
+        tags += _r12_entities(path, (8, layer))
+    tags += [(0, "ENDSEC"), (0, "EOF")]
+    return "".join(f"{code:>3}\n{value}\n" for code, value in tags).encode("ascii")
+
+
+def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, object]]:
+    if circle := _circle(path):
+        yield from ((0, "CIRCLE"), layer, *_at(10, circle.center), (40, float(circle.radius)))
+    elif path.closed:
+        for segment in path.segments:
+            if isinstance(segment, Arc):
+                start, end = _angles(segment)
+                yield from ((0, "ARC"), layer, *_at(10, segment.center), (40, float(segment.radius)))
+                yield from ((50, start), (51, end))
+            else:
+                yield from ((0, "LINE"), layer, *_at(10, segment.start), *_at(11, segment.end))
+    else:
+        yield from ((0, "POLYLINE"), layer, (66, 1), *_at(10, (0.0, 0.0)), (70, 0))
+        for x, y, bulge in _bulges(path):
+            yield from ((0, "VERTEX"), layer, *_at(10, (x, y)), (42, bulge))
+        yield from ((0, "SEQEND"), layer)
+
+
+def _at(code: int, point: FloatArray | Sequence[float]) -> list[tuple[int, object]]:
+    x, y = point
+    return [(code, float(x)), (code + 10, float(y)), (code + 20, 0.0)]
 
 
 def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
@@ -209,3 +210,37 @@ def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
             raise InputError(
                 f"DXF R12 takes no layer named {style.name!r}: use up to 31 letters, digits, $, - and _"
             )
+
+
+# --- of both ---
+
+
+def _circle(path: Path) -> Arc | None:
+    """The whole circle that a path is; None of others."""
+    first = path.segments[0]
+    return first if len(path.segments) == 1 and isinstance(first, Arc) and first.is_circle else None
+
+
+def _angles(arc: Arc) -> tuple[float, float]:
+    """Where an arc begins and ends when it is run anticlockwise, degrees."""
+    first, last = sorted((degrees(arc.start_angle), degrees(arc.end_angle)))
+    return first, last
+
+
+def _bulges(path: Path) -> list[tuple[float, float, float]]:
+    """The corners of a path of lines and arcs as x, y and the bulge of what follows; of an open one its end too."""
+    segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
+    rows = [(*one.start.tolist(), float(one.bulge) if isinstance(one, Arc) else 0.0) for one in segments]
+    return rows if path.closed else [*rows, (*path.end.tolist(), 0.0)]
+
+
+def _up_to_half_turns(segment: Segment) -> list[Segment]:
+    """An arc of more than half a turn in two, so that its bulge stays moderate."""
+    if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
+        return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
+    return [segment]
+
+
+def _ink(rgb: tuple[int, int, int]) -> int:
+    """The number of the nearest of AutoCAD's colours."""
+    return min(_INKS, key=lambda ink: sum((a - b) ** 2 for a, b in zip(_INKS[ink], rgb, strict=True)))

@@ -60,7 +60,7 @@ def encode_svg(
     (left, low), (right, high) = drawing.bounds
     width, height = format_length(right - left + 2 * _MARGIN_MM), format_length(high - low + 2 * _MARGIN_MM)
     shaped = shape_paths([item.path for item in drawing.strokes], curves, tolerance, rational=False)
-    drawn = path_data(shaped, np.array([left - _MARGIN_MM, high + _MARGIN_MM]))
+    corner = np.array([left - _MARGIN_MM, high + _MARGIN_MM])
     rows = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         '<svg xmlns="http://www.w3.org/2000/svg" version="1.1" '
@@ -69,8 +69,8 @@ def encode_svg(
         f"<title>{html_text(drawing.name)}</title>",
     ]
     for layer in LAYERS:
-        data = [one for item, one in zip(drawing.strokes, drawn, strict=True) if item.layer == layer]
-        if not data:
+        paths = [path for item, path in zip(drawing.strokes, shaped, strict=True) if item.layer == layer]
+        if not paths:
             continue
         style = styles[layer]
         key, label = html_text(style.name.replace(" ", "_")), html_text(style.name)
@@ -78,7 +78,7 @@ def encode_svg(
             f'<g id="{key}" inkscape:groupmode="layer" inkscape:label="{label}" '
             f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'
         )
-        rows.extend(f'<path d="{one}"/>' for one in data)
+        rows.extend(f'<path d="{path_data(path, corner)}"/>' for path in paths)
         rows.append("</g>")
     rows.append("</svg>\n")
     return "\n".join(rows).encode()

@@ -14,7 +14,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.likely_size import doubt_size
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
@@ -62,12 +61,9 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
         file, _runs(file, tree, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
         nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
         shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
-        doubt=lambda runs: "" if unit else doubt_size(runs, float(scale.max()), _WHY.format(scale.max())),
     )  # fmt: skip
     return replace(drawn, size=size) if size else drawn
 
-
-_WHY = "its width, height and viewBox make one unit {:.4g} mm"
 
 _IN_POINTS = (
     "its units are taken as points, 72 to the inch, as Adobe Illustrator draws, which calls them px; where 96 "

@@ -19,8 +19,7 @@ def mistakes() -> None:
     BentStrip(arch, "mdf-3", ends=5)  # mistake
     elastic_strip(arch, sheet="mdf-3", form="rolled")  # mistake
     EndFixture(arch, "mdf-3", end="left")  # mistake
-    wrong: FlatStrip = elastic_strip(arch, sheet="mdf-3", form="bent")  # mistake, by pyright only
     good.fixtur("start")  # mistake, by pyright only
     good.fixture("start", wal=3)  # mistake
     Elastica((0, 0), (70, 0), "100")  # mistake
-    print(flat, rib, wrong)
+    print(flat, rib)

@@ -19,8 +19,7 @@ from elastica_cad.fabrication.drawings.drawing import (
 )
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.formats.drawing_files.curve_style import CURVES
-from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
-from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS
+from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, encode_dxf
 from elastica_cad.formats.drawing_files.layers import style_layers
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
@@ -265,51 +264,8 @@ def test_without_ezdxf_one_sentence_says_so(monkeypatch, tmp_path):
         write_drawing(drawing(), tmp_path / "strip.dxf")
     assert not list(tmp_path.iterdir())
     assert write_drawing(drawing(), tmp_path / "strip.svg").exists()
+    assert write_drawing(drawing(), tmp_path / "old.dxf", version="R12").exists()
 
 
 def test_standard_styles():
     assert style_layers()["CUT_OUTER"].rgb == (255, 0, 0)
-
-
-@pytest.mark.parametrize("version", DXF_VERSIONS)
-def test_drawings_share_one_frame_and_have_their_own_numbers(version, monkeypatch, tmp_path):
-    """ezdxf writes what stands around the entities once; corners of drawings may lie in the origin."""
-    encode_dxf(drawing(), version=version)
-    monkeypatch.setattr(ezdxf, "new", None)
-    for k, (x, y) in enumerate([(0.0, 0.0), (-40.0, -10.0), (7.25, 1e4)]):
-        plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10).moved(x, y))] * (1 + k))
-        chained = Drawing("both", [*plate.paths, LayeredPath(CUT_INNER, waved().moved(x, y + 3))])
-        for one in (plate, chained):
-            path = tmp_path / f"{one.name}-{k}.dxf"
-            path.write_bytes(encode_dxf(one, version=version))
-            document = ezdxf.readfile(path)
-            corners = [document.header[name][:2] for name in ("$EXTMIN", "$EXTMAX")]
-            assert np.array(corners) == pytest.approx(one.bounds)
-            lines = path.read_text().split("\n")
-            tags = zip(lines[::2], lines[1::2], strict=False)
-            numbers = [int(number, 16) for code, number in tags if code == "  5" and number]
-            assert len(numbers) == len(set(numbers))
-            # what the header says is free
-            assert version == "R12" or max(numbers) == numbers[0]
-            auditor = document.audit()
-            assert not auditor.errors
-            assert not auditor.fixes
-            assert not [line for line in lines if line.startswith("FADE0") or line.endswith("e+77")]
-
-
-def test_chains_are_bound_as_ezdxf_binds_them(tmp_path):
-    """We make groups without its search for the name among all that are there: the same entries, and sound ones."""
-    two = Drawing("two", [LayeredPath(CUT_OUTER, waved().moved(0, y)) for y in (0, 40)])
-    path = tmp_path / "two.dxf"
-    path.write_bytes(encode_dxf(two))
-    document = ezdxf.readfile(path)
-    assert not document.audit().has_issues
-    groups = dict(document.groups)
-    assert list(groups) == ["LOOP_1", "LOOP_2"]
-    for group in groups.values():
-        assert sorted(entity.dxftype() for entity in group) == ["ARC", "LINE", "SPLINE", "SPLINE"]
-    theirs = document.groups.new("THEIRS")
-    for group in groups.values():
-        assert group.dxf.owner == theirs.dxf.owner
-        assert group.get_reactors() == theirs.get_reactors()
-        assert set(group.dxf.all_existing_dxf_attribs()) == set(theirs.dxf.all_existing_dxf_attribs())

@@ -179,18 +179,6 @@ def test_a_heading_with_two_units_is_refused(tmp_path):
         read_curves(tmp_path / "points.csv")
 
 
-def test_points_of_an_unlikely_size_are_told_with_what_says_so(tmp_path):
-    file = tmp_path / "arch.csv"
-    file.write_text("x (m),y (m)\n0,0\n60,150\n150,190\n240,150\n300,0\n")
-    (told,) = read_curves(file).notes
-    assert told.startswith("its largest curve is 300 m across, for its heading says m")
-    assert read_curves(file, unit="mm").notes == ()
-    poles = tmp_path / "poles.txt"
-    poles.write_text("2 4\n0 0\n.1 .2\n.3 .2\n.4 0\n")
-    (told,) = read_curves(poles).notes
-    assert told.endswith("say --unit m (400 mm)")
-
-
 @pytest.mark.parametrize(
     "text",
     [

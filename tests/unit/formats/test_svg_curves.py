@@ -298,20 +298,6 @@ def test_old_inkscape_has_ninety_pixels_to_the_inch(tmp_path, version, size, uni
     assert read_curves(file, unit="px")[0].length == pytest.approx(60 * np.pi * 25.4 / 96)
 
 
-def test_a_speck_is_told_with_what_one_unit_was_taken_as(tmp_path):
-    file = tmp_path / "speck.svg"
-    body = '<path d="M 0 0 C 0 1 2 1 2 0"/>'
-    file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" width="10mm" viewBox="0 0 10 10">{body}</svg>')
-    (told,) = read_curves(file).notes
-    assert told.startswith(
-        "its largest curve is 2 mm across, for its width, height and viewBox make one unit 1 mm"
-    )
-    file.write_text(
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="1000mm" viewBox="0 0 10 10">{body}</svg>'
-    )
-    assert read_curves(file).notes == ()
-
-
 @pytest.mark.parametrize(
     ("symbol", "clone", "corners"),
     [

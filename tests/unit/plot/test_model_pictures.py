@@ -8,7 +8,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from elastica_cad import plot
-from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import ring_plate
 from elastica_cad.fabrication.model.strip_model import Model
@@ -17,11 +16,10 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.chords import chord_errors
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.plot.canvas import paint_patches
-from elastica_cad.plot.slabs import trapezoids
+from elastica_cad.plot.model_pictures import trapezoids
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 SLOTS = (Slot(at=60, width=2), Slot(at=120, width=2, side="lower"))
@@ -39,7 +37,7 @@ def area(found):
 
 def test_all_of_the_pattern_and_nothing_else(strip):
     loops = (strip.outline, *strip.holes)
-    found = trapezoids(loops, np.linspace(0, strip.rod.length, 50), 1e-3)
+    found = trapezoids(loops, np.linspace(0, strip.rod.length, 50), 1.0)
     assert area(found) == pytest.approx(strip.area, rel=1e-3)
     middle = found.mean(axis=1)
     for slot in SLOTS:
@@ -59,29 +57,6 @@ def test_area_of_stars(corners, turn, stations):
     hole = Path.polygon(0.4 * np.column_stack([np.cos(angle), np.sin(angle)])[::-1])
     found = trapezoids((star, hole), np.array(stations), 0.1)
     assert area(found) == pytest.approx(abs(star.area) - abs(hole.area), rel=1e-5)
-
-
-def test_blurred_patterns_are_of_fewer_trapezoids_that_leave_the_loops_no_farther_than_told():
-    """Small arcs go, and most corners of large ones; what went lies by a side that is left."""
-    hole = round_corners(Path.polygon([(20, 4), (40, 2), (60, 4), (40, 6)]), 0.05)
-    loops = [Path.rectangle(80, 10), hole, Path.circle((10, 5), 3), Path.circle((70, 5), 0.02)]
-    exact, blurred = (trapezoids(loops, np.array([30.0]), 0.01, blur=blur) for blur in (0.0, 0.05))
-    assert len(blurred) < 0.65 * len(exact)
-    rim = sum(loop.length for loop in loops)
-    assert abs(area(exact) - area(blurred)) < 0.05 * rim
-    assert blurred[..., 0].min() == 0.0
-    assert blurred[..., 0].max() == 80.0
-    for corner in np.concatenate([loop.points(0.01) for loop in loops[1:]]):
-        x, low, high = blurred.transpose(2, 0, 1)
-        ends = np.concatenate([np.stack([x, side], axis=-1) for side in (low, high)])
-        assert chord_errors(ends[:, 0], ends[:, 1], np.tile(corner, (len(ends), 1, 1))).min() < 0.05
-
-
-def test_three_corners_of_every_loop_stay():
-    plates = [Path.rectangle(9, 9), Path.rectangle(9, 9, corner=(20, 0)), Path.circle((50, 0), 4)]
-    found = trapezoids(plates, np.array([]), 0.1, blur=50.0)
-    assert area(found) > 2 * 40.4
-    assert {int(x // 20) for x in found[:, 0, 0]} == {0, 1, 2}
 
 
 def test_a_picture_reaches_to_the_ends_of_the_tabs(strip):
@@ -202,7 +177,7 @@ def test_patches_of_a_sheet_for_paper_are_pixels(tmp_path):
     figure = Figure()
     axes = figure.add_subplot()
     squares = np.array([[(0, 0), (1, 0), (1, 1), (0, 1)]]) + np.arange(200)[:, None, None]
-    paint_patches(axes, squares, np.full((200, 3), 0.5), as_pixels=True)
+    paint_patches(axes, squares, np.full((200, 3), 0.5), rasterized=True)
     figure.savefig(tmp_path / "squares.svg")
     text = (tmp_path / "squares.svg").read_text()
     assert "<image" in text

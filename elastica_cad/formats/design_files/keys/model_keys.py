@@ -17,7 +17,7 @@ from elastica_cad.formats.design_files.keys.values import (
     table,
     vector,
 )
-from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS
+from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 from elastica_cad.mechanics.material.sheet_keys import KEYS as SHEET_KEYS
 
 TOP: Keys = {

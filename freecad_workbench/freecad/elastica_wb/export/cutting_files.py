@@ -5,15 +5,14 @@
 
 import csv
 import io
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
-from freecad.elastica_wb.export.plain_dxf import write_cut
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.model import is_model, model_of, solids_of
 from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of
@@ -23,18 +22,24 @@ from freecad.elastica_wb.host.sentences import translated
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
+from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.bent_blank import tell_blank
-from elastica_cad.kernel.step_text import canonical_step
-
-HEADER = re.compile(rb"FILE_NAME\(\s*'[^']*'\s*,\s*'[^']*'")
 
 KINDS = ("dxf", "svg", "step", "csv", "nest")
+
+
+def write_cut(drawing: Drawing, path: Path, *, version: str, **options: Any) -> Path:
+    """Write a drawing as DXF or SVG, as `write_drawing` does; without ezdxf a DXF file is of version R12."""
+    return write_drawing(
+        drawing, path, version=version if find_spec("ezdxf") else "R12", force=True, **options
+    )
 
 
 def write_cutting_files(
@@ -124,15 +129,8 @@ def _write_step(obj: Any, path: Path) -> None:
             objects.append(body)
         document.recompute()
         Import.export(objects, str(path))
-        path.write_bytes(_lasting(path))
     finally:
         App.closeDocument(document.Name)
-
-
-def _lasting(path: Path) -> bytes:
-    """The same bytes for the same design: a name and no time instead of a temporary folder and today's."""
-    name = f"FILE_NAME('{path.stem}','2000-01-01T00:00:00'".encode("ascii", "replace")
-    return canonical_step(HEADER.sub(lambda _: name, path.read_bytes(), count=1))
 
 
 def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:

@@ -12,19 +12,16 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.shapes.binary_brep import EDGE_TOLERANCE_MM, brep_bytes
-from freecad.elastica_wb.shapes.drawn_meshes import mesh_of
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.plane_faces import plane_face
 from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
+from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.placed_curve import placed_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment
 from elastica_cad.geometry.polynomials.splines import knot_runs
 
 OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
@@ -33,25 +30,7 @@ ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm
 
 def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
     """A path as a wire in the plane of `frame` (the xy plane unless told)."""
-    frame = frame or Frame()
-    return Part.Wire([make_edge(segment, frame) for segment in path.segments])
-
-
-def make_edge(segment: Segment, frame: Frame | None = None) -> Part.Edge:
-    """A line, an arc or a spline as an edge."""
-    frame = frame or Frame()
-    if isinstance(segment, Line):
-        return Part.LineSegment(*(_vector(frame.point(p)) for p in (segment.start, segment.end))).toShape()
-    if isinstance(segment, Arc):
-        normal = frame.z_axis if segment.sweep > 0 else -frame.z_axis
-        circle = Part.Circle(_vector(frame.point(segment.center)), _vector(normal), segment.radius)
-        # a Part.Circle chooses its own x axis: points instead of angles say where the arc runs
-        ends = (circle.parameter(_vector(frame.point(p))) for p in (segment.start, segment.end))
-        first, last = (float(t) for t in ends)
-        if abs(segment.sweep) >= 2 * np.pi - 1e-12:
-            return circle.toShape()
-        return Part.Edge(circle, first, last if last > first else last + 2 * np.pi)
-    return spline_geometry(segment.curve, frame).toShape()
+    return _read(wire_brep(path, frame or Frame())).Wires[0]
 
 
 def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSplineCurve:
@@ -66,11 +45,8 @@ def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSpli
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Part.Face:
     """A plane face with holes."""
-    # read, not made of wires: to find the plane, or that a wire lies in it, takes longer than all the rest
     frame = frame or Frame()
-    face = plane_face(outline, holes, frame, _plane_of(frame))
-    gap = max(EDGE_TOLERANCE_MM, *(path.widest_gap for path in (outline, *holes)))
-    return _read(brep_bytes(face, gap)).Faces[0]
+    return _read(face_brep(outline, holes, frame, _plane_of(frame))).Faces[0]
 
 
 def _plane_of(frame: Frame) -> Frame:
@@ -96,19 +72,17 @@ def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
     if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))
-    boundary = record.boundary
-    # a view draws it at once; elsewhere triangles are of no use, and boxes are drawn around them
-    return _read(brep_bytes(boundary, mesh=mesh_of(boundary) if App.GuiUp else None))
+    return _read(boundary_brep(record.boundary))
 
 
-def _read(brep: bytes) -> Part.Shape:
+def _read(brep: BinaryBrep) -> Part.Shape:
     """The shape of a binary BREP, which FreeCAD only takes from a file."""
     shape = Part.Shape()
     try:
         handle, name = tempfile.mkstemp(suffix=".bin", dir=_folder())
         try:
             with os.fdopen(handle, "wb") as file:
-                file.write(brep)
+                file.write(brep.for_freecad)
             shape.importBinary(name)
         finally:
             os.unlink(name)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.export.plain_dxf import write_cut
+from freecad.elastica_wb.export.cutting_files import write_cut
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.qt import QtWidgets
 

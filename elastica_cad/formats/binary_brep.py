@@ -1,23 +1,21 @@
-# SPDX-License-Identifier: MIT
-# SPDX-FileNotice: Part of the Elastica addon.
-
-"""Boundary records as OpenCASCADE's binary BREP: FreeCAD's Part can't build faces with given edges in (u, v).
+"""Boundary records as OpenCASCADE's binary BREP, which OCP and FreeCAD's Part read.
 
 The bytes hold what the record holds, bit for bit; nothing is projected, fitted or sewn.
 """
 
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from dataclasses import dataclass
 from struct import pack
 
 import numpy as np
-from freecad.elastica_wb.shapes.drawn_meshes import FaceMesh, Mesh
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.solids.boundary_records import (
     Boundary,
     CylinderSurface,
     Edge,
+    EdgeUse,
+    Face,
     PlacedSegment,
     PlaneSurface,
     SpaceCurve,
@@ -29,6 +27,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
 from elastica_cad.fabrication.solids.pattern_strips import on_segment
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.polynomials.splines import knot_runs
 
@@ -45,55 +44,128 @@ _KNOT = np.dtype([("place", "<f8"), ("count", "<i4")])
 _FLAGS = {
     (_VERTEX, False): bytes((0, 1, 0, 1, 1, 0, 1)),
     (_EDGE, False): bytes((0, 1, 0, 1, 0, 0, 0)),
-    (_WIRE, False): bytes((0, 1, 0, 1, 1, 0, 0)),
+    (_WIRE, False): bytes((0, 1, 0, 1, 0, 0, 0)),
+    (_WIRE, True): bytes((0, 1, 0, 1, 1, 0, 0)),
     (_FACE, False): bytes((0, 1, 0, 1, 0, 0, 0)),
     (_SHELL, False): bytes((0, 1, 0, 1, 0, 0, 0)),
     (_SHELL, True): bytes((0, 1, 0, 1, 1, 0, 0)),
     (_SOLID, False): bytes((1, 1, 0, 0, 0, 0, 0)),
 }
-_KINDS = [bytes([kind]) for kind in range(_VERTEX + 1)]
 
 
-def brep_bytes(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM, mesh: Mesh | None = None) -> bytes:
-    """A closed boundary as a solid, an open one as a shell, with the triangles of a mesh.
+@dataclass(frozen=True)
+class BinaryBrep:
+    """A shape in the format of OpenCASCADE's BinTools, whose end FreeCAD writes in another way.
 
-    Edges end within `gap` mm of their vertices.
+    Attributes
+    ----------
+    tables : bytes
+        Curves, surfaces and shapes, the whole shape last.
+    count : int
+        How many shapes there are.
     """
+
+    tables: bytes
+    count: int
+
+    @property
+    def for_bintools(self) -> bytes:
+        """What BinTools reads: orientation, number counted from the last, and place of the whole shape."""
+        return self.tables + pack("<B2i", 0, 1, 0)
+
+    @property
+    def for_freecad(self) -> bytes:
+        """What `Part.Shape.importBinary` reads: number, place and orientation of the whole shape."""
+        return self.tables + pack("<3i", self.count, 0, 0)
+
+
+def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> BinaryBrep:
+    """A closed boundary as a solid, an open one as a shell; edges end within `gap` mm of their vertices."""
     tables = _Tables()
-    vertices = [tables.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
     for face, surface in zip(boundary.faces, surfaces, strict=True):
         turn = trace_turn(face.surface)
-        for use in (use for loop in face.loops for use in loop if use.trace is not None):
+        for use in (use for loop in face.loops for use in loop):
+            if use.trace is None:
+                continue
             edge = boundary.edges[use.edge]
             number = _added(tables.traces, _trace(use.trace, turn))
             limits = edge.first, edge.last
             start, end = _trace_ends(use.trace, *limits)
             ends = *_turned(turn, start), *_turned(turn, end)
             traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends))
-    for number, face in enumerate(mesh.faces if mesh is not None else (), start=1):
-        tables.triangulations.append(_triangulation(face, mesh.off))
-        for edge, nodes in face.edges:
-            polygon = _added(tables.polygons, _polygon(nodes, mesh.parameters[edge], mesh.off))
-            traces[edge].append(pack("<B3i", 6, polygon, number, 0))
-    edges = [
-        tables.edge(edge, (vertices[edge.start], vertices[edge.end]), rows)
-        for edge, rows in zip(boundary.edges, traces, strict=True)
-    ]
+    edges = tables.edges(boundary, traces, gap)
     faces = []
-    for number, (face, surface) in enumerate(zip(boundary.faces, surfaces, strict=True), start=1):
-        wires = [
-            tables.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop]) for loop in face.loops
-        ]
-        drawn = b"\1" if mesh is None else pack("<Bi", 2, number)
-        head = pack("<?d2i", False, EDGE_TOLERANCE_MM, surface, 0) + drawn
+    for face, surface in zip(boundary.faces, surfaces, strict=True):
+        wires = [tables.wire(loop, edges) for loop in face.loops]
+        head = pack("<?d2iB", False, EDGE_TOLERANCE_MM, surface, 0, 1)
         faces.append((tables.shape(_FACE, head, [(wire, True) for wire in wires]), face.outward))
     closed = boundary.is_closed
     whole = tables.shape(_SHELL, b"", faces, closed=closed)
     if closed:
-        whole = tables.shape(_SOLID, b"", [(whole, True)])
-    return tables.written(whole)
+        tables.shape(_SOLID, b"", [(whole, True)])
+    return tables.written()
+
+
+def face_brep(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame | None = None) -> BinaryBrep:
+    """A shell of one plane face with holes, whose normal is the frame's z axis.
+
+    Parameters
+    ----------
+    outline, holes : Path
+        Closed loops, run either way; mm in the frame.
+    surface : Frame, optional
+        The same plane with the axes that its surface is to have.
+    """
+    loops = [path if (path.area > 0) == (path is outline) else path.reversed() for path in (outline, *holes)]
+    corners, edges, uses = _drawn(loops, frame)
+    face = Face(PlaneSurface(surface or frame), tuple(uses))
+    return boundary_brep(Boundary(corners, edges, (face,)), _gap(loops))
+
+
+def wire_brep(path: Path, frame: Frame) -> BinaryBrep:
+    """A path in the xy plane of a frame as a wire."""
+    corners, edges, (loop,) = _drawn([path], frame)
+    tables = _Tables()
+    numbers = tables.edges(Boundary(corners, edges, ()), [[] for _ in edges], _gap([path]))
+    tables.wire(loop, numbers, closed=path.closed)
+    return tables.written()
+
+
+def _gap(paths: Iterable[Path]) -> float:
+    """How far, mm, edges may end from their vertices."""
+    return max(EDGE_TOLERANCE_MM, *(path.widest_gap for path in paths))
+
+
+def _drawn(
+    paths: Sequence[Path], frame: Frame
+) -> tuple[FloatArray, tuple[Edge, ...], list[tuple[EdgeUse, ...]]]:
+    """Vertices (k, 3), an edge for every segment of the paths, and how each path runs through its edges."""
+    corners: list[FloatArray] = []
+    edges: list[Edge] = []
+    loops = []
+    for path in paths:
+        first, count = len(corners), len(path.segments)
+        corners += [segment.start for segment in path.segments] + ([] if path.closed else [path.end])
+        uses = []
+        for i, segment in enumerate(path.segments):
+            start, end = first + i, first + ((i + 1) % count if path.closed else i + 1)
+            # arcs of OpenCASCADE turn to the left
+            forward = not (isinstance(segment, Arc) and segment.sweep < 0)
+            placed = PlacedSegment(segment if forward else segment.reversed(), frame)
+            uses.append(EdgeUse(len(edges), forward))
+            ends = (start, end) if forward else (end, start)
+            edges.append(Edge(placed, *_limits(placed.segment), *ends))
+        loops.append(tuple(uses))
+    return frame.point(np.array(corners)), tuple(edges), loops
+
+
+def _limits(segment: Segment) -> tuple[float, float]:
+    """First and last parameter of a placed segment."""
+    if isinstance(segment, Arc):
+        return segment.start_angle, segment.end_angle
+    return segment.curve.domain if isinstance(segment, Spline) else (0.0, segment.length)
 
 
 class _Tables:
@@ -103,52 +175,49 @@ class _Tables:
         self.traces: list[bytes] = []
         self.curves: list[bytes] = []
         self.surfaces: list[bytes] = []
-        self.polygons: list[bytes] = []
-        self.triangulations: list[bytes] = []
         self.shapes: list[tuple[bytes, Sequence[tuple[int, bool]]]] = []
 
     def shape(
         self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
     ) -> int:
         """Number of a new shape made of earlier ones, each with its orientation."""
-        self.shapes.append((_KINDS[kind] + geometry + _FLAGS[kind, closed], parts))
+        self.shapes.append((bytes([kind]) + geometry + _FLAGS[kind, closed], parts))
         return len(self.shapes)
 
-    def edge(self, edge: Edge, ends: tuple[int, int], traces: Iterable[bytes]) -> int:
-        number = _added(self.curves, _curve(edge.curve))
-        head = pack("<d3?B2i2d", EDGE_TOLERANCE_MM, True, True, False, 1, number, 0, edge.first, edge.last)
-        return self.shape(_EDGE, b"".join([head, *traces, b"\0"]), [(ends[0], True), (ends[1], False)])
+    def edges(self, boundary: Boundary, traces: Sequence[Iterable[bytes]], gap: float) -> list[int]:
+        """Numbers of the edges of a boundary, with where each lies in its faces' (u, v)."""
+        ends = [self.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
+        numbers = []
+        for edge, rows in zip(boundary.edges, traces, strict=True):
+            curve, limits = _added(self.curves, _curve(edge.curve)), (edge.first, edge.last)
+            head = pack("<d3?B2i2d", EDGE_TOLERANCE_MM, True, True, False, 1, curve, 0, *limits)
+            parts = [(ends[edge.start], True), (ends[edge.end], False)]
+            numbers.append(self.shape(_EDGE, b"".join([head, *rows, b"\0"]), parts))
+        return numbers
 
-    def written(self, whole: int) -> bytes:
+    def wire(self, loop: Iterable[EdgeUse], edges: Sequence[int], *, closed: bool = True) -> int:
+        """Number of a new wire."""
+        return self.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop], closed=closed)
+
+    def written(self) -> BinaryBrep:
         """All tables; shapes name each other from the last one backwards."""
         count = len(self.shapes)
         shapes = [
             head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)
             for head, parts in self.shapes
         ]
-        tables = (
+        tables: tuple[tuple[bytes, list[bytes]], ...] = (
             (b"Locations", []),
             (b"Curve2ds", self.traces),
             (b"Curves", self.curves),
             (b"Polygon3D", []),
-            (b"PolygonOnTriangulations", self.polygons),
+            (b"PolygonOnTriangulations", []),
             (b"Surfaces", self.surfaces),
-            (b"Triangulations", self.triangulations),
+            (b"Triangulations", []),
             (b"\nTShapes", [row + b"*" for row in shapes]),
         )
         rows = [b"%s %d\n%s" % (name, len(table), b"".join(table)) for name, table in tables]
-        return b"".join([_HEAD, *rows, pack("<3i", whole, 0, 0)])
-
-
-def _triangulation(face: FaceMesh, off: float) -> bytes:
-    head = pack("<2i?d", len(face.points), len(face.triangles), False, off)
-    return head + _reals(face.points) + (face.triangles + 1).astype("<i4").tobytes()
-
-
-def _polygon(nodes: IntArray, parameters: FloatArray, off: float) -> bytes:
-    count = nodes.size
-    numbers = [node + 1 for node in nodes.tolist()]
-    return pack(f"<{count + 1}id?{count}d", count, *numbers, off, True, *parameters.tolist())
+        return BinaryBrep(b"".join([_HEAD, *rows]), count)
 
 
 def _added(table: list[bytes], row: bytes) -> int:
@@ -162,13 +231,7 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
     """Number of distinct knots, and each with its multiplicity."""
-    return _written_knots(np.asarray(knots, dtype=float).tobytes())
-
-
-@lru_cache(maxsize=64)
-def _written_knots(knots: bytes) -> tuple[int, bytes]:
-    """The same of knots as bytes: edges and faces side by side share theirs."""
-    places, counts = knot_runs(np.frombuffer(knots))
+    places, counts = knot_runs(np.asarray(knots, dtype=float))
     rows = np.empty(places.size, dtype=_KNOT)
     rows["place"], rows["count"] = places, counts
     return rows.size, rows.tobytes()
@@ -191,19 +254,12 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
         return _spline(curve.knots, curve.degree, curve.control_points)
     segment, frame = curve.segment, curve.frame
     if isinstance(segment, Line):
-        return _straight(segment, frame)
+        start, along = frame.point(segment.start), frame.direction(np.array(segment.direction))
+        return bytes([_LINE]) + _reals(start, along)
     if isinstance(segment, Arc):
         center = Frame(frame.point(segment.center), frame.x_axis, frame.y_axis)
         return bytes([_CIRCLE]) + _axes(center) + _reals([segment.radius])
     return _placed(segment.curve, frame.point(segment.curve.control_points))
-
-
-def _straight(line: Line, frame: Frame) -> bytes:
-    """A line in space: most edges are, so its numbers are plain ones, not arrays."""
-    (a, b, c), (u, v, w), _ = frame.axes.tolist()
-    (at_x, at_y, at_z), (x, y), (dx, dy) = frame.origin.tolist(), line.start.tolist(), line.direction
-    start = at_x + (x * a + y * u), at_y + (x * b + y * v), at_z + (x * c + y * w)
-    return pack("<B6d", _LINE, *start, dx * a + dy * u, dx * b + dy * v, dx * c + dy * w)
 
 
 def _placed(curve: PlaneCurve, points: FloatArray) -> bytes:
