@@ -10,8 +10,7 @@ from pathlib import Path
 from reprlib import Repr
 from typing import Any, ParamSpec, Self, TypeVar
 
-from elastica_cad._printable import printable
-from elastica_cad.refusals import Change, Length, Refusal
+from elastica_cad.refusals import Change, Length, Refusal, sentences
 
 __all__ = [
     "Change",
@@ -94,11 +93,14 @@ class ElasticaError(Exception):
         changes: Sequence[Change] = (),
         **values: Any,
     ) -> None:
-        self.refusal = Refusal(kind or self.KIND, str(text), values, dict(where or {}), tuple(changes))
+        if isinstance(text, Refusal):  # a sentence that is a record already
+            where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
+            text, values = text.text, {**text.values, **values}
+        self.refusal = Refusal(kind or self.KIND, str(text), values, where, changes)
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return str(self.refusal)
+        return self.refusal  # a text that is the record, for what shows it in other words
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__
@@ -106,7 +108,7 @@ class ElasticaError(Exception):
     @property
     def verdict(self) -> str:
         """What is known at once of what is wrong."""
-        return str(self.refusal)
+        return self.refusal
 
     @property
     def advice(self) -> tuple[str, ...]:
@@ -167,7 +169,7 @@ class NotMetError(NotConvergedError):
         self._advise = advise
 
     def __str__(self) -> str:
-        return printable(" ".join((self.verdict, *self.advice)))
+        return sentences((self.verdict, *self.advice), " ")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (str(self),)

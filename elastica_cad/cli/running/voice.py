@@ -75,9 +75,17 @@ class Voice:
         if suggestion:
             echo(suggestion, err=True)
         if self.as_json:
-            record = {"command": self.command, "error": f"{said} {advice}".rstrip(), "exit_code": code}
+            record = problem.refusal.record | {"message": f"{said} {advice}".rstrip()}
             found = {"suggestion": suggestion} if suggestion else {}
-            _print_json({"schema": "elastica-error/1", **record, "kind": problem.refusal.kind, **found})
+            _print_json(
+                {
+                    "schema": "elastica-error/2",
+                    "command": self.command,
+                    "exit_code": code,
+                    "error": record,
+                    **found,
+                }
+            )
 
 
 def voice() -> Voice:

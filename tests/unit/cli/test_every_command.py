@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[3]
 SHEET = ("--sheet", "birch-plywood-0.8")
 BOW = "2 4\n0 0\n40 60\n90 60\n130 0\n"
 TOLD = re.findall(
-    r"^\| `elastica-(\w+)/1` \| ([^|]+) \|", (ROOT / "docs" / "json.md").read_text(), re.MULTILINE
+    r"^\| `elastica-(\w+)/\d` \| ([^|]+) \|", (ROOT / "docs" / "json.md").read_text(), re.MULTILINE
 )
 KEYS = {name: set(re.findall(r"`(\w+)`", keys)) for name, keys in TOLD}
 TYPED = {
@@ -79,7 +79,9 @@ def test_a_refusal_is_a_record_too(folder):
     record = json.loads(done.stdout)
     assert set(record) == KEYS["error"] | {"schema"}
     assert record["exit_code"] == done.returncode == 2
-    assert record["error"] == done.stderr.strip()
+    told = record["error"]
+    assert told["message"] == done.stderr.strip()
+    assert set(told) == {"kind", "severity", "text", "values", "where", "changes", "message"}
 
 
 @pytest.mark.campaign
