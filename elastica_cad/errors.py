@@ -95,7 +95,8 @@ class ElasticaError(Exception):
     ) -> None:
         if isinstance(text, Refusal):  # a sentence that is a record already
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
-            text, values = text.text, {**text.values, **values}
+            values = {**text.values, **values}
+            text = text.text
         self.refusal = Refusal(kind or self.KIND, str(text), values, where, changes)
         super().__init__(str(self.refusal))
 

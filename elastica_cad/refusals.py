@@ -14,7 +14,7 @@ PLACES = ("file", "strip")
 
 
 class Length(float):
-    """A length in mm that a text shows with its unit, with three digits unless the template has a format of its own.
+    """A length in mm, which a text shows with its unit, with three digits unless its template has a format.
 
     Examples
     --------
@@ -124,6 +124,7 @@ class Refusal(str):
         changes: Sequence[Change] = (),
         severity: Severity = "error",
     ) -> "Refusal":
+        """The record; its text is made here."""
         values, where = dict(values or {}), dict(where or {})
         said = text.format_map(values) if values else text
         # a traceback shows it on a terminal
