@@ -109,8 +109,6 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
         overlap &= (plow[i, None, 1] <= qhigh[None, near_q, 1]) & (phigh[i, None, 1] >= qlow[None, near_q, 1])
         a, b = np.nonzero(overlap)
         rows.append((i[a], near_q[b]))
-    if len(rows) == 1:
-        return rows[0]
     none = np.zeros(0, int)
     return np.concatenate([none, *[r[0] for r in rows]]), np.concatenate([none, *[r[1] for r in rows]])
 
@@ -164,8 +162,6 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
 
 
 def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
-    """x and y of the point at u, and their derivatives by u, as plain numbers: few of them are fastest so."""
-    point, velocity = segment.motion_at(u)
-    x, y = point.tolist()
-    dx, dy = velocity.tolist()
-    return x, y, dx, dy
+    """x and y of the point at u, and their derivatives by u."""
+    (x, y), (dx, dy) = segment.motion_at(u)
+    return float(x), float(y), float(dx), float(dy)
