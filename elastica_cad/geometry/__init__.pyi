@@ -6,15 +6,15 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     InflectionsOnLine as InflectionsOnLine,
     least_norm_newton as least_norm_newton,
 )
-from elastica_cad.geometry.curves.curve_records import (
+from elastica_cad.geometry.curves.plane_curve import (
     Break as Break,
     CurvatureZero as CurvatureZero,
     CurveSamples as CurveSamples,
     LineCrossing as LineCrossing,
+    PlaneCurve as PlaneCurve,
     TangentBreak as TangentBreak,
+    line_crossings as line_crossings,
 )
-from elastica_cad.geometry.curves.line_intersections import line_crossings as line_crossings
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve as PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map as four_point_map
 from elastica_cad.geometry.frame import Frame as Frame
 from elastica_cad.geometry.paths.biarcs import as_arcs as as_arcs, as_polyline as as_polyline

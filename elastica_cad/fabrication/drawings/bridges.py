@@ -8,7 +8,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_whole, require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
-from elastica_cad.geometry.curves.tangent_angle import turn_between
+from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Segment, Spline, place
 from elastica_cad.geometry.paths.trim import trim_segment

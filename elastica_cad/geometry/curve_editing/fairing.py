@@ -15,8 +15,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.curve_records import CurveSamples
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.polynomials.splines import bezier_spans
 
 DEGREE = 4  # whose curvature and its slope are continuous at simple knots

@@ -9,21 +9,122 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, svg_of_lines
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
-from elastica_cad._values import is_number, numbers, require_flag, require_number
+from elastica_cad._values import is_number, numbers, require_flag, require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves import curvature_zeros as zeros
-from elastica_cad.geometry.curves.continuity import (
+from elastica_cad.geometry.curves.curvature_zeros import ZeroKind, line_places
+from elastica_cad.geometry.curves.curve_derivatives import (
     ORDERS_OF_SIDES,
     SHORT_SPAN_SHARE,
     KnotSides,
+    TangentAngle,
     agreeing_orders,
+    curvature,
+    curvature_slope,
     knot_orders,
+    norm,
+    tabulate_tangent_angle,
 )
-from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope, norm
-from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections
-from elastica_cad.geometry.curves.tangent_angle import TangentAngle, tabulate_tangent_angle
+from elastica_cad.geometry.polynomials.splines import finite
+
+
+@dataclass(frozen=True, eq=False)
+class CurveSamples:
+    """Points of a curve, all arrays over the same n places.
+
+    Attributes
+    ----------
+    s : (n,) array
+        Arc length from the start, mm.
+    position : (n, 2) array
+        Points, mm.
+    angle : (n,) array
+        Turning angle, rad, continuous along the curve.
+    curvature : (n,) array
+        Signed curvature, 1/mm, positive to the left.
+    t : (n,) array
+        Parameter of the curve.
+    """
+
+    s: FloatArray
+    position: FloatArray
+    angle: FloatArray
+    curvature: FloatArray
+    t: FloatArray
+
+
+@dataclass(frozen=True)
+class CurvatureZero:
+    """A place (or, if flat, a stretch) where the curvature vanishes or jumps to the other sign.
+
+    Attributes
+    ----------
+    s, s_end : float
+        Arc length, mm; s_end differs from s for a straight piece only.
+    t, t_end : float
+        The same places in the curve's parameter.
+    kind : str
+        "crossing" (sign change), "touch" (none), "end" (at an end of the curve), "jump" (the sign changes by
+        a jump at a knot), "flat" (a straight piece s..s_end).
+    before, after : int
+        Sign of the curvature on either side; 0 beyond the ends of the curve.
+    """
+
+    s: float
+    t: float
+    kind: ZeroKind
+    s_end: float
+    t_end: float
+    before: int
+    after: int
+
+    @property
+    def changes_sign(self) -> bool:
+        """Does the curve bend one way before and the other way after?"""
+        return self.before * self.after < 0
+
+
+@dataclass(frozen=True)
+class LineCrossing:
+    """A common point of curve and line; fields as in `CurvatureZero` ("flat": the curve runs along it)."""
+
+    s: float
+    t: float
+    kind: ZeroKind
+    s_end: float
+    t_end: float
+    before: int
+    after: int
+
+
+@dataclass(frozen=True)
+class Break:
+    """An interior knot.
+
+    Attributes
+    ----------
+    s, t : float
+        Arc length (mm) and parameter.
+    continuity : int
+        How many derivatives with respect to arc length are continuous there: 0 tangent break, 1 curvature
+        jump, 2 kink of the curvature, ... (at least; orders above 3 are taken from the knot's multiplicity).
+    """
+
+    s: float
+    t: float
+    continuity: int
+
+
+@dataclass(frozen=True)
+class TangentBreak:
+    """A corner: arc length (mm), parameter, and the exterior angle (rad)."""
+
+    s: float
+    t: float
+    angle: float
+
 
 SURVEY_POINTS = 601  # at which all who look along the whole curve find it evaluated
 
@@ -303,3 +404,34 @@ class PlaneCurve(NurbsCurve):
             CurvatureZero(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
             for p, (at, to) in zip(found, s, strict=True)
         )
+
+
+def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:
+    """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.
+
+    Parameters
+    ----------
+    a : float
+        Constant of the line.
+    b : (2,) array_like
+        Its normal (any length but 0).
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.arc((0, 0), 50, 0.0, np.pi)
+    >>> [(root.kind, round(root.s, 3)) for root in line_crossings(arch, -50, (0, 1))]
+    [('touch', 78.54)]
+    """
+    require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
+    normal, constant = finite("b", b), finite("a", a)
+    if constant.shape:
+        raise InputError(f"the constant of a line is one number, not {constant.tolist()}")
+    if normal.shape != (2,) or not normal.any():
+        raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
+    edges, bezier = curve.bezier_table
+    found = line_places(bezier, edges, float(constant), normal)
+    s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
+    return tuple(
+        LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
+        for p, (at, to) in zip(found, s, strict=True)
+    )

@@ -5,7 +5,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.tangent_angle import turn_between
+from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.paths.chords import require_tolerance_mm
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_cubics import smooth_stretches

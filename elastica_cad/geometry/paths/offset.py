@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.tangent_angle import turn_between
+from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.paths.chords import require_tolerance_mm
 from elastica_cad.geometry.paths.path import JOIN, Path
 from elastica_cad.geometry.paths.path_cubics import cubic_through, smooth_stretches

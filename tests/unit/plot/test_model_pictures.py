@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from elastica_cad.geometry.paths.many_segments import polylines
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -72,7 +71,7 @@ def test_blurred_patterns_are_of_fewer_trapezoids_that_leave_the_loops_no_farthe
     assert abs(area(exact) - area(blurred)) < 0.05 * rim
     assert blurred[..., 0].min() == 0.0
     assert blurred[..., 0].max() == 80.0
-    for corner in np.concatenate(polylines(loops[1:], 0.01)):
+    for corner in np.concatenate([path.points(0.01) for path in loops[1:]]):
         x, low, high = blurred.transpose(2, 0, 1)
         ends = np.concatenate([np.stack([x, side], axis=-1) for side in (low, high)])
         assert chord_errors(ends[:, 0], ends[:, 1], np.tile(corner, (len(ends), 1, 1))).min() < 0.05
