@@ -17,10 +17,13 @@ from elastica_cad.geometry.curves.plane_curve import (
 )
 from elastica_cad.geometry.curves.projective_maps import four_point_map as four_point_map
 from elastica_cad.geometry.frame import Frame as Frame
-from elastica_cad.geometry.paths.biarcs import as_arcs as as_arcs, as_polyline as as_polyline
+from elastica_cad.geometry.paths.approximations import (
+    as_arcs as as_arcs,
+    as_cubics as as_cubics,
+    as_polyline as as_polyline,
+)
 from elastica_cad.geometry.paths.offset import offset_path as offset_path
 from elastica_cad.geometry.paths.path import Path as Path
-from elastica_cad.geometry.paths.path_cubics import as_cubics as as_cubics
 from elastica_cad.geometry.paths.profile import Profile as Profile
 from elastica_cad.geometry.paths.segments import (
     Arc as Arc,

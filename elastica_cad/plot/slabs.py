@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.paths.chords import chord_errors
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import chord_errors
 from elastica_cad.geometry.running_sums import numbers_in_groups
 
 APART_MM = 1e-7

@@ -11,10 +11,9 @@ from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import numbers
 from elastica_cad.fabrication.strip.flat_outline import paces
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.paths.segments import Segment, Spline, chord_points
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.rod.rod_record import Rod

@@ -17,8 +17,7 @@ from elastica_cad.formats.drawing_files.dxf_frame import DXF_VERSIONS, DxfFrame,
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
-from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, trim_segment
 
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
 _SPLINE_POINT = " 10\n%r\n 20\n%r\n 30\n0.0\n"

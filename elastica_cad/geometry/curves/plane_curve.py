@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from math import hypot
 
 import numpy as np
@@ -435,3 +436,32 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
         LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
         for p, (at, to) in zip(found, s, strict=True)
     )
+
+
+def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
+    """The same curve with its end knots repeated, so that it starts and ends on control points."""
+    p, knots = curve.degree, curve.knots
+    if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
+        return curve
+    return curve.trimmed(*curve.domain)
+
+
+def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
+    """The part of a curve between two parameters as a clamped curve of its own."""
+    return curve.trimmed(t0, t1)
+
+
+def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
+    """The smooth pieces of a curve, in order; the curve itself where it has no corner.
+
+    Examples
+    --------
+    >>> roof = PlaneCurve([0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (15, 20), (30, 40), (45, 20), (60, 0)], 2)
+    >>> [round(piece.length, 6) for piece in split_at_corners(roof)]
+    [50.0, 50.0]
+    """
+    low, high = curve.domain
+    places = [low, *(corner.t for corner in curve.tangent_breaks), high]
+    if len(places) == 2:
+        return (curve,)
+    return tuple(curve.trimmed(*ends).drawn_as(curve.provenance) for ends in pairwise(places))

@@ -4,8 +4,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.chords import chords
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, chords
 
 _BLOCK = 4096
 """Points whose distances from all chords of a spline are held at a time: some ten MB."""

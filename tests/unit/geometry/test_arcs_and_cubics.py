@@ -3,10 +3,9 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths import biarcs
-from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
+from elastica_cad.geometry.paths import approximations
+from elastica_cad.geometry.paths.approximations import as_arcs, as_cubics, as_polyline
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.path_cubics import as_cubics
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 
 pytestmark = pytest.mark.core
@@ -57,8 +56,8 @@ def test_number_of_arcs_grows_as_the_cube_root_of_the_tolerance():
 def test_arcs_are_found_in_few_trials(monkeypatch, tolerance):
     """The error grows as the cube of a biarc's length, which tells where to try next."""
     tried = []
-    biarc = biarcs._biarc
-    monkeypatch.setattr(biarcs, "_biarc", lambda *of: tried.append(of) or biarc(*of))
+    biarc = approximations._biarc
+    monkeypatch.setattr(approximations, "_biarc", lambda *of: tried.append(of) or biarc(*of))
     arcs = as_arcs(Path([Spline(s_curve())]), tolerance).segments
     assert len(tried) < 2.5 * len(arcs)
 

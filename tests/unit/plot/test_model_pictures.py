@@ -17,8 +17,8 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.chords import chord_errors
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import chord_errors
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.plot.canvas import paint_patches
 from elastica_cad.plot.slabs import trapezoids

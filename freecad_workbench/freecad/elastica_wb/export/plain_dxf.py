@@ -16,8 +16,7 @@ from elastica_cad.formats.drawing_files.layers import LayerStyle, style_layers
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Segment
-from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.paths.segments import Arc, Segment, trim_segment
 
 KERF_TOLERANCE_MM = 0.001  # finer than any cut: what is left of it is the tolerance of curves
 HALF_TURN = np.pi * (1 + 1e-9)  # longest arc of one bulge
