@@ -136,8 +136,8 @@ _SAMPLES = np.linspace(0.0, 1.0, 33)
 _TAKEN = 0.95
 """Of the tolerance: samples may miss the worst place."""
 
-_NEAR, _AIM, _NEAR_SHARE = 0.05, 0.98, 0.88
-"""A biarc may be a twentieth shorter than the longest; aimed at a little short, it leaves this share."""
+_NEAR = 0.05
+"""A biarc may be a twentieth shorter than the longest."""
 
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
@@ -194,25 +194,18 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """The furthest place b, to a twentieth, and the biarc up to there that stays within the tolerance.
-
-    It leaves the spline by the cube of its length, which tells where to try next.
-    """
+    """The furthest place b, to a twentieth, and the biarc up to there that stays within the tolerance."""
     allowed = _TAKEN * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
         return end, pieces
     a, _ = start
-    good, bad, best, trial = a, end, list[Segment](), end
+    good, bad, best = a, end, list[Segment]()
     while not best or bad - good > _NEAR * (good - a):
-        trial = a + (trial - a) * _AIM * float(np.cbrt(allowed / off)) if off > 0 else bad
-        if not good + _NEAR * (good - a) / 2 < trial < bad:
-            trial = (good + bad) / 2
+        trial = (good + bad) / 2
         pieces, off = _biarc(spline, start, trial)
         if off <= allowed:
             good, best = trial, pieces
-            if off > _NEAR_SHARE * allowed:
-                break
         else:
             bad = trial
         if bad - a < _SHORTEST_SHARE:
