@@ -89,28 +89,6 @@ def sensitivities(
     return out
 
 
-def weighted_gram(J: FloatArray, added: FloatArray, weights: FloatArray) -> FloatArray:
-    """That of `forming.optimizer.dense_solves.weighted_gram`."""
-    rows, columns = J.shape
-    product = np.empty((columns, columns))
-    _loops().weighted_gram(rows, columns, *map(_plain, (J, added, weights)), product)
-    return product
-
-
-def largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """That of `forming.nearest.curve_distance`."""
-    given = map(_plain, (points, chain))
-    return float(_loops().largest_distance(len(points), len(chain), *given, np.empty(len(points))))
-
-
-def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The cubics of `forming.nearest.target_curve.hermite`: places and directions (n, 2)."""
-    places, directions = np.empty((2, s.size, 2))
-    given = map(_plain, (position, slopes, s))
-    _loops().hermite(len(position), s.size, *given, places, directions)
-    return places, directions
-
-
 def lowest_mode(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, polynomials: FloatArray
 ) -> tuple[float, FloatArray, FloatArray] | None:

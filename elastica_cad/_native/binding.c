@@ -173,72 +173,6 @@ done:
     return finished(&arrays, answer);
 }
 
-static PyObject *py_weighted_gram(PyObject *module, PyObject *arguments)
-{
-    PyObject *given[3], *out, *answer = NULL;
-    const double *J, *added, *weights;
-    double *product;
-    Py_ssize_t rows, columns;
-    Arrays arrays = {.count = 0};
-    if (!PyArg_ParseTuple(arguments, "nnOOOO", &rows, &columns, &given[0], &given[1], &given[2], &out) ||
-        !within(rows, 1, MOST_SIZE, "rows") || !within(columns, 1, MOST_UNKNOWNS, "columns"))
-        return NULL;
-    IN(J, given[0], rows, columns);
-    IN(added, given[1], rows, 1);
-    IN(weights, given[2], rows, 1);
-    OUT(product, out, columns, columns);
-    Py_BEGIN_ALLOW_THREADS
-    weighted_gram(rows, columns, J, added, weights, product);
-    Py_END_ALLOW_THREADS
-    answer = Py_NewRef(Py_None);
-done:
-    return finished(&arrays, answer);
-}
-
-static PyObject *py_largest_distance(PyObject *module, PyObject *arguments)
-{
-    PyObject *given[3], *answer = NULL;
-    const double *points, *chain;
-    double *room, distance;
-    Py_ssize_t count, nodes;
-    Arrays arrays = {.count = 0};
-    if (!PyArg_ParseTuple(arguments, "nnOOO", &count, &nodes, &given[0], &given[1], &given[2]) ||
-        !within(count, 1, MOST_SIZE, "points") || !within(nodes, 2, MOST_SIZE, "nodes"))
-        return NULL;
-    IN(points, given[0], count, 2);
-    IN(chain, given[1], nodes, 2);
-    OUT(room, given[2], count, 1);
-    Py_BEGIN_ALLOW_THREADS
-    distance = largest_distance(count, points, nodes, chain, room);
-    Py_END_ALLOW_THREADS
-    answer = PyFloat_FromDouble(distance);
-done:
-    return finished(&arrays, answer);
-}
-
-static PyObject *py_hermite(PyObject *module, PyObject *arguments)
-{
-    PyObject *given[3], *out[2], *answer = NULL;
-    const double *position, *slopes, *s;
-    double *places, *directions;
-    Py_ssize_t nodes, count;
-    Arrays arrays = {.count = 0};
-    if (!PyArg_ParseTuple(arguments, "nnOOOOO", &nodes, &count, &given[0], &given[1], &given[2], &out[0], &out[1]) ||
-        !within(nodes, 2, MOST_SIZE, "nodes") || !within(count, 0, MOST_SIZE, "places"))
-        return NULL;
-    IN(position, given[0], nodes, 2);
-    IN(slopes, given[1], nodes, 2);
-    IN(s, given[2], count, 1);
-    OUT(places, out[0], count, 2);
-    OUT(directions, out[1], count, 2);
-    Py_BEGIN_ALLOW_THREADS
-    hermite(nodes, position, slopes, count, s, places, directions);
-    Py_END_ALLOW_THREADS
-    answer = Py_NewRef(Py_None);
-done:
-    return finished(&arrays, answer);
-}
-
 static PyObject *py_interior_points(PyObject *module, PyObject *arguments)
 {
     PyObject *given[8], *out[4], *answer = NULL;
@@ -310,9 +244,6 @@ static PyMethodDef functions[] = {
     {"shape", py_shape, METH_VARARGS, NULL},
     {"second_variation", py_second_variation, METH_VARARGS, NULL},
     {"sensitivities", py_sensitivities, METH_VARARGS, NULL},
-    {"weighted_gram", py_weighted_gram, METH_VARARGS, NULL},
-    {"largest_distance", py_largest_distance, METH_VARARGS, NULL},
-    {"hermite", py_hermite, METH_VARARGS, NULL},
     {"lowest_mode", py_lowest_mode, METH_VARARGS, NULL},
     {"interior_points", py_interior_points, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL},

@@ -68,18 +68,6 @@ void second_variation(Py_ssize_t n, const double *stiffness, const double *weigh
 
 void sensitivities(const RodAt *rod, Py_ssize_t columns, double *angles, double *moments, double *position);
 
-/* The product A^T diag(weights) A (columns, columns), where A is J (rows, columns) with `added` in its last column. */
-void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const double *added, const double *weights,
-                   double *product);
-
-/* The largest distance of points (count, 2) from a chain (nodes, 2) that runs beside them, NaN where a place is;
-   `bounds` (count,) is room. */
-double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes, const double *chain, double *bounds);
-
-/* Places and derivatives (count, 2) at s (count,) in 0..1 on the cubics through nodes (nodes, 2) at equal steps. */
-void hermite(Py_ssize_t nodes, const double *position, const double *slopes, Py_ssize_t count, const double *s,
-             double *places, double *directions);
-
 /* 1 where the mode (edges,) is found and proved the lowest, 0 where it is not, -1 without memory. */
 int lowest_mode(const SecondVariation *variation, double *mode, double *multipliers, double *value);
 

@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-#define MOST_WALKS 8 /* from chord to chord towards the foot of a point, which takes two or three */
-
 void shoot(Py_ssize_t nodes, const double *bend, const double *rest, const double *pull_x, const double *pull_y,
            double moment, double angle, double most_angle, double *angles, double *moments)
 {
@@ -129,114 +127,5 @@ WIDE void sensitivities(const RodAt *rod, Py_ssize_t columns, double *angles, do
         }
         next_x[at_length] += Tx / (double)n;
         next_y[at_length] += Ty / (double)n;
-    }
-}
-
-WIDE void weighted_gram(Py_ssize_t rows, Py_ssize_t columns, const double *J, const double *added, const double *weights,
-                        double *product)
-{
-    const Py_ssize_t last = columns - 1;
-    for (Py_ssize_t j = 0; j < columns * columns; j++)
-        product[j] = 0.0;
-    Py_ssize_t i = 0;
-    for (; i + 4 <= rows; i += 4) { /* four rows at a time: each sum is fetched and stored a quarter as often */
-        const double *restrict a = J + i * columns, *restrict b = a + columns;
-        const double *restrict c = b + columns, *restrict d = c + columns;
-        for (Py_ssize_t j = 0; j < last; j++) {
-            const double p = weights[i] * a[j], q = weights[i + 1] * b[j];
-            const double r = weights[i + 2] * c[j], s = weights[i + 3] * d[j];
-            double *restrict sums = product + j * columns;
-            for (Py_ssize_t k = 0; k <= j; k++)
-                sums[k] += (p * a[k] + q * b[k]) + (r * c[k] + s * d[k]);
-        }
-        const double e = a[last] + added[i], f = b[last] + added[i + 1];
-        const double g = c[last] + added[i + 2], h = d[last] + added[i + 3];
-        const double p = weights[i] * e, q = weights[i + 1] * f, r = weights[i + 2] * g, s = weights[i + 3] * h;
-        double *restrict sums = product + last * columns;
-        for (Py_ssize_t k = 0; k < last; k++)
-            sums[k] += (p * a[k] + q * b[k]) + (r * c[k] + s * d[k]);
-        sums[last] += (p * e + q * f) + (r * g + s * h);
-    }
-    for (; i < rows; i++)
-        for (Py_ssize_t j = 0; j < columns; j++)
-            for (Py_ssize_t k = 0; k <= j; k++) {
-                const double *row = J + i * columns;
-                const double by_j = row[j] + (j == last ? added[i] : 0.0), by_k = row[k] + (k == last ? added[i] : 0.0);
-                product[j * columns + k] += weights[i] * by_j * by_k;
-            }
-    for (Py_ssize_t j = 0; j < columns; j++)
-        for (Py_ssize_t k = 0; k < j; k++)
-            product[k * columns + j] = product[j * columns + k];
-}
-
-/* The squared distance of a point from the chord k of a chain; `ahead` tells how many chords further its foot is. */
-static inline double from_chord(const double *chain, Py_ssize_t k, double x, double y, double *ahead)
-{
-    const double *a = chain + 2 * k;
-    const double along_x = a[2] - a[0], along_y = a[3] - a[1], off_x = x - a[0], off_y = y - a[1];
-    const double length = along_x * along_x + along_y * along_y;
-    const double share = (off_x * along_x + off_y * along_y) / (length > 1e-300 ? length : 1e-300);
-    const double u = share < 0.0 ? 0.0 : (share > 1.0 ? 1.0 : share);
-    const double gap_x = off_x - u * along_x, gap_y = off_y - u * along_y;
-    *ahead = share;
-    return gap_x * gap_x + gap_y * gap_y;
-}
-
-static inline double lesser(double a, double b)
-{
-    return b < a ? b : a;
-}
-
-double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes, const double *chain, double *bounds)
-{
-    const Py_ssize_t last = nodes - 2;
-    double ahead;
-    for (Py_ssize_t i = 0; i < count; i++) {
-        const double x = points[2 * i], y = points[2 * i + 1];
-        Py_ssize_t k = i < last ? i : last;
-        bounds[i] = from_chord(chain, k, x, y, &ahead);
-        for (int step = 0; step < MOST_WALKS && (ahead < 0.0 || ahead > 1.0); step++) {
-            const Py_ssize_t before = k;
-            const double next = (double)k + ahead;
-            k = next < 0.0 ? 0 : (next > (double)last ? last : (Py_ssize_t)next);
-            bounds[i] = lesser(bounds[i], from_chord(chain, k, x, y, &ahead));
-            if (k == before)
-                break;
-        }
-        if (isnan(bounds[i])) /* no comparison would ever choose it */
-            return NAN;
-    }
-    for (Py_ssize_t round = 0; round < count; round++) { /* a bound that no chord lowers is the largest distance */
-        Py_ssize_t farthest = 0;
-        for (Py_ssize_t i = 1; i < count; i++)
-            farthest = bounds[i] > bounds[farthest] ? i : farthest;
-        double exact = bounds[farthest];
-        for (Py_ssize_t k = 0; k <= last; k++)
-            exact = lesser(exact, from_chord(chain, k, points[2 * farthest], points[2 * farthest + 1], &ahead));
-        if (!(exact < bounds[farthest]))
-            return sqrt(exact);
-        bounds[farthest] = exact;
-    }
-    double largest = 0.0; /* by now every bound is exact */
-    for (Py_ssize_t i = 0; i < count; i++)
-        largest = bounds[i] > largest ? bounds[i] : largest;
-    return sqrt(largest);
-}
-
-WIDE void hermite(Py_ssize_t nodes, const double *position, const double *slopes, Py_ssize_t count, const double *s,
-                  double *places, double *directions)
-{
-    const double spans = (double)(nodes - 1);
-    for (Py_ssize_t k = 0; k < count; k++) {
-        const double along = s[k] * spans;
-        const Py_ssize_t i = !(along > 0.0) ? 0 : (along >= spans ? nodes - 2 : (Py_ssize_t)along);
-        const double u = along - (double)i;
-        for (int j = 0; j < 2; j++) {
-            const double start = position[2 * i + j], chord = position[2 * i + 2 + j] - start;
-            const double d0 = slopes[2 * i + j], d1 = slopes[2 * i + 2 + j];
-            const double a = 3.0 * chord - 2.0 * d0 - d1, b = d0 + d1 - 2.0 * chord;
-            places[2 * k + j] = start + u * (d0 + u * (a + u * b));
-            directions[2 * k + j] = (d0 + u * (2.0 * a + 3.0 * u * b)) * spans;
-        }
     }
 }

@@ -30,7 +30,7 @@ from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.reports.bent_blank import tell_blank
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
-from elastica_cad.geometry.paths.trim import split_at_corners
+from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 

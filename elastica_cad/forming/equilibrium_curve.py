@@ -20,8 +20,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     EndTangents,
     FixedLength,
 )
-from elastica_cad.geometry.curves.curve_records import CurveSamples
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES

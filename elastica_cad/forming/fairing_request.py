@@ -6,8 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_tolerance, fair_curve
-from elastica_cad.geometry.curve_editing.slight_corners import round_corners
+from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_tolerance, fair_curve, round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.corners import require_bendable

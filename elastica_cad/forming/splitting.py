@@ -11,8 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.trim import trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
 from elastica_cad.mechanics.loads.arguments import (
     require_curve,
     require_ratio,

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
+from elastica_cad.geometry.paths.approximations import as_arcs, as_polyline
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Spline

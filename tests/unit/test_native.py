@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from elastica_cad import _native
-from elastica_cad.forming.nearest import curve_distance, rod_map, target_curve
+from elastica_cad.forming.nearest import rod_map
 from elastica_cad.forming.nearest.stiffness_basis import spline_basis
-from elastica_cad.forming.optimizer import dense_solves, quadratic_program
+from elastica_cad.forming.optimizer import quadratic_program
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.rod import shooting
@@ -89,15 +89,6 @@ def test_shapes(both, seed):
     assert max(map(distance, compiled, plain)) < CLOSE
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-def test_cubics_through_nodes(both, seed):
-    rng = np.random.default_rng(seed)
-    nodes, slopes = rng.normal(size=(2, int(rng.integers(2, 60)), 2))
-    s = np.concatenate([rng.uniform(-0.1, 1.1, 40), np.linspace(0, 1, nodes.shape[0])])
-    compiled, plain = both(lambda: target_curve.hermite(nodes, slopes, s))
-    assert max(map(distance, compiled, plain)) < CLOSE
-
-
 @pytest.mark.parametrize("angle", [None, 0.0, np.pi / 2])
 @pytest.mark.parametrize(
     "supports",
@@ -135,37 +126,6 @@ def test_sensitivities(both, seed, closing):
     compiled, plain = both(lambda: grid.sensitivities(rod, closing=closing))
     for name in ("angles", "moments", "position"):
         assert distance(getattr(compiled, name), getattr(plain, name)) < CLOSE
-
-
-@pytest.mark.parametrize("rows", [1, 3, 4, 402])
-def test_weighted_gram(both, rows):
-    rng = np.random.default_rng(rows)
-    J, added, weights = rng.normal(size=(rows, 27)), rng.normal(size=rows), rng.uniform(0, 1, rows)
-    compiled, plain = both(lambda: dense_solves.weighted_gram(J, added, weights))
-    assert distance(compiled, plain) < CLOSE
-    A = J + np.outer(added, np.eye(27)[-1])
-    assert distance(compiled, A.T @ np.diag(weights) @ A) < CLOSE
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_largest_distance(both, seed):
-    rng = np.random.default_rng(seed)
-    t = np.linspace(0, 1, 1001)
-    chain = np.column_stack([t, 0.1 * np.sin(rng.uniform(2, 12) * t)])
-    points = chain[::2] + np.column_stack(
-        [0.05 * np.sin(7 * t[::2]), rng.normal() * 0.04 * np.cos(5 * t[::2])]
-    )
-    compiled, plain = both(lambda: curve_distance._largest_distance(points, chain))
-    assert distance(compiled, plain) < CLOSE
-
-
-@pytest.mark.parametrize("lost", ["points", "chain"])
-def test_a_distance_of_numbers_that_are_none_is_none(lost):
-    """A rod that winds up has NaN from there on: what is left of it may not be told as near."""
-    chain = np.column_stack([np.linspace(0, 1, 50), np.zeros(50)])
-    asked = {"points": chain + 0.01, "chain": chain.copy()}
-    asked[lost][20:] = np.nan
-    assert np.isnan(_native.largest_distance(asked["points"], asked["chain"]))
 
 
 def program(seed):

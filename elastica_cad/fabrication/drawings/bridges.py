@@ -8,10 +8,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_whole, require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
-from elastica_cad.geometry.curves.tangent_angle import turn_between
+from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Segment, Spline, place
-from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.paths.segments import Segment, Spline, place, trim_segment
 
 CORNER_RAD = 0.05
 """Turn between two segments from which on a bridge keeps off: smaller ones come from fitting."""

@@ -7,12 +7,9 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.curve_derivatives import cross, norm
-from elastica_cad.geometry.curves.tangent_angle import turn_between
-from elastica_cad.geometry.paths.chords import chord_points
+from elastica_cad.geometry.curves.curve_derivatives import cross, norm, turn_between
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, place
-from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, chord_points, place, trim_segment
 
 SMOOTH_RAD = 0.02
 """Corners that turn by less stay: fitted sides meet so."""

@@ -19,8 +19,8 @@ from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import clip_across, trim_across
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import turns_along
 

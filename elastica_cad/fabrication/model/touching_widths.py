@@ -9,8 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_flag, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.geometry.curves.line_intersections import line_crossings
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, line_crossings
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.profile import Profile
 

@@ -12,8 +12,7 @@ from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import Chords, chord_crossings, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Segment, place
-from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.paths.segments import Segment, place, trim_segment
 
 FLAT_MM = 1e-3
 """Of the polylines by which loops are told apart: less than any machine resolves."""

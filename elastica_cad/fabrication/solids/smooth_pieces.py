@@ -8,10 +8,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.strip.flat_outline import pace
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, clamp_ends, trim_curve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
-from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
 from elastica_cad.geometry.polynomials.splines import interpolated, interpolation_sites, knot_runs
 
 SMOOTH = 2

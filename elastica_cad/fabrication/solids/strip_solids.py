@@ -23,8 +23,8 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.frame import Frame, frame_or_plain
-from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import clip_across
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.polynomials.splines import knot_runs
 from elastica_cad.mechanics.material.sheet import Sheet

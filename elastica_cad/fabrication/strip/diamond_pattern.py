@@ -12,7 +12,7 @@ from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
 from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graphs
 from elastica_cad.fabrication.strip.tabs import Tab
-from elastica_cad.geometry.paths.biarcs import as_arcs
+from elastica_cad.geometry.paths.approximations import as_arcs
 from elastica_cad.geometry.paths.path import JOIN, Path
 from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.point_distance import distances

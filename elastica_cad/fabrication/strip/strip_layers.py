@@ -24,8 +24,8 @@ from elastica_cad.fabrication.strip.flat_outline import (
     flat_rim,
 )
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.paths.clip import trim_off
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import trim_off
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet

@@ -10,8 +10,7 @@ from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs, n
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
 from elastica_cad.formats.file_access.source_file import name_source
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.trim import split_at_corners
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 

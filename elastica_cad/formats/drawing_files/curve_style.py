@@ -4,10 +4,9 @@ from collections.abc import Iterable
 
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
-from elastica_cad.geometry.paths.chords import require_tolerance_mm
+from elastica_cad.geometry.paths.approximations import as_arcs, as_cubics, as_polyline
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.path_cubics import as_cubics
+from elastica_cad.geometry.paths.segments import require_tolerance_mm
 
 CURVES = ("spline", "arc", "polyline")
 

@@ -17,8 +17,7 @@ from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
 from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_paths
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
-from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, trim_segment
 
 DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
 

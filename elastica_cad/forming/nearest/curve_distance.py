@@ -6,7 +6,6 @@ from typing import Protocol
 
 import numpy as np
 
-from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.nearest.constraints.constraint import thin_rows
@@ -192,8 +191,6 @@ def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
     Where the chain runs beside them, distances from chords near by are upper bounds, and the largest is exact if
     no chord at all is nearer.
     """
-    if _native.compiled is not None:
-        return _native.largest_distance(points, chain)
     last = chain.shape[0] - 2
     chords = np.diff(chain, axis=0)
     squares = np.maximum((chords**2).sum(axis=1), 1e-300)

@@ -6,7 +6,6 @@ from math import hypot
 
 import numpy as np
 
-from elastica_cad import _native
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Symmetry
@@ -100,8 +99,6 @@ def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[Fl
 
     `slopes` (n, 2) are the derivatives at the nodes, per step.
     """
-    if _native.compiled is not None:
-        return _native.hermite(position, slopes, s)
     spans = position.shape[0] - 1
     i = np.minimum(np.maximum((s * spans).astype(int), 0), spans - 1)
     u = (s * spans - i)[:, None]

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 
@@ -35,11 +34,9 @@ def weighted_gram(J: FloatArray, added: FloatArray, weights: FloatArray) -> Floa
 
     J is contiguous.
     """
-    if _native.compiled is None:
-        A = J.copy()
-        A[:, -1] += added
-        return gram(A * np.sqrt(weights)[:, None])
-    return _native.weighted_gram(J, added, weights)
+    A = J.copy()
+    A[:, -1] += added
+    return gram(A * np.sqrt(weights)[:, None])
 
 
 def least_step(J: FloatArray, gap: FloatArray) -> FloatArray:

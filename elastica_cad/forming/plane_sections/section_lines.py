@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import require_flag
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.tangent_angle import turn_between
+from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
 

@@ -6,17 +6,21 @@ The fair curve c is the spline of degree 4 with simple knots that minimises
 
 its ends and end tangents as drawn (and ends without curvature where that is asked for), with the largest length l
 for which it stays within the tolerance; of a closed curve it is periodic. The slope of the curvature is linearised
-about the curve of the round before; all systems are banded, that of a closed curve in a circle.
+about the curve of the round before; all systems are sparse.
+
+Corners so slight that a strip may round them are taken out before, by turning handles.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.curve_records import CurveSamples
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
+from elastica_cad.geometry.pen_curves.tangent_healing import SURE, Healing, heal_tangents
 from elastica_cad.geometry.polynomials.splines import bezier_spans
 
 DEGREE = 4  # whose curvature and its slope are continuous at simple knots
@@ -137,7 +141,7 @@ def _fitted(
     curve: PlaneCurve, tolerance: float, spans: int, unbent: tuple[bool, bool]
 ) -> tuple[Fairing | None, float]:
     """The fairest spline of so many spans within the tolerance, if any, and its length of evening out."""
-    problem = (_PeriodicProblem if curve.is_closed else _Problem)(curve, spans, unbent)
+    problem = _Problem(curve, spans, unbent)
     points = problem.start()
     within: FloatArray | None = None
     reached = 0.0
@@ -166,78 +170,92 @@ def _fitted(
 
 
 class _Problem:
-    """Rows and targets of the least squares problem for one number of spans, over interleaved x and y."""
+    """The least squares problem for one number of spans.
+
+    Its unknowns are x and y of the control points that are sought, one after the other: all of an open curve but
+    those at its ends that are held, and of a closed one those of one turn, as its last ones are the first again.
+    """
 
     def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
-        self.unbent = unbent
+        from scipy.sparse import vstack
+
         length = curve.length
         edges = np.linspace(0.0, length, spans + 1)
         self.width = length / spans
-        self.knots = self._knots_of(edges)
+        beyond = self.width * np.arange(1, DEGREE + 1) * curve.is_closed
+        self.knots = np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
         self.spans = bezier_spans(self.knots, DEGREE)
         local = (np.arange(_EACH) + 0.5) / _EACH
         self.s = (edges[:-1, None] + self.width * local).ravel()
         drawn = curve.at(self.s)
         self.data = drawn.position
-        along = np.column_stack([np.cos(drawn.angle), np.sin(drawn.angle)])
-        self.across = np.column_stack([-along[:, 1], along[:, 0]])
-        self.along = along
+        self.along = np.column_stack([np.cos(drawn.angle), np.sin(drawn.angle)])
+        self.across = np.column_stack([-self.along[:, 1], self.along[:, 0]])
         self.basis = [self.spans.local_basis(self.s, k)[0] for k in range(4)]
-        first = np.repeat(self.spans.first, _EACH)
-        self.columns = 2 * first[:, None] + np.arange(2 * (DEGREE + 1))
-        self.support = first[:, None] + np.arange(DEGREE + 1)
-        self.held, self.count_held = self._held_points(curve.at(np.array([0.0, length])))
-        normal, slide = self._rows(self.across, 0), self._rows(self.along, 0)
-        bands, right = self._normal_equations(normal, (self.data * self.across).sum(axis=1))
-        slide_bands, slide_right = self._normal_equations(slide, (self.data * self.along).sum(axis=1))
-        self.data_part = bands + _SLIDE * slide_bands, right + _SLIDE * slide_right
+        self.support = np.repeat(self.spans.first, _EACH)[:, None] + np.arange(DEGREE + 1)
+        self.held = np.zeros((self.spans.count, 2))
+        if curve.is_closed:
+            places = np.arange(self.spans.count) % spans
+        else:
+            places = self._hold_ends(curve.at(np.array([0.0, length])), unbent)
+        self.chosen = self._choice(places)
+        both = vstack([self._rows(self.across, 0), np.sqrt(_SLIDE) * self._rows(self.along, 0)])
+        target = [(self.data * v).sum(axis=1) for v in (self.across, np.sqrt(_SLIDE) * self.along)]
+        self.data_part = self._normal_equations(both, np.concatenate(target))
 
-    def _knots_of(self, edges: FloatArray) -> FloatArray:
-        return np.concatenate([np.full(DEGREE, edges[0]), edges, np.full(DEGREE, edges[-1])])
-
-    def _held_points(self, ends: CurveSamples) -> tuple[FloatArray, tuple[int, int]]:
-        """Control points that keep ends and end tangents, 0 for all that are sought; how many at each end."""
+    def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
+        """Hold the control points that keep ends and end tangents; which unknown (m,) each is, -1 for these."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
-        held = np.zeros((self.spans.count, 2))
-        count = 3 if self.unbent[0] else 2, 3 if self.unbent[1] else 2
+        first, last = (3 if one else 2 for one in unbent)
         # a straight line of even speed has its control points there
         reach = np.array([0.0, 1.0, 3.0])[:, None]
-        held[: count[0]] = (ends.position[0] + reach * step[0])[: count[0]]
-        held[-count[1] :] = (ends.position[1] - reach * step[1])[: count[1]][::-1]
-        return held, count
+        self.held[:first] = (ends.position[0] + reach * step[0])[:first]
+        self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
+        places = np.arange(self.spans.count) - first
+        places[-last:] = -1
+        return np.maximum(places, -1)
 
-    def _rows(self, direction: FloatArray, derivative: int) -> FloatArray:
-        """Rows (n, 10) that take control points to direction . c^(derivative) at the sites."""
-        basis = self.basis[derivative]
-        return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(len(basis), -1))
+    @staticmethod
+    def _choice(places: IntArray) -> Any:
+        """The matrix (2 m, k) that takes unknowns to control points beside those held, x and y in turn."""
+        from scipy.sparse import csr_matrix
 
-    def _normal_equations(self, rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Lower bands (10, 2 m) and right-hand side (2 m,) of the squares of rows @ points - target."""
-        size = self.held.size
-        bands, right = np.zeros((2 * (DEGREE + 1), size)), np.zeros(size)
-        for a in range(rows.shape[1]):
-            for b in range(a + 1):
-                np.add.at(bands[a - b], self.columns[:, b], rows[:, a] * rows[:, b])
-        np.add.at(right, self.columns, rows * target[:, None])
-        return bands, right
+        sought = np.flatnonzero(places >= 0)
+        row = (2 * sought[:, None] + np.arange(2)).ravel()
+        column = (2 * places[sought][:, None] + np.arange(2)).ravel()
+        size = 2 * places.size, 2 * (int(places.max()) + 1)
+        return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
-    def values(self, points: FloatArray, derivative: int) -> FloatArray:
+    def _rows(self, direction: FloatArray, derivative: int) -> Any:
+        """The sparse matrix (n, 2 m) that takes control points to direction . c^(derivative) at the sites."""
+        from scipy.sparse import csr_matrix
+
+        numbers = self.basis[derivative][:, :, None] * direction[:, None, :]
+        columns = 2 * self.support[:, :, None] + np.arange(2)
+        starts = np.arange(len(numbers) + 1) * 2 * (DEGREE + 1)
+        return csr_matrix((numbers.ravel(), columns.ravel(), starts), shape=(len(numbers), self.held.size))
+
+    def _values(self, points: FloatArray, derivative: int) -> FloatArray:
         """Derivative (n, 2) of the curve at the sites."""
         return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
 
+    def _normal_equations(self, rows: Any, target: FloatArray) -> tuple[Any, FloatArray]:
+        """Matrix and right-hand side for the unknowns of least squares of rows @ points - target."""
+        sought = rows @ self.chosen
+        return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
+
     def start(self) -> FloatArray:
         """The spline nearest to the drawn curve."""
-        return self.solved(
-            self._normal_equations(self._rows(self.across, 3), np.zeros(self.s.size)), self.width**6 / 64
-        )
+        rows = self._rows(self.across, 3)
+        return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
 
-    def slope_rows(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def slope_rows(self, points: FloatArray) -> tuple[Any, FloatArray]:
         """Normal equations of the slope of the curvature, linearised about the curve of `points`.
 
         With unit tangent t, unit normal n and a speed near 1, a change d of the curve changes d kappa / ds by
         n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n . d'.
         """
-        d1, d2, d3 = (self.values(points, k) for k in (1, 2, 3))
+        d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
         speed = np.hypot(d1[:, 0], d1[:, 1])
         t = d1 / speed[:, None]
         n = np.column_stack([-t[:, 1], t[:, 0]])
@@ -245,72 +263,23 @@ class _Problem:
         slope = ((d3 * n).sum(axis=1) / speed**2 - 3 * kappa * (d2 * t).sum(axis=1) / speed) / speed
         rows = (
             self._rows(n, 3)
-            - 3 * kappa[:, None] * self._rows(t, 2)
-            - 2 * slope[:, None] * self._rows(t, 1)
-            - 2 * kappa[:, None] ** 2 * self._rows(n, 1)
+            - self._rows(3 * kappa[:, None] * t, 2)
+            - self._rows(2 * slope[:, None] * t, 1)
+            - self._rows(2 * kappa[:, None] ** 2 * n, 1)
         )
-        target = (rows * points[self.support].reshape(len(rows), -1)).sum(axis=1) - slope
-        return self._normal_equations(rows, target)
+        return self._normal_equations(rows, rows @ points.ravel() - slope)
 
-    def solved(self, slope: tuple[FloatArray, FloatArray], weight: float) -> FloatArray:
+    def solved(self, slope: tuple[Any, FloatArray], weight: float) -> FloatArray:
         """Control points (m, 2) of least squares of distance and slope."""
-        from scipy.linalg import solveh_banded
+        from scipy.sparse.linalg import spsolve
 
-        bands = self.data_part[0] + weight * slope[0]
-        right = self.data_part[1] + weight * slope[1] - _times(bands, self.held.ravel())
-        first, last = self.count_held
-        sought = slice(2 * first, right.size - 2 * last)
-        inner = bands[:, sought].copy()
-        for below in range(1, len(inner)):
-            inner[below, -below:] = 0.0
-        points = self.held.copy().ravel()
-        points[sought] = solveh_banded(inner, right[sought], lower=True, check_finite=False)
-        return points.reshape(-1, 2)
+        matrix, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))
+        found = spsolve(matrix.tocsc(), right, permc_spec="NATURAL")
+        return np.asarray(self.held + (self.chosen @ found).reshape(-1, 2), dtype=float)
 
     def off(self, points: FloatArray) -> float:
         """Largest distance across the drawn curve at the sites, mm."""
-        return float(np.abs(((self.values(points, 0) - self.data) * self.across).sum(axis=1)).max())
-
-
-class _PeriodicProblem(_Problem):
-    """The same of a closed curve: the last control points are the first ones again, and none is held."""
-
-    def _knots_of(self, edges: FloatArray) -> FloatArray:
-        beyond = self.width * np.arange(1, DEGREE + 1)
-        return np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
-
-    def _held_points(self, ends: CurveSamples) -> tuple[FloatArray, tuple[int, int]]:  # noqa: ARG002
-        return np.zeros((self.spans.count, 2)), (0, 0)
-
-    def solved(self, slope: tuple[FloatArray, FloatArray], weight: float) -> FloatArray:
-        """Control points (m, 2) of least squares of distance and slope."""
-        from scipy.sparse import coo_matrix
-        from scipy.sparse.linalg import spsolve
-
-        bands = self.data_part[0] + weight * slope[0]
-        right = self.data_part[1] + weight * slope[1]
-        period = right.size - 2 * DEGREE
-        below, column = np.divmod(np.arange(bands.size), bands.shape[1])
-        bands = bands.ravel()
-        row = below + column
-        inside = row < right.size
-        i, j, value = row[inside] % period, column[inside] % period, bands[inside]
-        low = below[inside] > 0  # each entry below the diagonal stands above it too
-        entries = np.concatenate([value, value[low]])
-        places = np.concatenate([i, j[low]]), np.concatenate([j, i[low]])
-        folded = right[:period].copy()
-        folded[: 2 * DEGREE] += right[period:]
-        points = spsolve(coo_matrix((entries, places), shape=(period, period)).tocsc(), folded)
-        return np.concatenate([points, points[: 2 * DEGREE]]).reshape(-1, 2)
-
-
-def _times(bands: FloatArray, x: FloatArray) -> FloatArray:
-    """The product of a symmetric matrix, given by its lower bands, with a vector."""
-    y = bands[0] * x
-    for below in range(1, len(bands)):
-        y[below:] += bands[below, :-below] * x[:-below]
-        y[:-below] += bands[below, :-below] * x[below:]
-    return np.asarray(y)
+        return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=1)).max())
 
 
 def two_sided_distance(one: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
@@ -338,3 +307,73 @@ def _one_sided(of: PlaneCurve, to: PlaneCurve, count: int) -> float:
         t = np.clip(t + ((points - at) * velocity).sum(axis=1) / speed, low, high)
         best = np.minimum(best, np.hypot(*(np.asarray(to.evaluate(t)) - points).T))
     return float(best.max())
+
+
+PER_ROUNDING = 2 * np.sqrt(2.0)
+"""How far a handle's end moves against its node for one of rounding in every coordinate."""
+
+SMOOTHING_SHARE = 0.5
+"""Of the distance asked for: the rest is left to make the curvature fair."""
+
+WORTH_SHARE = 1e-3
+"""Of the length: a move beyond this is no detail of the drawing any more, and is not offered."""
+
+
+def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
+    """The curve without slight corners, and how far, mm, it was moved at most to take them out.
+
+    Corners of more than 5 degrees stay, and those for which it would move by more than half of `smooth` (mm).
+
+    Examples
+    --------
+    >>> kinked = PlaneCurve([0] * 4 + [1] * 3 + [2] * 4,
+    ...                     [(0, 0), (20, 20), (40, 30), (60, 30), (80, 30.02), (100, 20), (120, 0)], 3)
+    >>> smooth, moved = round_corners(kinked, 0.1)
+    >>> len(kinked.tangent_breaks), len(smooth.tangent_breaks), round(moved, 4)
+    (1, 0, 0.01)
+    """
+    if not curve.has_corners or curve.degree < 2:
+        return curve, 0.0
+    healing = _healed(curve, SMOOTHING_SHARE * smooth)
+    if not healing.healed:
+        return curve, 0.0
+    rounded = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights)
+    return rounded.drawn_as(curve.provenance), healing.moved
+
+
+def smooth_for_corners(curve: PlaneCurve) -> float | None:
+    """The `smooth`, mm, of one figure, with which `round_corners` takes out all corners; None if it is no detail.
+
+    It is at least what curves of a pen tool are made fair with, at most a thousandth of the length.
+
+    Examples
+    --------
+    >>> kinked = PlaneCurve([0] * 4 + [1] * 3 + [2] * 4,
+    ...                     [(0, 0), (20, 20), (40, 30), (60, 30), (80, 30.02), (100, 20), (120, 0)], 3)
+    >>> smooth_for_corners(kinked)
+    0.06
+    """
+    corners = [one.angle for one in curve.tangent_breaks]
+    if abs(curve.seam_turn) > CORNER_RAD:
+        corners.append(curve.seam_turn)
+    if not corners or curve.degree < 2 or max(map(abs, corners)) > SURE:
+        return None
+    most = WORTH_SHARE * curve.length
+    healing = _healed(curve, SMOOTHING_SHARE * most)
+    if len(healing.healed) < len(corners):
+        return None
+    needed = 1.05 * healing.moved / SMOOTHING_SHARE  # the bound of a turn is of sines
+    offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
+    return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
+
+
+def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
+    step = 10.0 ** np.floor(np.log10(x))
+    return float(f"{rounded(x / step) * step:.1g}")
+
+
+def _healed(curve: PlaneCurve, reach: float) -> Healing:
+    """With the corners taken out for which no handle's end moves farther than `reach`, mm."""
+    return heal_tangents(
+        curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
+    )

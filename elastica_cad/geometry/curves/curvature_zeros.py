@@ -12,18 +12,14 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
-from elastica_cad.geometry.curves.tangent_angle import hodograph
 from elastica_cad.geometry.polynomials.bernstein import (
     divide_out_end_root,
     product,
     roots,
-    subdivide,
-    value_and_slope,
 )
 
 ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 
-SHARPEST = 1e100  # of a curve of unit size: rounding has made a corner of it long before
 _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
@@ -39,9 +35,6 @@ _FLAT = 1e-7
 """A function that stays below this share of its size between two places vanishes there."""
 
 _MOST_CUTS = 12  # of a span in halves: what is not followed then is rounding
-
-_UNEVEN = 1.5
-"""Weights of a piece that differ by more would have their twelfth powers drown a level's zeros in rounding."""
 
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
@@ -89,42 +82,6 @@ def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArr
     numerator, noise = _curvature_numerator(bezier)
     flat = _straight_pieces(bezier) | (np.abs(numerator).max(axis=1) <= noise)
     return _places(_Pieces(numerator, noise, flat, smooth), edges)
-
-
-def curvature_level_places(
-    bezier: FloatArray, edges: FloatArray, smooth: BoolArray, level: float
-) -> tuple[ZeroPlace, ...]:
-    """All places where the curvature equals `level` (1/mm, not 0); signs are those of curvature - level.
-
-    Zeros of the polynomial kappa^2 - level^2 (times |h|^6) at which kappa has the sign of the level.
-    """
-    size = _extent(bezier)
-    bezier, edges, smooth = _evenly_weighted(_unit_sized(bezier), edges, smooth)
-    level *= size
-    if abs(level) > SHARPEST:
-        return ()
-    degree = bezier.shape[1] - 1
-    numerator, noise = _curvature_numerator(bezier)
-    weight = bezier[..., 2]
-    h = hodograph(bezier)
-    speed2 = product(h[..., 0], h[..., 0]) + product(h[..., 1], h[..., 1])
-    denominator = product(product(speed2, speed2), speed2) * level**2
-    scaled = numerator * (degree - 1) / degree
-    square = product(scaled, scaled)
-    if np.ptp(weight) > 0:
-        cube = product(product(weight, weight), weight)
-        square = product(square, product(cube, cube))
-    square, denominator = _same_degree(square, denominator)
-    bound = np.abs(square).max(axis=1) + np.abs(denominator).max(axis=1)
-    difference = square - denominator
-    slack = 64 * _EPS * bound + 4 * np.abs(scaled).max(axis=1) * noise
-    constant = np.abs(difference).max(axis=1) <= 1e-9 * bound
-
-    def same_side(piece: int, u: float) -> bool:
-        value, _ = value_and_slope(numerator[piece : piece + 1], np.array([u]))
-        return bool(value[0] * level > 0)
-
-    return _places(_Pieces(difference, slack, constant, smooth, same_side, 1 if level > 0 else -1), edges)
 
 
 def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) -> tuple[ZeroPlace, ...]:
@@ -180,26 +137,6 @@ def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) ->
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
     return joined
-
-
-def _evenly_weighted(
-    bezier: FloatArray, edges: FloatArray, smooth: BoolArray
-) -> tuple[FloatArray, FloatArray, BoolArray]:
-    """The pieces halved until the weights of each are about alike, its largest 1; with their edges and joints."""
-    low, high = edges[:-1], edges[1:]
-    for _ in range(_MOST_CUTS):
-        uneven = bezier[..., 2].max(axis=1) > _UNEVEN * bezier[..., 2].min(axis=1)
-        if not uneven.any():
-            break
-        halves = [np.swapaxes(half, 1, 2) for half in subdivide(np.swapaxes(bezier[uneven], 1, 2))]
-        middle = (low[uneven] + high[uneven]) / 2
-        starts = np.concatenate([low[~uneven], low[uneven], middle])
-        order = np.argsort(starts)
-        bezier = np.concatenate([bezier[~uneven], *halves])[order]
-        high = np.concatenate([high[~uneven], middle, high[uneven]])[order]
-        low = starts[order]
-    bezier = bezier / bezier[..., 2].max(axis=1)[:, None, None]
-    return bezier, np.append(low, edges[-1]), _smooth_between(low, edges, smooth)
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
@@ -260,37 +197,14 @@ def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatA
     return np.asarray(8 * _EPS * sizes * (1 + np.abs(centre).max()))
 
 
-def _same_degree(p: FloatArray, q: FloatArray) -> tuple[FloatArray, FloatArray]:
-    one = np.ones((1, abs(p.shape[-1] - q.shape[-1]) + 1))
-    if p.shape[-1] < q.shape[-1]:
-        p = product(p, one)
-    elif q.shape[-1] < p.shape[-1]:
-        q = product(q, one)
-    return p, q
-
-
 @dataclass(frozen=True, eq=False)
 class _Pieces:
-    """A function along the curve whose sign is that of Bernstein polynomials.
-
-    `same_side`, if given, tells where the polynomial stands for the function; elsewhere the function has the
-    sign -`positive` and no zero.
-    """
+    """A function along the curve that has the sign of Bernstein polynomials (p, n)."""
 
     coefficients: FloatArray
     noise: FloatArray
     flat: BoolArray
     smooth: BoolArray
-    same_side: Callable[[int, float], bool] | None = None
-    positive: int = 1
-
-    def sign(self, piece: int, u: float, sign: float) -> int:
-        if self.same_side is None:
-            return int(np.sign(sign))
-        return self.positive * int(np.sign(sign)) if self.same_side(piece, u) else -self.positive
-
-    def stands_for(self, piece: int, u: float) -> bool:
-        return self.same_side is None or self.same_side(piece, u)
 
 
 def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
@@ -318,22 +232,18 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
     inside: dict[int, list[tuple[float, bool]]] = {int(i): [] for i in curved}
     for root in roots(c[curved], f.noise[curved]):
         inside[int(curved[root.piece])].append((root.u, root.crossing))
-    start = [0 if f.flat[i] else f.sign(i, 0.0, c[i, 0]) for i in range(count)]
-    stop = [0 if f.flat[i] else f.sign(i, 1.0, c[i, -1]) for i in range(count)]
+    start, stop = (np.where(f.flat, 0, np.sign(c[:, side])).astype(int).tolist() for side in (0, -1))
     places: list[ZeroPlace] = []
     for i in range(count):
         places.extend(_at_start(f, edges, i, zero=zero, start=start, stop=stop))
         if f.flat[i]:
             continue
-        sign, width = float(np.sign(c[i, 0])), edges[i + 1] - edges[i]
+        before, width = start[i], edges[i + 1] - edges[i]
         for u, crossing in inside[i]:
-            if f.stands_for(i, u):
-                t = float(edges[i] + u * width)
-                before = int(sign) * f.positive
-                after = -before if crossing else before
-                places.append(ZeroPlace(t, t, "crossing" if crossing else "touch", before, after))
-            sign = -sign if crossing else sign
-    if not f.flat[-1] and zero[-1, 1] and f.stands_for(count - 1, 1.0):
+            t, after = float(edges[i] + u * width), -before if crossing else before
+            places.append(ZeroPlace(t, t, "crossing" if crossing else "touch", before, after))
+            before = after
+    if not f.flat[-1] and zero[-1, 1]:
         t = float(edges[-1])
         places.append(ZeroPlace(t, t, "end", stop[-1], 0))
     return tuple(places)
@@ -352,12 +262,11 @@ def _at_start(
         after = start[last] if last < f.flat.size else 0
         return [ZeroPlace(t, float(edges[last]), "flat", stop[i - 1] if i else 0, after)]
     if i == 0:
-        return [ZeroPlace(t, t, "end", 0, start[0])] if zero[0, 0] and f.stands_for(0, 0.0) else []
+        return [ZeroPlace(t, t, "end", 0, start[0])] if zero[0, 0] else []
     if f.flat[i - 1]:
         return []
     before, after = stop[i - 1], start[i]
-    touched = (zero[i - 1, 1] and f.stands_for(i - 1, 1.0)) or (zero[i, 0] and f.stands_for(i, 0.0))
     if before * after < 0:
         both = zero[i - 1, 1] and zero[i, 0]
         return [ZeroPlace(t, t, "crossing" if both else "jump", before, after)]
-    return [ZeroPlace(t, t, "touch", before, after)] if touched else []
+    return [ZeroPlace(t, t, "touch", before, after)] if zero[i - 1, 1] or zero[i, 0] else []

@@ -1,7 +1,9 @@
-"""Positions and derivatives of rational Bezier pieces, many parameters at once."""
+"""Positions and derivatives of rational Bezier pieces, their tangent angle, and how smooth they are at knots."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import pairwise
 from math import comb
 
 import numpy as np
@@ -9,14 +11,143 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table
-from elastica_cad.geometry.curves.tangent_angle import TangentCones, cut_into_tangent_cones, hodograph
 from elastica_cad.geometry.polynomials.bernstein import (
     binomials,
     interior_roots,
+    product,
     raise_degree,
+    subdivide,
     sums_in_pieces,
 )
 from elastica_cad.geometry.polynomials.splines import Spans
+
+_STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; a curve slower than that stands still
+_STILL_SPAN = 1e-14  # of the largest speed of all; a span that is nowhere faster is a point
+_ALONG_SHARE = 1e-9  # of a velocity, that it has along the axis of its cone
+_MOST_HALVINGS = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
+
+
+@dataclass(frozen=True, eq=False)
+class TangentAngle:
+    """Angle of the tangent over the cones of the curve, continued from one to the next.
+
+    Attributes
+    ----------
+    edges : (k + 1,) array
+        Parameters t at which the cones meet.
+    axis : (k, 2) array
+        Unit middle direction of each cone.
+    angle : (k,) array
+        Angle of that direction, continued from cone to cone.
+    spread : float
+        Between the least and the largest angle of the curve, rad, or a little more.
+    """
+
+    edges: FloatArray
+    axis: FloatArray
+    angle: FloatArray
+    spread: float
+
+    def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
+        """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
+        cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
+        return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
+
+
+def hodograph(bezier: FloatArray) -> FloatArray:
+    """Bernstein coefficients (p, n, 2) along the velocity of homogeneous Bezier pieces (p, degree + 1, 3).
+
+    The derivative by u times the squared weight: w P' - P w' (degree times left out).
+    """
+    a, b = bezier[:, :-1], bezier[:, 1:]
+    if np.ptp(bezier[..., 2]) == 0:
+        return np.asarray((b - a)[..., :2])
+    aw, bw = a[..., 2], b[..., 2]
+    return np.stack([product(aw, b[..., k]) - product(a[..., k], bw) for k in (0, 1)], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class TangentCones:
+    """Parts of a curve within which the velocity stays in an open half plane.
+
+    Attributes
+    ----------
+    edges : (k + 1,) array
+        Parameters at which they meet.
+    hodographs : (k, n, 2) array
+        Bernstein coefficients along the velocity.
+    standstill : float or None
+        Parameter of the first place where the velocity vanishes (cusp, coincident control points); the other
+        fields are of no use then.
+    """
+
+    edges: FloatArray
+    hodographs: FloatArray
+    standstill: float | None = None
+
+
+def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
+    """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
+    first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
+    axis = _unit(first + last)
+    # the velocity runs between its coefficients
+    off_axis = turn_between(axis[:, None], cones.hodographs)
+    to_start, to_end = off_axis[:, 0], off_axis[:, -1]
+    across = turn_between(last[:-1], first[1:])
+    angle = np.empty(len(axis))
+    angle[0] = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
+    angle[1:] = to_end[:-1] + across - to_start[1:]
+    angle = angle.cumsum()
+    reached = angle[:, None] + off_axis
+    return TangentAngle(cones.edges, axis, angle, float(reached.max() - reached.min()))
+
+
+def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
+    """The tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
+    part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
+    size = np.hypot(part[..., 0], part[..., 1])
+    largest = size.max(axis=1)
+    still = largest <= _STILL_SPAN * largest.max()
+    stopped = np.concatenate(
+        [low[(size[:, 0] <= 1e-12 * largest) | still], (low + width)[size[:, -1] <= 1e-12 * largest]]
+    )
+    if stopped.size:
+        return TangentCones(edges, part, float(stopped.min()))
+    starts: list[FloatArray] = []
+    found: list[FloatArray] = []
+    slowest = _STANDSTILL_SHARE * largest
+    for _ in range(_MOST_HALVINGS):
+        if not low.size:
+            break
+        axis = _unit(part[:, [0, -1]]).sum(axis=1)
+        along = (part @ axis[:, :, None])[:, :, 0]
+        decided = (along > _ALONG_SHARE * size).all(axis=1) & (size[:, [0, -1]].min(axis=1) > slowest)
+        if not starts and decided.all():
+            return TangentCones(edges, part)
+        starts.append(low[decided])
+        found.append(part[decided])
+        rest = ~decided
+        left, right = subdivide(np.swapaxes(part[rest], 1, 2))
+        part = np.swapaxes(np.concatenate([left, right]), 1, 2)
+        width, slowest = np.tile(width[rest] / 2, 2), np.tile(slowest[rest], 2)
+        low = np.concatenate([low[rest], low[rest] + width[: rest.sum()]])
+        size = np.hypot(part[..., 0], part[..., 1])
+    if low.size:
+        return TangentCones(edges, part, float((low + width / 2).min()))
+    begin, coefficients = np.concatenate(starts), np.concatenate(found)
+    order = np.argsort(begin, kind="stable")
+    return TangentCones(np.append(begin[order], edges[-1]), coefficients[order])
+
+
+def _unit(v: FloatArray) -> FloatArray:
+    length = np.hypot(v[..., :1], v[..., 1:])
+    return np.asarray(v / np.where(length > 0, length, 1.0))
+
+
+def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
+    cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
+    return np.asarray(np.arctan2(cross, u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,3 +338,109 @@ def dot(u: FloatArray, v: FloatArray) -> FloatArray:
 def cross(u: FloatArray, v: FloatArray) -> FloatArray:
     """Determinants (n,) of pairs of vectors (n, 2)."""
     return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
+ORDERS_OF_SIDES = 3
+"""Of continuity that `KnotSides` tell of: beyond, it is taken from the multiplicity of a knot."""
+
+SHORT_SPAN_SHARE = 1e-6
+"""Of the domain: what knots as near to each other make of the direction is seen on both sides of each only."""
+
+
+@dataclass(frozen=True, eq=False)
+class KnotSides:
+    """Angle (rad), curvature and its slope just before and just after the interior knots, (3, p - 1) each."""
+
+    before: FloatArray
+    after: FloatArray
+
+    @classmethod
+    def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
+        """What a curve does at its knots."""
+        sides = []
+        for (_, d1, d2, d3), left in zip(pieces.beside_knots(3), (True, False), strict=True):
+            angle = turning.at(pieces.edges[1:-1], d1, left=left)
+            sides.append(np.array([angle, curvature(d1, d2), curvature_slope(d1, d2, d3)]))
+        return cls(*sides)
+
+    @classmethod
+    def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
+        """The same (3, 1) where a closed curve meets its start: before it closes, and after it begins."""
+        sides = []
+        for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False)):
+            _, d1, d2, d3 = pieces.at(t, 3, left=left)
+            sides.append(
+                np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
+            )
+        turn = (sides[1][0] - sides[0][0] + np.pi) % (2 * np.pi) - np.pi
+        sides[1][0] = sides[0][0] + turn
+        return cls(*sides)
+
+    @property
+    def corners(self) -> FloatArray:
+        """Exterior angles (p - 1,), rad."""
+        return np.asarray(self.after[0] - self.before[0])
+
+
+def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
+    """How many derivatives by the parameter go on at the interior knots (p - 1,), by how often these stand."""
+    t = pieces.edges[1:-1]
+    repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
+    return np.asarray(pieces.spans.degree - repeated)
+
+
+def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
+    """How many of angle, curvature and its slope, in this order, are alike on both sides."""
+    before, after = sides.before, sides.after
+    scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
+    allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
+    return np.asarray(np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0))
+
+
+def in_millimetres(point: FloatArray) -> str:
+    """A place as it stands in messages."""
+    return f"({point[0]:g}, {point[1]:g}) mm"
+
+
+SHORT_HANDLE = 1e-3
+"""A handle shorter than this, in sizes of its curve, was drawn in: no digits are missing."""
+
+
+def refuse_standstill(
+    pieces: RationalPieces,
+    control_points: FloatArray,
+    shown: Callable[[FloatArray], str] = in_millimetres,
+    rounding: float = 0.0,
+) -> None:
+    """Raise InputError, with the place, when the curve has zero length or a point without tangent.
+
+    `shown` writes a point (2,) in mm the way the drawing program does; `rounding` is how far one may be from what
+    was drawn, mm.
+    """
+    if np.ptp(control_points, axis=0).max() == 0:
+        raise InputError("all control points coincide: the curve has zero length")
+    t = pieces.tangent_cones.standstill
+    if t is None:
+        return
+    place = shown(pieces.at(np.array([t]), 0)[0][0])
+    twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
+    size = float(np.ptp(control_points, axis=0).max())
+    where = f"the curve has no tangent at {place}, {_length_until(pieces, t):.4g} mm from its start"
+    if not twins.size:
+        raise InputError(f"{where}: it has a cusp; move or delete a control point there")
+    cause = f"control points {twins[0]} and {twins[0] + 1} coincide"
+    if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
+        raise InputError(
+            f"undecided at this precision: {where}, for {cause}, and the numbers in the file are exact to "
+            f"{rounding:.2g} mm, so a shorter handle is lost: save it with more decimals, or draw out the "
+            "handle of that node"
+        )
+    raise InputError(
+        f"{where}: {cause}; move or delete one of them (in a drawing program: draw out the handle of that node)"
+    )
+
+
+def _length_until(pieces: RationalPieces, t: float) -> float:
+    edges = np.append(pieces.edges[pieces.edges < t], t)
+    dense = [np.linspace(a, b, 65) for a, b in pairwise(edges)]
+    return float(sum(norm(np.diff(pieces.at(places, 0)[0], axis=0)).sum() for places in dense))

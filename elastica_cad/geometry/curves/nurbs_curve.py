@@ -11,8 +11,12 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, numbers, require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about
-from elastica_cad.geometry.curves.continuity import in_millimetres, refuse_standstill
-from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, quotient
+from elastica_cad.geometry.curves.curve_derivatives import (
+    RationalPieces,
+    in_millimetres,
+    quotient,
+    refuse_standstill,
+)
 from elastica_cad.geometry.curves.projective_maps import map_spline
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline, fit_spline

@@ -2,28 +2,130 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
+from itertools import pairwise
 from math import hypot
 
 import numpy as np
 
 from elastica_cad._notebook import BLUE, svg_of_lines
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
-from elastica_cad._values import is_number, numbers, require_flag, require_number
+from elastica_cad._values import is_number, numbers, require_flag, require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves import curvature_zeros as zeros
-from elastica_cad.geometry.curves.continuity import (
+from elastica_cad.geometry.curves.curvature_zeros import ZeroKind, line_places
+from elastica_cad.geometry.curves.curve_derivatives import (
     ORDERS_OF_SIDES,
     SHORT_SPAN_SHARE,
     KnotSides,
+    TangentAngle,
     agreeing_orders,
+    curvature,
+    curvature_slope,
     knot_orders,
+    norm,
+    tabulate_tangent_angle,
 )
-from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope, norm
-from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections
-from elastica_cad.geometry.curves.tangent_angle import TangentAngle, tabulate_tangent_angle
+from elastica_cad.geometry.polynomials.splines import finite
+
+
+@dataclass(frozen=True, eq=False)
+class CurveSamples:
+    """Points of a curve, all arrays over the same n places.
+
+    Attributes
+    ----------
+    s : (n,) array
+        Arc length from the start, mm.
+    position : (n, 2) array
+        Points, mm.
+    angle : (n,) array
+        Turning angle, rad, continuous along the curve.
+    curvature : (n,) array
+        Signed curvature, 1/mm, positive to the left.
+    t : (n,) array
+        Parameter of the curve.
+    """
+
+    s: FloatArray
+    position: FloatArray
+    angle: FloatArray
+    curvature: FloatArray
+    t: FloatArray
+
+
+@dataclass(frozen=True)
+class CurvatureZero:
+    """A place (or, if flat, a stretch) where the curvature vanishes or jumps to the other sign.
+
+    Attributes
+    ----------
+    s, s_end : float
+        Arc length, mm; s_end differs from s for a straight piece only.
+    t, t_end : float
+        The same places in the curve's parameter.
+    kind : str
+        "crossing" (sign change), "touch" (none), "end" (at an end of the curve), "jump" (the sign changes by
+        a jump at a knot), "flat" (a straight piece s..s_end).
+    before, after : int
+        Sign of the curvature on either side; 0 beyond the ends of the curve.
+    """
+
+    s: float
+    t: float
+    kind: ZeroKind
+    s_end: float
+    t_end: float
+    before: int
+    after: int
+
+    @property
+    def changes_sign(self) -> bool:
+        """Does the curve bend one way before and the other way after?"""
+        return self.before * self.after < 0
+
+
+@dataclass(frozen=True)
+class LineCrossing:
+    """A common point of curve and line; fields as in `CurvatureZero` ("flat": the curve runs along it)."""
+
+    s: float
+    t: float
+    kind: ZeroKind
+    s_end: float
+    t_end: float
+    before: int
+    after: int
+
+
+@dataclass(frozen=True)
+class Break:
+    """An interior knot.
+
+    Attributes
+    ----------
+    s, t : float
+        Arc length (mm) and parameter.
+    continuity : int
+        How many derivatives with respect to arc length are continuous there: 0 tangent break, 1 curvature
+        jump, 2 kink of the curvature, ... (at least; orders above 3 are taken from the knot's multiplicity).
+    """
+
+    s: float
+    t: float
+    continuity: int
+
+
+@dataclass(frozen=True)
+class TangentBreak:
+    """A corner: arc length (mm), parameter, and the exterior angle (rad)."""
+
+    s: float
+    t: float
+    angle: float
+
 
 SURVEY_POINTS = 601  # at which all who look along the whole curve find it evaluated
 
@@ -132,7 +234,7 @@ class PlaneCurve(NurbsCurve):
         """`count` points at equal distances along the curve, both ends included."""
         if not (is_number(count) and count >= 2):
             raise InputError(f"a curve is sampled at 2 points or more, not {count!r}")
-        return self.at(_even_places(int(count), self.length))
+        return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property
     def survey(self) -> CurveSamples:
@@ -148,17 +250,14 @@ class PlaneCurve(NurbsCurve):
         found = zeros.curvature_zero_places(
             self._pieces.bezier, self._pieces.edges, self._curvature_continuous
         )
-        return self._measured(self._polished(found, 0.0))
+        return self._measured(self._polished(found))
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
         """All places where the curvature is `level` (1/mm); before, after: signs of curvature - level."""
         level = require_number(level, "the curvature to look for", "1/mm")
         if level == 0:
             return self.curvature_zeros
-        found = zeros.curvature_level_places(
-            self._pieces.bezier, self._pieces.edges, self._curvature_continuous, level
-        )
-        return self._measured(self._polished(found, level))
+        return self.zeros_along(lambda t: self.curvature_at(t) - level, abs(level))
 
     def zeros_along(
         self,
@@ -241,9 +340,7 @@ class PlaneCurve(NurbsCurve):
         """Do the ends meet (within 1e-9 of the length)?"""
         (x0, y0, w0), (x1, y1, w1) = self._pieces.ends
         gap = hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0)
-        # no curve is longer than its control polygon by x and by y, which is quickly measured
-        step = self.control_points[1:] - self.control_points[:-1]
-        return gap <= 1e-9 * float(np.abs(step).sum()) and gap <= 1e-9 * self.length
+        return gap <= 1e-9 * self.length
 
     def self_intersections(self) -> FloatArray:
         """Pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
@@ -284,7 +381,7 @@ class PlaneCurve(NurbsCurve):
     def _curvature_continuous(self) -> BoolArray:
         return self._continuity >= 2
 
-    def _polished(self, found: tuple[zeros.ZeroPlace, ...], level: float) -> tuple[zeros.ZeroPlace, ...]:
+    def _polished(self, found: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
         """Crossings brought nearer by a step of Newton's: pieces are short, and their coordinates rounded."""
         crossing = [i for i, place in enumerate(found) if place.kind == "crossing"]
         if not crossing:
@@ -293,7 +390,7 @@ class PlaneCurve(NurbsCurve):
         index, u = self._pieces.spans.locate(t)
         _, d1, d2, d3 = self._pieces.within(index, u, 3)
         with np.errstate(divide="ignore", invalid="ignore"):
-            better = t - (curvature(d1, d2) - level) / (curvature_slope(d1, d2, d3) * norm(d1))
+            better = t - curvature(d1, d2) / (curvature_slope(d1, d2, d3) * norm(d1))
         near = np.abs(better - t) < ROUNDED_ZERO_SHARE * (edges[index + 1] - edges[index])
         near &= (edges[index] < better) & (better < edges[index + 1])
         places = list(found)
@@ -310,13 +407,61 @@ class PlaneCurve(NurbsCurve):
         )
 
 
-def _even_places(count: int, length: float) -> FloatArray:
-    """What numpy's linspace gives from 0 to the length, which takes five times as long."""
-    s = _numbers(count) * (length / (count - 1))
-    s[-1] = length
-    return s
+def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:
+    """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.
+
+    Parameters
+    ----------
+    a : float
+        Constant of the line.
+    b : (2,) array_like
+        Its normal (any length but 0).
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.arc((0, 0), 50, 0.0, np.pi)
+    >>> [(root.kind, round(root.s, 3)) for root in line_crossings(arch, -50, (0, 1))]
+    [('touch', 78.54)]
+    """
+    require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
+    normal, constant = finite("b", b), finite("a", a)
+    if constant.shape:
+        raise InputError(f"the constant of a line is one number, not {constant.tolist()}")
+    if normal.shape != (2,) or not normal.any():
+        raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
+    edges, bezier = curve.bezier_table
+    found = line_places(bezier, edges, float(constant), normal)
+    s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
+    return tuple(
+        LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
+        for p, (at, to) in zip(found, s, strict=True)
+    )
 
 
-@lru_cache(maxsize=16)
-def _numbers(count: int) -> FloatArray:
-    return np.arange(count, dtype=float)
+def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
+    """The same curve with its end knots repeated, so that it starts and ends on control points."""
+    p, knots = curve.degree, curve.knots
+    if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
+        return curve
+    return curve.trimmed(*curve.domain)
+
+
+def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
+    """The part of a curve between two parameters as a clamped curve of its own."""
+    return curve.trimmed(t0, t1)
+
+
+def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
+    """The smooth pieces of a curve, in order; the curve itself where it has no corner.
+
+    Examples
+    --------
+    >>> roof = PlaneCurve([0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (15, 20), (30, 40), (45, 20), (60, 0)], 2)
+    >>> [round(piece.length, 6) for piece in split_at_corners(roof)]
+    [50.0, 50.0]
+    """
+    low, high = curve.domain
+    places = [low, *(corner.t for corner in curve.tangent_breaks), high]
+    if len(places) == 2:
+        return (curve,)
+    return tuple(curve.trimmed(*ends).drawn_as(curve.provenance) for ends in pairwise(places))

@@ -8,14 +8,21 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.tangent_angle import turn_between
-from elastica_cad.geometry.paths.chords import require_tolerance_mm
+from elastica_cad.geometry.curves.curve_derivatives import turn_between
+from elastica_cad.geometry.paths.approximations import cubic_through, smooth_stretches
 from elastica_cad.geometry.paths.path import JOIN, Path
-from elastica_cad.geometry.paths.path_cubics import cubic_through, smooth_stretches
 from elastica_cad.geometry.paths.path_intersections import segment_crossings, self_crossing
 from elastica_cad.geometry.paths.point_distance import distances
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of, place
-from elastica_cad.geometry.paths.trim import trim_segment
+from elastica_cad.geometry.paths.segments import (
+    Arc,
+    Line,
+    Segment,
+    Spline,
+    left_of,
+    place,
+    require_tolerance_mm,
+    trim_segment,
+)
 
 _LOST_OFFSETS = 4.0
 """A stretch of the path longer than this many offsets must leave a trace: it is a feature, not a corner."""

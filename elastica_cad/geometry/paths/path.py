@@ -11,12 +11,12 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_flag, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_around
-from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.segments import (
     Arc,
     Line,
     Segment,
     Spline,
+    chord_points,
     place,
     point,
     segment_from_bulge,

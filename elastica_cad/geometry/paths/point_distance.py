@@ -1,23 +1,19 @@
 """Distances from points to segments and curves."""
 
-from functools import lru_cache
-
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.chords import chords
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, chords
 
 _BLOCK = 4096
 """Points whose distances from all chords of a spline are held at a time: some ten MB."""
 
 _NEWTON_STEPS = 6
-_ROUNDING_SHARE = 1e-14  # of the largest number: what turning a curve to another place of a model leaves
+_ROUNDING_SHARE = 1e-12  # of a length
 _SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
 _UNSETTLED = 1e-7  # of the domain, after Newton's last step: it goes round in circles
 _SEARCHES = 20  # each leaves a quarter of the span, or less
-_TABLES = 256  # splines whose tables are kept: each loop of a part is compared with several others
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -43,22 +39,9 @@ def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
 
 
 def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
-    """Largest distance of 401 points of `found` from `target`, mm; 0 where their numbers differ by rounding."""
-    if _same_numbers(target, found):
-        return 0.0
-    return float(distances(Spline(target), found.sample(401).position).max())
-
-
-def _same_numbers(one: PlaneCurve, other: PlaneCurve) -> bool:
-    """Equal but for rounding?"""
-    if one.degree != other.degree or (one.weights is None) != (other.weights is None):
-        return False
-    rows = [(one.knots, other.knots), (one.control_points, other.control_points)]
-    if one.weights is not None and other.weights is not None:
-        rows.append((one.weights, other.weights))
-    return all(
-        a.shape == b.shape and np.abs(a - b).max() <= _ROUNDING_SHARE * np.abs(a).max() for a, b in rows
-    )
+    """Largest distance of 401 points of `found` from `target`, mm; 0 where it is rounding."""
+    off = float(distances(Spline(target), found.sample(401).position).max())
+    return off if off > _ROUNDING_SHARE * found.length else 0.0
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -83,7 +66,7 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     """Nearest chords, then Newton on <gamma - p, gamma'> = 0, kept only where it comes nearer."""
-    u, q = _table(spline)
+    u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
     # the nearest chord, and those of other branches that may be nearer but for what chords leave out
     close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
@@ -132,9 +115,3 @@ def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArra
 def _chord_tolerance(spline: Spline) -> float:
     """How far chords may leave a spline, mm, for Newton's method to begin from them."""
     return 1e-3 * max(1.0, spline.length / 100)
-
-
-@lru_cache(maxsize=_TABLES)
-def _table(spline: Spline) -> tuple[FloatArray, FloatArray]:
-    """Parameters and points of chords close enough for Newton's method to begin from."""
-    return chords(spline, _chord_tolerance(spline))

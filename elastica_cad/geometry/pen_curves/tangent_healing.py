@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.pen_curves.degree_elevation import elevate_degree
+from elastica_cad.geometry.polynomials.splines import elevate_degree
 
 ANYWAY = 1e-9
 """Turns below this, rad, are not worth a move."""

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
 from math import comb
 
 import numpy as np
@@ -170,8 +169,8 @@ def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, b
         one = some & (changes == 1) & (sign[:, 0] * sign[:, -1] < 0)
         none = some & (changes == 0) & ~blurred
         cluster = ~some if depth < _MOST_HALVINGS else ~(one | none)
-        for i in one.nonzero()[0].tolist():
-            start, end = _enclosed(part[i].tolist(), float(noise[piece[i]]))
+        sharp = _enclosed(part[one], noise[piece[one]])
+        for i, start, end in zip(one.nonzero()[0].tolist(), *sharp, strict=True):
             place, length = float(low[i]), float(width[i])
             events.append((int(piece[i]), place + length * start, place + length * end, start == end))
         for i in cluster.nonzero()[0].tolist():
@@ -219,47 +218,33 @@ def _halved(
     )
 
 
-def _enclosed(c: list[float], noise: float) -> tuple[float, float]:
-    """Where the one sign change lies: at one place, or where it is a multiple zero within a stretch about it."""
-    largest = max(map(abs, c))
-    u, slope = _crossing(c, largest)
-    blur = (noise / largest) ** (1 / 3)
-    reach = _BLUR * blur if abs(slope) <= _GENTLE * blur**2 * largest else 0.0
-    return max(u - reach, 0.0), min(u + reach, 1.0)
+def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
+    """From where to where the one sign change of each polynomial (k, n+1) lies: at one place, or where it is a
+    multiple zero within a stretch about it."""
+    largest = np.abs(c).max(axis=1, initial=0.0)
+    u, slope = _crossings(c, largest)
+    blur = np.cbrt(noise / largest)
+    reach = np.where(np.abs(slope) <= _GENTLE * blur**2 * largest, _BLUR * blur, 0.0)
+    return np.maximum(u - reach, 0.0).tolist(), np.minimum(u + reach, 1.0).tolist()
 
 
-def _crossing(c: list[float], largest: float) -> tuple[float, float]:
-    """The one sign change of a polynomial whose end values differ in sign, to rounding error, and the slope there.
-
-    In plain numbers: there are few such polynomials, and a step with arrays costs as much for one as for ten.
-    """
-    low, high, rising = 0.0, 1.0, c[-1] > 0
-    u, slope = c[0] / (c[0] - c[-1]), 0.0
+def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The one sign change (k,) of each polynomial whose end values differ in sign, to rounding error, and the slope
+    there."""
+    low, high = np.zeros(len(c)), np.ones(len(c))
+    u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
     for _ in range(80):
-        value, slope = _value_and_slope(c, u)
-        if abs(value) <= _EPS * largest:
-            break
-        if (value > 0) == rising:
-            high = u
-        else:
-            low = u
-        following = u - value / slope if slope else low
-        if not low < following < high:
-            following = (low + high) / 2
-        is_settled = abs(following - u) <= 4e-16
-        u = following
-        if is_settled:
+        value, slope = value_and_slope(c, u)
+        beyond = (value > 0) == (c[:, -1] > 0)
+        low, high = np.where(beyond, low, u), np.where(beyond, u, high)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            newton = u - value / slope
+        following = np.where((newton > low) & (newton < high), newton, (low + high) / 2)
+        open_ = (np.abs(value) > _EPS * largest) & (np.abs(following - u) > 4e-16)
+        u = np.where(open_, following, u)
+        if not open_.any():
             break
     return u, slope
-
-
-def _value_and_slope(c: list[float], u: float) -> tuple[float, float]:
-    """Value and derivative of one polynomial."""
-    degree = len(c) - 1
-    for _ in range(degree - 1):
-        c = [a + (b - a) * u for a, b in pairwise(c)]
-    step = c[1] - c[0]
-    return c[0] + step * u, degree * step
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:

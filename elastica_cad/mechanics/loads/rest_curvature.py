@@ -11,8 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
-from elastica_cad.geometry.curves.curve_records import CurvatureZero
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.splines import finite
 

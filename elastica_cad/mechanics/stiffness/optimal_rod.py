@@ -7,8 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.curve_records import CurveSamples
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (
     require_gravity,

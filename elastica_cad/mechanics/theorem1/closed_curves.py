@@ -3,8 +3,7 @@
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, clamp_ends, trim_curve
 
 PLACES = 721
 """Places along a curve that may be its flattest."""

@@ -5,9 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from elastica_cad.errors import Change, InputError
-from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
-from elastica_cad.geometry.curves.curve_records import TangentBreak
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curve_editing.fairing import smooth_for_corners
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, TangentBreak
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 from elastica_cad.mechanics.theorem1.verdict import places, shown_on

@@ -5,8 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import Break, CurvatureZero, PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.loads.rest_curvature import (
     ExcessCurvature,

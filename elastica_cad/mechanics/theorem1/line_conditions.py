@@ -8,10 +8,8 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.curves.curve_derivatives import curvature_slope
-from elastica_cad.geometry.curves.curve_records import CurvatureZero
-from elastica_cad.geometry.curves.line_intersections import line_crossings
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.view_angles import find_view_angles
+from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve, line_crossings
+from elastica_cad.geometry.curves.self_intersections import find_view_angles
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE, examine_curvature

@@ -15,8 +15,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     SmoothJoints,
     least_norm_newton,
 )
-from elastica_cad.geometry.curves.curve_records import CurvatureZero
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 
 MOST_STEPS = 12

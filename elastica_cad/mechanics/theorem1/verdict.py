@@ -7,8 +7,7 @@ from typing import Any
 from elastica_cad._printable import html_text
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, ElasticaError
-from elastica_cad.geometry.curves.curve_records import CurvatureZero
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 
 

@@ -75,7 +75,6 @@ def ask_here(cases, seed):
         with np.errstate(all="ignore"):
             ask_programs(rng, case)
             ask_modes(_native, rng, case)
-            ask_distances(_native, rng, case)
             ask_rods(_native, rng, case)
     return refused_calls(_native.compiled)
 
@@ -121,17 +120,6 @@ def ask_modes(native, rng, case):
     polynomials = np.linalg.qr(rng.normal(size=(max(n, smooth), smooth)))[0][:n]
     lengths = rng.random(n) + 0.01 * (case % 13 > 0)
     native.lowest_mode(diagonal, off, lengths, rng.normal(size=(rows, n)) * (case % 17 > 0), polynomials)
-
-
-def ask_distances(native, rng, case):
-    """Points far from their chain, nodes that coincide, and places that are no numbers."""
-    count, nodes = int(rng.integers(1, 300)), int(rng.integers(2, 300))
-    points, chain = odd(rng, case, count, 2), odd(rng, case + 1, nodes, 2)
-    if case % 12 == 0:
-        chain[1:] = chain[0]
-    native.largest_distance(points, chain)
-    native.weighted_gram(chain, rng.random(nodes), rng.random(nodes))
-    native.hermite(chain, chain, points[:, 0])
 
 
 def ask_rods(native, rng, case):
@@ -183,20 +171,14 @@ def refused_calls(compiled):
         ]
         arguments[place] = value
         refused += is_refused(compiled.shoot, arguments)
-    two_sizes = [
-        (compiled.weighted_gram, [np.ones((4, 3)), np.ones(4), np.ones(4), np.empty((3, 3))], (4, 3)),
-        (compiled.largest_distance, [np.ones((4, 2)), np.ones((3, 2)), np.empty(4)], (4, 3)),
-        (compiled.hermite, [np.ones((4, 2)), np.ones((4, 2)), np.ones(3), *np.empty((2, 3, 2))], (4, 3)),
-        (compiled.interior_points, [
-            np.eye(4), np.ones(4), np.zeros(4), np.ones(4), np.ones((3, 4)), *np.ones((3, 3)), 1e-9, np.empty(4),
-            np.empty(3), np.empty(4), np.empty(4),
-        ], (4, 3)),
-    ]  # fmt: skip
     pairs = [(2**32, 2**32), (2**62, 4), (4, 2**62), (-4, -3), (0, 2**63 - 1), (3, 4), (4, -3)]
-    for function, arrays, sound in two_sizes:
-        function(*sound, *arrays)
-        refused += sum(is_refused(function, [*pair, *arrays]) for pair in pairs)
-    return refused, len(asked) + len(pairs) * len(two_sizes)
+    program = [
+        np.eye(4), np.ones(4), np.zeros(4), np.ones(4), np.ones((3, 4)), *np.ones((3, 3)), 1e-9, np.empty(4),
+        np.empty(3), np.empty(4), np.empty(4),
+    ]  # fmt: skip
+    compiled.interior_points(4, 3, *program)
+    refused += sum(is_refused(compiled.interior_points, [*pair, *program]) for pair in pairs)
+    return refused, len(asked) + len(pairs)
 
 
 def is_refused(function, arguments):

@@ -19,8 +19,8 @@ from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.makeability.splices import Splice, joined_within, splice, spliced
 from elastica_cad.fabrication.strip.made_stiffness import PLATE_CUT, PLATE_END, LapPlates
 from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec, Nesting
-from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import clip_across
 from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
 

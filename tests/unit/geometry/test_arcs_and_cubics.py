@@ -3,10 +3,8 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths import biarcs
-from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
+from elastica_cad.geometry.paths.approximations import as_arcs, as_cubics, as_polyline
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.path_cubics import as_cubics
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 
 pytestmark = pytest.mark.core
@@ -51,16 +49,6 @@ def test_number_of_arcs_grows_as_the_cube_root_of_the_tolerance():
     path = Path([Spline(s_curve())])
     counts = [len(as_arcs(path, tolerance).segments) for tolerance in (0.1, 1e-4)]
     assert 5 < counts[1] / counts[0] < 16
-
-
-@pytest.mark.parametrize("tolerance", [0.1, 1e-3, 1e-5])
-def test_arcs_are_found_in_few_trials(monkeypatch, tolerance):
-    """The error grows as the cube of a biarc's length, which tells where to try next."""
-    tried = []
-    biarc = biarcs._biarc
-    monkeypatch.setattr(biarcs, "_biarc", lambda *of: tried.append(of) or biarc(*of))
-    arcs = as_arcs(Path([Spline(s_curve())]), tolerance).segments
-    assert len(tried) < 2.5 * len(arcs)
 
 
 def test_a_circle_as_a_spline_becomes_arcs_of_that_circle():

@@ -8,10 +8,10 @@ from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.curve_editing.fairing import (
     fair_curve,
     has_rough_curvature,
+    smooth_for_corners,
     two_sided_distance,
     usual_tolerance,
 )
-from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

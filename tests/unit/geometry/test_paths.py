@@ -5,12 +5,10 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.flat_outline import graph
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.clip import clip_across, trim_across
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.path_intersections import self_crossing
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline
-from elastica_cad.geometry.paths.trim import clamp_ends, trim_segment
+from elastica_cad.geometry.paths.path_intersections import clip_across, self_crossing, trim_across
+from elastica_cad.geometry.paths.segments import Arc, Line, Spline, trim_segment
 
 pytestmark = pytest.mark.core
 

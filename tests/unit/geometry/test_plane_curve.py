@@ -8,8 +8,7 @@ from scipy.interpolate import BSpline
 from scipy.special import ellipeinc
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.trim import trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
 
 pytestmark = pytest.mark.core
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.view_angles import find_view_angles
+from elastica_cad.geometry.curves.self_intersections import find_view_angles
 
 pytestmark = pytest.mark.core
 

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.trim import trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine

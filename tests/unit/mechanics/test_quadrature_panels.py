@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.trim import trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
 from elastica_cad.geometry.polynomials.panel_functions import LEFT, NODES, RIGHT, WEIGHTS, PanelFunction
 from elastica_cad.mechanics.stiffness.quadrature_panels import cut_into_panels
 

@@ -5,8 +5,7 @@
 
 import numpy as np
 
-from elastica_cad.geometry.curves.curve_records import CurveSamples
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
 
 STEPS, FINER = 641, 21
