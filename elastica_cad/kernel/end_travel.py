@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.model.assembly import layer_names
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.formats.surface_files.animated_glb import MovingMesh, encode_animation
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.meshes.skin_mesh import skin_meshes

@@ -22,7 +22,7 @@ from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, l
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import check_size
 from elastica_cad.formats.curve_files.placed_curve import place_chain
-from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains

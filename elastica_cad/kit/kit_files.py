@@ -20,9 +20,8 @@ from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
-from elastica_cad.formats.file_access.file_transaction import check_folder, write_together
-from elastica_cad.formats.file_access.text_files import write_json, write_text
-from elastica_cad.formats.reports.start_page import compose_start_page
+from elastica_cad.formats.file_access.write_files import check_folder, write_json, write_text, write_together
+from elastica_cad.formats.reports.model_report import compose_start_page
 from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
 from elastica_cad.mechanics.material.sheet import Sheet
 

@@ -17,8 +17,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.formats.file_access.text_files import write_json
+from elastica_cad.formats.file_access.write_files import write_json, write_together
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame

@@ -6,7 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.kernel.ocp_import import bare, kernel
 from elastica_cad.kernel.step_files import NamedShape, make_document
 

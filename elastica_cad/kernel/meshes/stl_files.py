@@ -4,7 +4,7 @@ from os import PathLike
 
 import numpy as np
 
-from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.meshes.face_triangles import face_triangles
 from elastica_cad.kernel.ocp_import import Shape
