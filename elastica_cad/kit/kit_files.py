@@ -304,7 +304,7 @@ def kit_report(kit: Kit) -> dict[str, Any]:
 
 def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
     """The files that a CAD kernel writes, and how; the bodies are made once for all."""
-    from elastica_cad.kernel.meshes.glb_files import write_glb
+    from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes, write_step
 
     shapes = cache(lambda: model_shapes(kit.model, kit.holders))
@@ -333,7 +333,7 @@ def _printed(kit: Kit) -> list[EndFixture]:
 
 
 def _write_block(block: EndFixture, path: Path) -> None:
-    from elastica_cad.kernel.meshes.stl_files import write_stl
+    from elastica_cad.kernel.mesh_files import write_stl
     from elastica_cad.kernel.occt import make_solid
 
     write_stl(make_solid(block.solid), path, bed=block.ground)

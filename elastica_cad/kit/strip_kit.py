@@ -208,7 +208,7 @@ def _write_step(kit: StripKit, path: Path) -> None:
 def _write_glb(kit: StripKit, path: Path) -> None:
     from elastica_cad.fabrication.model.strip_model import Model
     from elastica_cad.fabrication.placed_strip import Placed
-    from elastica_cad.kernel.meshes.glb_files import write_glb
+    from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes
 
     frame = kit.spec.frame or UPRIGHT
