@@ -137,8 +137,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
     path = require_file(path)
     suffix = path.suffix.lower()
     if suffix not in KERNEL_SUFFIXES:
-        from elastica_cad.formats.surface_files.file_surface import mesh_surface
-        from elastica_cad.formats.surface_files.mesh_files import MESH_SUFFIXES
+        from elastica_cad.formats.surface_files.mesh_files import MESH_SUFFIXES, mesh_surface
 
         if suffix not in MESH_SUFFIXES:
             known = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))

@@ -11,8 +11,6 @@ except ImportError as error:
         f"elastica_cad.build123d needs build123d: {library_trouble('build123d', error)}"
     ) from error
 
-from elastica_cad.build123d.elastica_line import Elastica
-from elastica_cad.build123d.model_compound import model_compound
 from elastica_cad.build123d.strip_objects import (
     BentStrip,
     EndFixture,
@@ -21,8 +19,8 @@ from elastica_cad.build123d.strip_objects import (
     Slider,
     StripOutline,
 )
-from elastica_cad.build123d.strip_operations import elastic_strip, section_strips
-from elastica_cad.kernel.strip_warnings import StripWarning
+from elastica_cad.build123d.strip_operations import Elastica, elastic_strip, model_compound, section_strips
+from elastica_cad.kernel.strip_body import StripWarning
 
 __all__ = [
     "BentStrip",

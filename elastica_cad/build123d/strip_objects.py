@@ -7,8 +7,8 @@ from typing import Any, TypeAlias, Unpack
 
 import build123d as bd
 
-from elastica_cad.build123d.native_shapes import add_joints, make_solids, read_frame
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
+from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import StripEnd
@@ -25,6 +25,24 @@ from elastica_cad.kernel.strip_on_path import (
 )
 from elastica_cad.mechanics.material.sheet import Sheet
 
+
+def make_solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
+    """The bodies of records, one by one."""
+    return [bd.Solid(occt.make_solid(record)) for record in records]
+
+
+def add_joints(shape: Any, record: BodyRecord | PrismSolid) -> None:
+    """Give a shape the rigid joints of a record, by their names."""
+    for name, frame in record.joints.items():
+        bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
+
+
+def _read_frame(location: bd.Location) -> Frame:
+    """A place of build123d as a frame."""
+    plane = bd.Plane(location)
+    return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
+
+
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
 
@@ -37,7 +55,7 @@ class _Made(StripBody):
 
     def _start(self) -> Frame | None:
         joints: dict[str, bd.Joint] = getattr(self, "joints", {})
-        return read_frame(joints["start"].location) if "start" in joints else None
+        return _read_frame(joints["start"].location) if "start" in joints else None
 
     @property
     def flat(self) -> "FlatStrip":
@@ -92,7 +110,7 @@ class _Made(StripBody):
         image.joints = {}
         for name, joint in getattr(self, "joints", {}).items():
             if isinstance(joint, bd.RigidJoint):
-                place = occt.moved_frame(read_frame(joint.location), transformation)
+                place = occt.moved_frame(_read_frame(joint.location), transformation)
                 bd.RigidJoint(name, image, bd.Location(occt.make_location(place)))
         return image
 

@@ -1,20 +1,37 @@
-"""The operation on pending edges, and the strips of a body's sections."""
+"""The line of a bent strip, an operation on pending edges, strips of sections, and models as compounds."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any, Literal, Unpack
 
 import build123d as bd
 
+from elastica_cad.build123d.strip_objects import (
+    BentStrip,
+    Drawn,
+    FlatStrip,
+    PlacedStrip,
+    StripOutline,
+    add_joints,
+    make_solids,
+)
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.kernel import occt
+from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
 from elastica_cad.kernel.strip_on_path import StripOptions, section_requests
+from elastica_cad.mechanics.bending.between_clamps import elastica_between
+from elastica_cad.mechanics.loads.arguments import whole_number
+from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
 if TYPE_CHECKING:
+    from elastica_cad.fabrication.model.assembly import AssemblyPart, Holder
+    from elastica_cad.fabrication.model.strip_model import Model
     from elastica_cad.forming.plane_sections.section_spec import SectionSpec
-
-from elastica_cad.build123d.strip_objects import BentStrip, Drawn, FlatStrip, StripOutline
 
 
 def elastic_strip(
@@ -128,3 +145,123 @@ def section_strips(
         BentStrip(curve, sheet, max_width=max_width, mode=bd.Mode.PRIVATE, **placed)
         for curve, placed in section_requests(body, planes, options, half=half)
     )
+
+
+class Elastica(bd.BaseLineObject):
+    """Line object: the curve that a strip of given length takes between two clamps, or from one to its free end.
+
+    Which of its many shapes is stated by `branch`, and chosen by `side` and `buckling`.
+
+    Parameters
+    ----------
+    start, end : point
+        In the plane of the workplane; `end=None` leaves the end free, with the start clamped.
+    length : float
+        Of the strip, mm: more than the distance of its ends.
+    angles : pair of float or None
+        Of the tangents at start and end, degrees, whole turns not counted; None leaves the strip free to turn
+        there.
+    stiffness : float, sequence or Profile
+        Of a tapered strip: its widths at even stations, in any unit.
+    gravity : Gravity, optional
+        The strip's own weight, as `Sheet.gravity` gives it.
+    force : pair of float, optional
+        At a free end, newtons over the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
+    side : {+1, -1}
+        Bulge to the left or the right of the way from start to end.
+    buckling : int
+        Buckling mode; above 1 the shape is unstable as a rule.
+    mode : Mode
+        How it joins the builder's line.
+
+    Raises
+    ------
+    InputError
+        A length that does not reach, points off the plane, a force at an end that is held.
+
+    Examples
+    --------
+    >>> line = Elastica((0, 0), (70, 0), 100, angles=(0, 0))
+    >>> round(line.length, 3), str(line.branch)
+    (100.0, 'the strip bulges to the left of its chord, with 2 inflections (mode 1)')
+    """
+
+    def __init__(
+        self,
+        start: bd.VectorLike,
+        end: bd.VectorLike | None,
+        length: float,
+        *,
+        angles: tuple[float | None, float | None] = (None, None),
+        stiffness: "float | Sequence[float] | Profile" = 1.0,
+        gravity: Gravity | None = None,
+        force: tuple[float, float] | None = None,
+        side: int = 1,
+        buckling: int = 1,
+        mode: bd.Mode = bd.Mode.ADD,
+    ) -> None:
+        self.branch = elastica_between(
+            start,
+            end,
+            length,
+            angles=end_angles(angles),
+            stiffness=stiffness,
+            gravity=gravity,
+            force=force,
+            side=side,
+            mode=whole_number(buckling, "buckling", 1),
+        )
+        wire = occt.make_wire(Path([Spline(self.branch.curve)]))
+        super().__init__(bd.Wire(wire), mode)
+
+
+def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Compound:
+    """The bent strips of a model as an assembly: a compound whose children are called like the parts.
+
+    Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`; the sheets of a
+    laminate are its children.
+
+    Parameters
+    ----------
+    model : Model
+    others : iterable of BasePlate, SlottedFrame and EndFixture, optional
+        What holds the strips, as further children: plates and blocks, these with their joint "tab".
+
+    Returns
+    -------
+    Compound
+        Called like the model, with one `PlacedStrip` a strip.
+
+    Raises
+    ------
+    InputError
+        Something else among `others`.
+    """
+    from elastica_cad.fabrication.model.assembly import assembly_parts, require_model, shape_parts
+
+    require_model(model)
+    parts = assembly_parts(model.placed, (*model.plates, *others))
+    warn_of_missing_slots(model)
+    children = [
+        _child(part, solids) for part, solids in shape_parts(parts, lambda part: make_solids(part.solids))
+    ]
+    return bd.Compound(label=model.name, children=children)
+
+
+def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
+    """A part of an assembly in its place; of a strip one that knows it."""
+    child: Any = bd.Part(solids[0].wrapped)
+    if part.strip is not None:
+        child = PlacedStrip(bd.Compound(solids).wrapped)
+        base: Any = part.solids[0]
+        child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
+        if len(solids) > 1:
+            # new wrappers: equal strips share shapes, but a child has one parent
+            layers = [bd.Solid(solid.wrapped) for solid in solids]
+            for layer, name, color in zip(layers, part.names, part.colors, strict=True):
+                layer.label, layer.color = name, bd.Color(*color)
+            child.children = layers
+    add_joints(child, part.solids[0])
+    child.label, child.color = part.name, bd.Color(*part.colors[0])
+    child.location = bd.Location(occt.make_location(part.frame))
+    return child

@@ -11,8 +11,7 @@ except ImportError as error:
         f"elastica_cad.cadquery needs CadQuery: {library_trouble('cadquery', error)}"
     ) from error
 
-from elastica_cad.cadquery.curves_and_sections import elastica, section_strips
-from elastica_cad.cadquery.model_assembly import model_assembly
+from elastica_cad.cadquery.strip_operations import elastica, model_assembly, register, section_strips
 from elastica_cad.cadquery.strip_shapes import (
     FixtureSolid,
     Slider,
@@ -24,8 +23,7 @@ from elastica_cad.cadquery.strip_shapes import (
     flat_strip,
     strip_outline,
 )
-from elastica_cad.cadquery.workplane_methods import register
-from elastica_cad.kernel.strip_warnings import StripWarning
+from elastica_cad.kernel.strip_body import StripWarning
 
 __all__ = [
     "FixtureSolid",

@@ -1,5 +1,6 @@
 """Strips as faces, solids and compounds of CadQuery, the functions that make them, and blocks that hold them."""
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
@@ -8,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack
 
 import cadquery as cq
 
-from elastica_cad.cadquery.native_places import free_name, make_location, plain_name, read_frame
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.solids.prisms import PrismSolid
@@ -28,6 +28,31 @@ from elastica_cad.kernel.strip_on_path import (
 )
 from elastica_cad.mechanics.material.sheet import Sheet
 
+
+def _read_frame(location: cq.Location) -> Frame:
+    """A place of CadQuery as a frame."""
+    plane = cq.Plane(location)
+    return Frame(plane.origin.toTuple(), plane.xDir.toTuple(), plane.yDir.toTuple())
+
+
+def make_location(frame: Frame) -> cq.Location:
+    """A frame as a place of CadQuery."""
+    return cq.Location(occt.make_location(frame))
+
+
+def _plain_name(name: str) -> str:
+    """A name that CadQuery's queries can hold."""
+    plain = re.sub(r"\W", "_", name, flags=re.ASCII)
+    return plain if plain[:1].isalpha() else f"strip_{plain}"
+
+
+def free_name(name: str, assembly: cq.Assembly) -> str:
+    """A name that CadQuery's queries can hold, unlike those in the assembly."""
+    plain = _plain_name(name)
+    tries = (plain, *(f"{plain}_{number}" for number in range(2, len(assembly.children) + 3)))
+    return next(text for text in tries if text not in assembly.objects)
+
+
 Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
 
@@ -41,7 +66,7 @@ class _Made(StripBody, cq.Shape):
     color: cq.Color
 
     def _start(self) -> Frame | None:
-        return read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
+        return _read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
 
     @property
     def flat(self) -> "StripSolid | StripCompound":
@@ -84,7 +109,7 @@ class _Made(StripBody, cq.Shape):
     @property
     def assembly(self) -> cq.Assembly:
         """The sheets of the bent strip as children of one assembly, with names and colours."""
-        made = cq.Assembly(name=plain_name(self.strip.label or "strip"))
+        made = cq.Assembly(name=_plain_name(self.strip.label or "strip"))
         for solid, sheet in zip(self.layers, bent_sheets(self.strip), strict=True):
             made.add(solid, name=free_name(solid.label, made), color=cq.Color(*sheet_color(sheet)))
         return made
@@ -154,7 +179,7 @@ class _Made(StripBody, cq.Shape):
             if Tr.IsNegative():
                 made._made = self._made.mirrored()
             made._joints = {
-                name: back * make_location(occt.moved_frame(read_frame(here * at), Tr))
+                name: back * make_location(occt.moved_frame(_read_frame(here * at), Tr))
                 for name, at in self._joints.items()
             }
         return made

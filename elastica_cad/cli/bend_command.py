@@ -19,8 +19,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import Travel, bend_strip
 from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.formats.file_access.text_files import write_text
+from elastica_cad.formats.file_access.write_files import write_text, write_together
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod

@@ -22,7 +22,7 @@ from elastica_cad.cli.running.suggestions import changed_requests, first_that_ho
 from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, typed_length, typed_line
 from elastica_cad.cli.running.voice import answer, say, voice, warn
 from elastica_cad.errors import Change, ElasticaError
-from elastica_cad.formats.reports.check_report import report_check
+from elastica_cad.formats.reports.strip_report import report_check
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature

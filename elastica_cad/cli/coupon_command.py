@@ -15,8 +15,7 @@ from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
-from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.formats.file_access.text_files import write_text
+from elastica_cad.formats.file_access.write_files import write_text, write_together
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import plausible_number
 from elastica_cad.mechanics.material.sheet_library import library_folders

@@ -14,7 +14,7 @@ from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
-from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.write_files import write_together
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

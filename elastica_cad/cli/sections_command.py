@@ -17,10 +17,9 @@ from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.write_sections_design import compose_section_design
-from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.file_access.source_file import require_file
-from elastica_cad.formats.file_access.text_files import write_text
-from elastica_cad.formats.surface_files.file_surface import read_sized_surface
+from elastica_cad.formats.file_access.write_files import write_text, write_together
+from elastica_cad.formats.surface_files.mesh_files import read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import AT_CORNERS, AT_TWO_PLACES, SectionCurve
 from elastica_cad.forming.plane_sections.section_spec import (
     AlongPath,

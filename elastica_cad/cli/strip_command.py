@@ -28,7 +28,7 @@ from elastica_cad.fabrication.makeability.makeable_strip import compensate_withi
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.reports.bent_blank import tell_blank
+from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip

@@ -1,7 +1,12 @@
 """STEP files: strips and models written by OpenCASCADE, curves read by it."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+import faulthandler
+import os
+import signal
+import sys
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from io import BytesIO
@@ -22,14 +27,148 @@ from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, l
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import check_size
 from elastica_cad.formats.curve_files.placed_curve import place_chain
-from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains
-from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
-from elastica_cad.kernel.step_transfer import has_many_wires, transfer_as_they_are, with_wires_apart
+
+LEAST_S, S_PER_MB = 5, 5
+"""What a trial may take of the processor: ten times what sound files take."""
+
+BUSY = 10
+"""How many times as long by the clock, on a machine that has other things to do."""
+
+PR_SET_PDEATHSIG = 1
+"""Of Linux: the signal that a process gets when its parent ends."""
+
+
+def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
+    """Run a task in a copy of this process, where the system makes copies; what it raises is left to the real run.
+
+    The copy limits itself, so that it ends whatever becomes of this process; on Linux it ends with it.
+
+    Parameters
+    ----------
+    task : callable
+    size : int
+        Of the file that it reads, bytes.
+
+    Raises
+    ------
+    InputError
+        The system ended the copy, or it ran too long.
+    """
+    if not hasattr(os, "fork"):
+        return
+    seconds = LEAST_S + S_PER_MB * size // 2**20
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # of threads: the copy runs none but this one
+        parent, copy = os.getpid(), os.fork()
+    if not copy:
+        with suppress(BaseException):
+            _limit(parent, seconds)
+            with suppress(Exception):
+                task()
+            os._exit(0)
+        os._exit(1)
+    try:
+        status = os.waitpid(copy, 0)[1]
+    except BaseException:  # Ctrl-C
+        os.kill(copy, signal.SIGKILL)
+        raise
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):
+        raise InputError(f"OpenCASCADE has not read this file within {seconds} s: export its curves alone")
+    if status:
+        raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")
+
+
+def _limit(parent: int, seconds: int) -> None:
+    """Make this copy silent, and end it after a while, also in compiled loops, or with its parent on Linux."""
+    import resource
+
+    faulthandler.disable()
+    silence = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silence, 1)
+    os.dup2(silence, 2)
+    most = resource.getrlimit(resource.RLIMIT_CPU)[1]
+    seconds = seconds if most == resource.RLIM_INFINITY else min(seconds, most)
+    signal.signal(signal.SIGXCPU, signal.SIG_DFL)
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, most))
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    signal.alarm(BUSY * seconds)
+    if sys.platform == "linux":
+        import ctypes
+
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:  # it has ended already
+            os._exit(1)
+
+
+MANY_WIRES = 32
+"""Of one face: fewer are compared in no time."""
+
+
+def _has_many_wires(shape: Shape) -> bool:
+    """Has a face so many holes that OpenCASCADE takes long to compare them?"""
+    k = kernel()
+    faces = sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE)
+    return any(len(sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)) > MANY_WIRES for face in faces)
+
+
+def _with_wires_apart(shape: Shape) -> Shape:
+    """The shape with a corner of its own for every wire of a face, as OpenCASCADE writes it.
+
+    It looks for corners that wires share pair by pair of wires, in the square of their number; here only wires that
+    do share one are shown to it.
+    """
+    k = kernel()
+    context, found = k.ShapeBuild_ReShape(), False
+    for face in sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE):
+        wires = sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)
+        touching = _touching(wires)
+        if not touching:
+            continue
+        few, builder, split = face.EmptyCopied(), k.BRep_Builder(), k.ShapeFix_SplitCommonVertex()
+        for number in touching:
+            builder.Add(few, wires[number])
+        split.SetContext(context)
+        split.Init(few)
+        split.Perform()
+        found = True
+    return context.Apply(shape) if found else shape
+
+
+def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
+    """Turn shapes into STEP entities, without the look at their wires that the writer would take first.
+
+    Its own transfer of a document finds what has been transferred. A controller that no writer has set up yet asks
+    for no such look; OCP has no way to tell a writer so.
+    """
+    k = kernel()
+    session = writer.ChangeWriter().WS()
+    session.SetController(k.STEPCAFControl_Controller())
+    writer.ChangeWriter().Model(True)
+    for shape in shapes:
+        session.TransferWriteShape(shape)
+
+
+def _touching(wires: list[Shape]) -> list[int]:
+    """Numbers of the wires of a face that have a corner in common with another one."""
+    if len(wires) < 2:
+        return []
+    k = kernel()
+    owner: dict[tuple[float, float, float], int] = {}
+    touching = set[int]()
+    for number, wire in enumerate(wires):
+        for vertex in sub_shapes(wire, k.TopAbs_ShapeEnum.TopAbs_VERTEX):
+            place = k.BRep_Tool.Pnt_s(k.as_vertex(vertex))
+            other = owner.setdefault((place.X(), place.Y(), place.Z()), number)
+            if other != number:
+                touching |= {other, number}
+    return sorted(touching)
+
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
@@ -105,9 +244,9 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     """The STEP file of the parts; several of them make one assembly called `name`."""
     k = kernel()
     shapes = {id(part.shape): bare(part.shape) for part in parts}
-    holed = any(map(has_many_wires, shapes.values()))
+    holed = any(map(_has_many_wires, shapes.values()))
     if holed:
-        shapes = {number: with_wires_apart(shape) for number, shape in shapes.items()}
+        shapes = {number: _with_wires_apart(shape) for number, shape in shapes.items()}
         parts = [replace(part, shape=shapes[id(part.shape)]) for part in parts]
     document = make_document(parts, name=name)
     stream = BytesIO()
@@ -117,7 +256,7 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         writer.SetColorMode(True)
         writer.SetNameMode(True)
         if holed:
-            transfer_as_they_are(writer, shapes.values())
+            _transfer_as_they_are(writer, shapes.values())
         done = writer.Transfer(document, k.STEPControl_StepModelType.STEPControl_AsIs)
         header = k.APIHeaderSection_MakeHeader(writer.Writer().Model())
         text = k.TCollection_HAsciiString

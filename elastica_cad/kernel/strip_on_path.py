@@ -15,8 +15,15 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.ocp_import import bare
-from elastica_cad.kernel.strip_body import MadeStrip, Point, StripBody, numbers_of
-from elastica_cad.kernel.strip_warnings import warn, warn_of_contact, warn_of_strain
+from elastica_cad.kernel.strip_body import (
+    MadeStrip,
+    Point,
+    StripBody,
+    numbers_of,
+    warn,
+    warn_of_contact,
+    warn_of_strain,
+)
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet

@@ -28,8 +28,8 @@ from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
-from elastica_cad.formats.reports.bent_blank import tell_blank
 from elastica_cad.formats.reports.model_report import report_model
+from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.mechanics.material.sheet import Sheet
 
 Writer: TypeAlias = Callable[[Path], object]

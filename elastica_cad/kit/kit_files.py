@@ -20,9 +20,8 @@ from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
-from elastica_cad.formats.file_access.file_transaction import check_folder, write_together
-from elastica_cad.formats.file_access.text_files import write_json, write_text
-from elastica_cad.formats.reports.start_page import compose_start_page
+from elastica_cad.formats.file_access.write_files import check_folder, write_json, write_text, write_together
+from elastica_cad.formats.reports.model_report import compose_start_page
 from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -305,7 +304,7 @@ def kit_report(kit: Kit) -> dict[str, Any]:
 
 def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
     """The files that a CAD kernel writes, and how; the bodies are made once for all."""
-    from elastica_cad.kernel.meshes.glb_files import write_glb
+    from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes, write_step
 
     shapes = cache(lambda: model_shapes(kit.model, kit.holders))
@@ -334,7 +333,7 @@ def _printed(kit: Kit) -> list[EndFixture]:
 
 
 def _write_block(block: EndFixture, path: Path) -> None:
-    from elastica_cad.kernel.meshes.stl_files import write_stl
+    from elastica_cad.kernel.mesh_files import write_stl
     from elastica_cad.kernel.occt import make_solid
 
     write_stl(make_solid(block.solid), path, bed=block.ground)

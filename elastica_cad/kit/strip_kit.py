@@ -17,8 +17,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.formats.file_access.text_files import write_json
+from elastica_cad.formats.file_access.write_files import write_json, write_together
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
@@ -209,7 +208,7 @@ def _write_step(kit: StripKit, path: Path) -> None:
 def _write_glb(kit: StripKit, path: Path) -> None:
     from elastica_cad.fabrication.model.strip_model import Model
     from elastica_cad.fabrication.placed_strip import Placed
-    from elastica_cad.kernel.meshes.glb_files import write_glb
+    from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes
 
     frame = kit.spec.frame or UPRIGHT

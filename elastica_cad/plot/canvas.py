@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_path
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.geometry.boxes import box_about
 
 Figure: TypeAlias = Any

@@ -40,7 +40,7 @@ def pytest_configure(config):
             "and cadquery this environment is for, or none"
         )
     # strips of these tests are often bent beyond what their sheet bears; the tests that mean it catch the warning
-    config.addinivalue_line("filterwarnings", "ignore::elastica_cad.kernel.strip_warnings.StripWarning")
+    config.addinivalue_line("filterwarnings", "ignore::elastica_cad.kernel.strip_body.StripWarning")
     config.addinivalue_line("markers", "build123d: needs build123d")
     config.addinivalue_line("markers", "cadquery: needs CadQuery")
 

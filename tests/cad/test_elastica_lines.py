@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.kernel.strip_warnings import StripWarning, end_angles
+from elastica_cad.kernel.strip_body import StripWarning, end_angles
 
 
 @pytest.mark.build123d

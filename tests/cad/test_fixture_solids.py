@@ -18,7 +18,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.kernel import occt, ocp_import
-from elastica_cad.kernel.meshes.stl_files import write_stl
+from elastica_cad.kernel.mesh_files import write_stl
 from elastica_cad.kernel.step_files import NamedShape, read_step_shape, step_bytes
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

@@ -7,7 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.kernel.strip_warnings import StripWarning
+from elastica_cad.kernel.strip_body import StripWarning
 
 SHEET = "polypropylene-0.8"
 CURVE = PlaneCurve.spline([(0, 0), (20, 50), (60, 75), (100, 50), (120, 0)])

@@ -13,8 +13,8 @@ from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.kernel.strip_body import StripWarning
 from elastica_cad.kernel.strip_on_path import StripOptions
-from elastica_cad.kernel.strip_warnings import StripWarning
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 

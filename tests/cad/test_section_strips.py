@@ -6,7 +6,7 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.plane_sections.section_spec import ParallelCuts, PlaneSplit, SectionSpec
-from elastica_cad.kernel.strip_warnings import StripWarning
+from elastica_cad.kernel.strip_body import StripWarning
 
 CARD = "card-200gsm"
 CUTS = SectionSpec(ParallelCuts((0, 1, 0), offsets=(-20.0, 20.0)), splits=(PlaneSplit((0, 0, 1)),))

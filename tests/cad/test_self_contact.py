@@ -12,7 +12,7 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.kernel.strip_warnings import StripWarning
+from elastica_cad.kernel.strip_body import StripWarning
 
 SHEET = "card-200gsm"
 LOOP = PlaneCurve.spline([(0, 0), (90, 0), (140, 90), (60, 140), (-20, 90), (30, 0), (120, 0)], degree=4)

@@ -13,8 +13,7 @@ from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.end_travel import Travel
-from elastica_cad.kernel.meshes.skin_mesh import skin_meshes
+from elastica_cad.kernel.end_travel import Travel, skin_meshes
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.stability.stability_verdict import stability
 

@@ -9,7 +9,7 @@ from elastica_cad.fabrication.interlocking.collisions import (
 )
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.strip_warnings import StripWarning, warn_of_missing_slots
+from elastica_cad.kernel.strip_body import StripWarning, warn_of_missing_slots
 
 
 def depth_in(placed, point):

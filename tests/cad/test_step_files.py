@@ -17,7 +17,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path as Chain
 from elastica_cad.geometry.paths.segments import Spline
-from elastica_cad.kernel import occt, step_transfer
+from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
 from elastica_cad.kernel.ocp_import import kernel
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -48,7 +48,7 @@ def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, me
     strip = Strip(optimal_rod(curve), Sheet.named("card-200gsm"), style=style, ends=(Tab(10), Tab(10)))
     found = {}
     for most in (10**6, 8):
-        monkeypatch.setattr(step_transfer, "MANY_WIRES", most)
+        monkeypatch.setattr(step, "MANY_WIRES", most)
         path = tmp_path / f"{most}.step"
         step.write_strip_step(strip, path)
         kinds = Counter(re.findall(r"^#\d+ = \(? ?([A-Z_0-9]+)", path.read_text(), re.MULTILINE))

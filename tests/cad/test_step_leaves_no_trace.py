@@ -19,8 +19,7 @@ from OCP.TopoDS import TopoDS_Iterator
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.forked_trial import try_in_a_copy
-from elastica_cad.kernel.step_files import read_step_shape, write_strip_step
+from elastica_cad.kernel.step_files import read_step_shape, try_in_a_copy, write_strip_step
 
 ROOT = str(Path(__file__).resolve().parents[2])
 DAMAGED = Path(__file__).resolve().parents[1] / "data" / "damaged"
@@ -80,8 +79,8 @@ def test_a_copy_that_breaks_down_is_told():
 
 @pytest.mark.parametrize("what", ["spins", "hangs"])
 def test_a_copy_that_takes_too_long_is_ended(monkeypatch, what):
-    monkeypatch.setattr("elastica_cad.kernel.forked_trial.LEAST_S", 1)
-    monkeypatch.setattr("elastica_cad.kernel.forked_trial.BUSY", 5 if what == "spins" else 1)
+    monkeypatch.setattr("elastica_cad.kernel.step_files.LEAST_S", 1)
+    monkeypatch.setattr("elastica_cad.kernel.step_files.BUSY", 5 if what == "spins" else 1)
     with pytest.raises(InputError, match=r"not read this file within 1 s"):
         try_in_a_copy((lambda: 10**9**9) if what == "spins" else (lambda: time.sleep(600)))
 
@@ -90,7 +89,7 @@ def test_a_copy_that_takes_too_long_is_ended(monkeypatch, what):
 def test_a_copy_ends_with_its_parent(tmp_path):
     """It spun for ever once its parent was killed: the power below is compiled, and hears no exception."""
     code = (
-        "import os, pathlib\nfrom elastica_cad.kernel.forked_trial import try_in_a_copy\n"
+        "import os, pathlib\nfrom elastica_cad.kernel.step_files import try_in_a_copy\n"
         "def spin():\n    pathlib.Path('pid').write_text(str(os.getpid()))\n    os.rename('pid', 'spins')\n"
         "    10**9**9\n"
         "try_in_a_copy(spin)"

@@ -29,7 +29,7 @@ from tests.contract.more_requests import MORE_REQUESTS
 from tests.contract.table import REFUSED, REQUESTS
 
 # some rows are bent beyond what their sheet bears
-pytestmark = pytest.mark.filterwarnings("ignore::elastica_cad.kernel.strip_warnings.StripWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::elastica_cad.kernel.strip_body.StripWarning")
 QUICK = ("--no-step", "--no-pictures")
 
 

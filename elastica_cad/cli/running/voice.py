@@ -15,7 +15,7 @@ import numpy as np
 
 from elastica_cad._printable import printable
 from elastica_cad.errors import ElasticaError
-from elastica_cad.formats.reports.check_report import round_numbers
+from elastica_cad.formats.reports.strip_report import round_numbers
 
 _KEY = "elastica.voice"
 

@@ -19,8 +19,7 @@ from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.formats.file_access.text_files import write_json, write_text
+from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
 from elastica_cad.kit.kit_files import left_out
 from elastica_cad.mechanics.material.tapered_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 

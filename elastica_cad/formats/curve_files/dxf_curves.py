@@ -13,20 +13,85 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
-from elastica_cad.formats.curve_files.dxf_text import (
-    DEEPEST_BLOCK,
-    ODDITIES,
-    dxf_rounding,
-    refuse_many_inserts,
-)
-from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.number_gate import check_degree, check_places
+from elastica_cad.formats.curve_files.number_gate import (
+    MOST_SHAPES,
+    check_count,
+    check_degree,
+    check_places,
+    half_last_place,
+)
+from elastica_cad.formats.curve_files.placed_curve import flatten_run
 from elastica_cad.formats.file_access.source_file import look_up_unit, quiet_log
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
+
+
+DEEPEST_BLOCK = 20  # blocks within blocks: deeper ones are a slip or an attack
+
+ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
+"""What ezdxf meets in entities that break off or are overwritten in places."""
+
+_PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
+_SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
+_MOST_NUMBERS = 20_000  # whose digits are looked at
+_COUNTLESS = 10**9  # insertions: counting stops there
+
+
+def _dxf_rounding(path: Path) -> float:
+    """Half a unit of the last digit of the coordinates (group codes 10 to 28, 40) of the entities; 0 where none."""
+    data = path.read_bytes()
+    if data.startswith(b"AutoCAD Binary DXF"):
+        return 0.0
+    sections = list(_SECTION.finditer(data))
+    found: list[str] = []
+    for section in reversed(sections):  # the entities before the blocks
+        begin, end = section.end(), data.find(b"ENDSEC", section.end())
+        for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
+            found.append(match[1].decode("ascii"))
+            if len(found) >= _MOST_NUMBERS:
+                break
+    return half_last_place(found)
+
+
+def _refuse_many_inserts(document: "Drawing") -> None:
+    """Refuse a drawing whose blocks, inserted as often as it says, come to more entities than are read."""
+    known: dict[str, int] = {}
+    total = _count(document, document.modelspace(), known, 0)
+    check_count(
+        total,
+        MOST_SHAPES,
+        "entities, those of its blocks counted",
+        "leave out blocks, or explode one of them",
+    )
+
+
+def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
+    """Entities of a layout, blocks expanded; never more than a billion."""
+    if depth > DEEPEST_BLOCK:
+        raise InputError(f"blocks are nested more than {DEEPEST_BLOCK} deep: explode them before export")
+    from ezdxf.lldxf.const import DXFError
+
+    total = 0
+    for entity in layout:
+        if entity.dxftype() != "INSERT":
+            total += 1
+            continue
+        name = str(entity.dxf.get("name", "")) if entity.dxf.is_supported("name") else ""
+        if name not in known:
+            block = document.blocks.get(name)
+            known[name] = 0 if block is None else _count(document, block, known, depth + 1)
+        try:
+            times = max(1, int(entity.dxf.get("row_count", 1))) * max(
+                1, int(entity.dxf.get("column_count", 1))
+            )
+        except (*ODDITIES, DXFError):
+            times = 1
+        total = min(total + times * max(1, known[name]), _COUNTLESS)
+    return total
+
 
 _INSUNITS = {
     0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254, 10: 914.4,
@@ -50,8 +115,8 @@ def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
     """
     document = _opened(file)
     scale = look_up_unit(unit) if unit else _INSUNITS[_unit_code(document)]
-    refuse_many_inserts(document)
-    rounding = scale * dxf_rounding(file)
+    _refuse_many_inserts(document)
+    rounding = scale * _dxf_rounding(file)
     skipped: Counter[str] = Counter()
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"

@@ -1,4 +1,4 @@
-"""From edges drawn in a CAD model to one plane curve and the plane it lies in."""
+"""Edges in space as plane curves: their plane, and the curve in it."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -9,10 +9,53 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs
-from elastica_cad.formats.curve_files.edge_plane import plane_axes
 from elastica_cad.formats.curve_files.edges import Edge, Run
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+
+
+def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
+    """The run of edges (m, 3) in the coordinates of its own plane (m, 2).
+
+    In a plane z = const x and y are kept as drawn. Any other plane is looked at from the side from which its
+    horizontal direction runs towards positive x (or y), with y up: x along the plane's horizontal line, y
+    along its steepest line, both measured from the origin of space.
+
+    Raises
+    ------
+    InputError
+        When the edges lie farther than `tolerance` mm off a common plane; it says how far.
+    """
+    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    axes = _plane_axes(points, tolerance)
+    return tuple(edge.mapped(axes, (0.0, 0.0)) for edge in run)
+
+
+def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
+    """Horizontal and upward unit vectors (2, 3) of the plane through the points."""
+    if np.ptp(points[:, 2]) <= tolerance:
+        return np.eye(2, 3)
+    centred = points - points.mean(axis=0)
+    _, sizes, directions = np.linalg.svd(centred, full_matrices=False)
+    normal = directions[-1]
+    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # points in line: of all their planes the upright one
+        normal = np.cross(directions[0], (0.0, 0.0, 1.0))
+        if np.linalg.norm(normal) < 1e-9:
+            normal = np.array([0.0, 1.0, 0.0])
+    normal = normal / np.linalg.norm(normal)
+    off = float(np.abs(centred @ normal).max())
+    if off > tolerance:
+        raise InputError(
+            f"a curve leaves its plane by {off:.3g} mm (its z runs over {np.ptp(points[:, 2]):.4g} mm): "
+            "a strip bends in one plane only; project the curve onto a plane first"
+        )
+    up = np.array([0.0, 0.0, 1.0])
+    y_axis = up - (up @ normal) * normal
+    y_axis = y_axis / np.linalg.norm(y_axis)
+    x_axis = np.cross(y_axis, normal)
+    x_axis = x_axis * np.sign(x_axis[np.abs(x_axis).argmax()])
+    return np.array([x_axis, y_axis])
+
 
 JOIN = 1e-4  # mm: ends of edges that are meant to meet
 TANGENT = 1e-3  # rad
@@ -130,7 +173,7 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
     if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
         return Frame((0.0, 0.0, run[0].start[2]))
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
-    x_axis, y_axis = plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
+    x_axis, y_axis = _plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
     normal = np.cross(x_axis, y_axis)
     before = turned.T @ normal
     if np.hypot(before[0], before[1]) < TANGENT:

@@ -8,10 +8,10 @@ from elastica_cad._values import require_path, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import MARK, Drawing, LayeredPath
 from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.drawing_files.curve_style import EXACT
+from elastica_cad.formats.drawing_files.drawing_style import EXACT
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
-from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
+from elastica_cad.formats.file_access.write_files import check_target, write_atomically
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path as Chain
 from elastica_cad.geometry.paths.segments import Spline

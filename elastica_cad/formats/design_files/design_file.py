@@ -41,7 +41,7 @@ from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holders.ring_plate import Ring
     from elastica_cad.formats.design_files.revolution_table import RevolutionEntry
-    from elastica_cad.formats.surface_files.file_surface import SurfaceReader
+    from elastica_cad.formats.surface_files.mesh_files import SurfaceReader
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
 DESIGN_SCHEMA = 1

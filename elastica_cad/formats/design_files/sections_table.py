@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface, read_sized_surface
+from elastica_cad.formats.surface_files.mesh_files import SurfaceReader, mesh_surface, read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.forming.plane_sections.section_spec import (
     AlongPath,

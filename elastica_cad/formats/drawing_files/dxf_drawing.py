@@ -14,8 +14,14 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
-from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_paths
-from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
+from elastica_cad.formats.drawing_files.drawing_style import (
+    EXACT,
+    LayerChoice,
+    LayerStyle,
+    check_curve_style,
+    shape_paths,
+    style_layers,
+)
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, trim_segment
 

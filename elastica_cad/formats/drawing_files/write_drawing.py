@@ -9,10 +9,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs, add_holding_tabs
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
+from elastica_cad.formats.drawing_files.drawing_style import LayerChoice
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
-from elastica_cad.formats.drawing_files.layers import LayerChoice
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
-from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
+from elastica_cad.formats.file_access.write_files import check_target, write_atomically
 
 DRAWING_SUFFIXES = (".dxf", ".svg")
 

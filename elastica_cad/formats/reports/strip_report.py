@@ -1,4 +1,4 @@
-"""The report of a strip: one JSON record that says what was asked, what came out and with which versions."""
+"""What is told of one strip, as records for JSON: its curve's verdict, its numbers, how it is bent beforehand."""
 
 from typing import Any
 
@@ -10,13 +10,77 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
-from elastica_cad.formats.reports.bent_blank import report_blank
-from elastica_cad.formats.reports.check_report import report_check, round_numbers
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+STATIONS = 201
+"""At which the curvature of a blank is listed, uniform in arc length; an even one is told at both ends."""
+
+
+def report_blank(strip: Strip) -> dict[str, Any] | None:
+    """Curvature of the blank, 1/mm, positive to the left, at places along the free part, mm; None of a flat one.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.strip_spec import make_strip
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> curve = PlaneCurve.arc((0, 0), 100, 0, 1)
+    >>> report_blank(make_strip(curve, "birch-plywood-0.8", max_width=20, natural_curvature=0.004))
+    {'s': [0.0, 100.0], 'curvature': [0.004, 0.004]}
+    """
+    rest = np.asarray(strip.rod.natural_curvature, dtype=float)
+    if not rest.any():
+        return None
+    s = np.linspace(0.0, strip.rod.length, STATIONS if np.ptp(rest) > 0 else 2)
+    return {"s": round_numbers(s), "curvature": round_numbers(strip.rod.rest_at(s))}
+
+
+def tell_blank(strip: Strip) -> str:
+    """How the blank is bent before it is put in, without an end; empty of a flat one.
+
+    The way is told by how the strip stands in the end: pieces of one shape are turned over where that
+    spares a part, so that none of their faces tells left from right.
+    """
+    rod = strip.rod
+    rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    if not rest.any():
+        return ""
+    even = np.ptp(rest) == 0
+    at = int(np.argmax(np.abs(rod.curvature if even else rest)))
+    radius = f"a radius of {1 / abs(rest[at]):.4g} mm"
+    place = f"at {rod.s[at]:.1f} mm"
+    where = f"{radius} all along" if even else f"{radius} {place}, its sharpest"
+    way = "the way" if rest[at] * rod.curvature[at] > 0 else "the other way than"
+    more = "" if even else "; `blank` in the report has its curvature along the strip"
+    return (
+        f"bend it beforehand to {where}, {way} it stands bent {place if even else 'there'}: its widths count on "
+        f"that{more}"
+    )
+
+
+def report_check(check: EquilibriumCheck) -> dict[str, Any]:
+    """Theorem 1's answer as plain data; places in mm along the curve."""
+    require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
+    return {
+        "realizable": check.realizable,
+        "reasons": list(check.reasons),
+        "warnings": list(check.warnings),
+        "inflections": round_numbers(check.inflections),
+        "advice": str(check),
+    }
+
+
+def round_numbers(value: Any) -> Any:
+    """Ten significant digits: more would be noise, and the same design must give the same file."""
+    array = np.asarray(value, dtype=float)
+    if array.ndim == 0:
+        return float(f"{float(array):.10g}")
+    return [round_numbers(row) for row in array]
+
 
 REPORT_SCHEMA = "elastica-report/1"
 MOST_STATIONS = 100_000

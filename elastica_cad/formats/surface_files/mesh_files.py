@@ -1,11 +1,15 @@
-"""Reading triangle meshes: OBJ, STL, PLY, through trimesh."""
+"""Surfaces in files: points and sections of any, and triangle meshes (OBJ, STL, PLY) through trimesh."""
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, quiet_log, require_file
+from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
+from elastica_cad.forming.plane_sections.section_spec import Surface
 from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
@@ -88,3 +92,39 @@ def _asking(size: float) -> str:
         f"measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its unit: "
         f'give it, --unit {unit} or unit = "{unit}"{hint}, or mm where that is right'
     )
+
+
+LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
+"""What is told to be smaller or larger was told in a wrong unit."""
+
+
+SurfaceReader: TypeAlias = Callable[..., Surface]
+"""`read_surface(path, unit=..., scale=...)`."""
+
+
+def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
+    """The surface of a mesh file; see `read_mesh`."""
+    mesh = read_mesh(path, unit=unit, scale=scale)
+    return Surface(
+        mesh.vertices, lambda planes, half: mesh_sections(mesh.vertices, mesh.faces, planes, half=half)
+    )
+
+
+def read_sized_surface(
+    read_surface: SurfaceReader, path: Path, *, unit: str | None = None, scale: float | None = None
+) -> Surface:
+    """The surface of a file in mm; a scale tells the size, so that the unit need not be told too.
+
+    Raises
+    ------
+    InputError
+        A surface of a size that nothing made of strips has, and as `read_surface`.
+    """
+    unit = "mm" if unit is None and scale is not None else unit
+    surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)
+    if not LEAST_SIZE_MM <= surface.size <= MOST_SIZE_MM:
+        raise InputError(
+            f"{path} measures {surface.size:.3g} mm from corner to corner with this unit and scale: nothing made "
+            "of strips does"
+        )
+    return surface

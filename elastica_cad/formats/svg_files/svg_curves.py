@@ -17,8 +17,7 @@ from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
-from elastica_cad.formats.svg_files.svg_elements import LENGTH, MM
-from elastica_cad.formats.svg_files.svg_tree import CLONE, MARK, SvgTree, open_svg, svg_tree
+from elastica_cad.formats.svg_files.svg_tree import CLONE, LENGTH, MARK, MM, SvgTree, open_svg, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]

@@ -18,9 +18,8 @@ from elastica_cad.fabrication.drawings.drawing import (
     LayeredPath,
 )
 from elastica_cad.fabrication.drawings.lettering import Text
-from elastica_cad.formats.drawing_files.curve_style import CURVES
+from elastica_cad.formats.drawing_files.drawing_style import CURVES, style_layers
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, encode_dxf
-from elastica_cad.formats.drawing_files.layers import style_layers
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

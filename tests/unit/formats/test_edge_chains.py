@@ -3,9 +3,8 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.chains import curve_from_points, curve_from_run, join_runs, near_ends
-from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge
-from elastica_cad.formats.curve_files.placed_curve import placed_curve
+from elastica_cad.formats.curve_files.placed_curve import flatten_run, placed_curve
 from elastica_cad.geometry.frame import Frame
 
 pytestmark = pytest.mark.core

@@ -7,8 +7,7 @@ import time
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.write_files import write_atomically, write_together
 
 pytestmark = pytest.mark.core
 

@@ -8,7 +8,7 @@ import pytest
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.formats.reports.bent_blank import report_blank, tell_blank
+from elastica_cad.formats.reports.strip_report import report_blank, tell_blank
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.kit.kit_files import write_kit

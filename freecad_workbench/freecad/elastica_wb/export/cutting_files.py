@@ -29,8 +29,8 @@ from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
-from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.formats.reports.bent_blank import tell_blank
+from elastica_cad.formats.file_access.write_files import write_together
+from elastica_cad.formats.reports.strip_report import tell_blank
 
 KINDS = ("dxf", "svg", "step", "csv", "nest")
 

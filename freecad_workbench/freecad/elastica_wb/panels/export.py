@@ -23,7 +23,7 @@ from freecad.elastica_wb.panels.widgets.file_dialogs import ask_folder
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.pieces import Piece
-from elastica_cad.formats.drawing_files.curve_style import CURVES
+from elastica_cad.formats.drawing_files.drawing_style import CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 
 EXISTS = re.compile(r"(.*) exists already: ")

@@ -9,7 +9,7 @@ import numpy as np
 from freecad.elastica_wb.host.user_units import worded
 
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.reports.bent_blank import tell_blank
+from elastica_cad.formats.reports.strip_report import tell_blank
 
 
 def is_bent_beforehand(strip: Strip) -> bool:

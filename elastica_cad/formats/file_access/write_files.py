@@ -1,13 +1,121 @@
-"""Several files that appear together, or not at all."""
+"""Files that appear whole or not at all, alone or together."""
 
+import json
 import os
 import shutil
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any, BinaryIO
 
+from elastica_cad._values import require_flag, require_path
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.atomic_write import check_target, reason
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a text.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     write_text(Path(folder, "a.txt"), "8 µm\\n")
+    ...     Path(folder, "a.txt").read_bytes()
+    b'8 \\xc2\\xb5m\\n'
+    """
+    path.write_text(text, encoding="utf-8", newline="\n")
+
+
+def write_json(path: Path, record: Any) -> None:
+    """Write a record as JSON."""
+    write_text(path, json.dumps(record, indent=1) + "\n")
+
+
+def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
+    """The file to be written, with links followed, refused early where it can't be.
+
+    Raises
+    ------
+    InputError
+        It is a folder, its folder is missing, or it exists and `force` is not set.
+    """
+    require_flag(force, "force")
+    target = Path(os.path.realpath(require_path(path)))
+    if target.is_dir():
+        raise InputError(f"{path} is a folder: give the name of a file in it")
+    if not target.parent.is_dir():
+        raise InputError(f"{path} can't be written: there is no folder {target.parent}; create it first")
+    if target.exists() and not force:
+        raise InputError(
+            f"{path} exists already: choose another name, or allow it to be overwritten (--force, or force=True)"
+        )
+    if target.exists() and not os.access(target, os.W_OK):
+        raise InputError(f"{path} can't be written: no permission to change that file; choose another name")
+    return target
+
+
+def write_atomically(
+    path: str | os.PathLike[str], content: bytes | Callable[[BinaryIO], None], force: bool = False
+) -> Path:
+    """Write a file under a temporary name beside its place, then rename it: no file is ever half written.
+
+    A program that is killed while it writes may leave the file of that temporary name.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    content : bytes, or callable
+        The bytes, or a function that writes them to the open binary file it is given.
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        As `check_target`; or there is no permission or no room.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_atomically(folder + "/note.txt", b"done").read_bytes()
+    b'done'
+    """
+    if not (callable(content) or isinstance(content, bytes | bytearray | memoryview)):
+        raise InputError(
+            f"what is written is a {type(content).__name__}: give bytes, or a function that writes them"
+        )
+    target = check_target(path, force=force)
+    temporary = target.with_name(f".{target.name[:100]}.{os.urandom(6).hex()}.part")
+    try:
+        with temporary.open("xb") as file:
+            try:
+                if callable(content):
+                    content(file)
+                else:
+                    file.write(content)
+                file.close()
+                check_target(path, force=force)  # another may have come first
+                os.replace(temporary, target)
+            except BaseException:
+                file.close()  # Windows removes no file that is open
+                with suppress(OSError):  # a disk that nobody may write to refuses this too
+                    temporary.unlink()
+                raise
+    except OSError as error:
+        raise InputError(f"{path} can't be written: {reason(error)}; choose another place") from error
+    return target
+
+
+def reason(error: OSError) -> str:
+    """Why a file can't be written, for a sentence."""
+    return "no permission" if isinstance(error, PermissionError) else error.strerror or str(error)
 
 
 @contextmanager

@@ -1,0 +1,326 @@
+"""The curve of a bent strip, strips of a body's sections, models as assemblies, and the methods `elasticStrip`."""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, get_args
+
+import cadquery as cq
+
+from elastica_cad.cadquery.strip_shapes import (
+    StripCompound,
+    StripFace,
+    StripSolid,
+    bent_strip,
+    dress,
+    free_name,
+    make_body,
+    make_location,
+    make_strip_of,
+    strip_outline,
+)
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.tabs import ENDS
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.kernel import occt
+from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
+from elastica_cad.kernel.strip_on_path import StripOptions, section_requests
+from elastica_cad.mechanics.bending.between_clamps import elastica_between
+from elastica_cad.mechanics.loads.arguments import whole_number
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.material.sheet import Sheet
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.model.assembly import AssemblyPart, Holder
+    from elastica_cad.fabrication.model.strip_model import Model
+    from elastica_cad.forming.plane_sections.section_spec import SectionSpec
+
+
+def elastica(
+    start: cq.Vector | tuple[float, float],
+    end: cq.Vector | tuple[float, float] | None,
+    length: float,
+    *,
+    angles: tuple[float | None, float | None] = (None, None),
+    stiffness: "float | Sequence[float] | Profile" = 1.0,
+    gravity: Gravity | None = None,
+    force: tuple[float, float] | None = None,
+    side: int = 1,
+    buckling: int = 1,
+) -> cq.Edge:
+    """The curve of a strip of given length between two clamps, or of one with a free end, as an edge in xy.
+
+    Parameters
+    ----------
+    start, end : (x, y) or Vector
+        mm; `end=None` leaves the end free, with the start clamped.
+    length : float
+        Of the strip, mm: more than the distance of its ends.
+    angles : pair of float or None
+        Of the tangents at start and end, degrees, whole turns not counted; None leaves the strip free to turn
+        there.
+    stiffness : float, sequence or Profile
+        Of a tapered strip: its widths at even stations, in any unit.
+    gravity : Gravity, optional
+        The strip's own weight, as `Sheet.gravity` gives it.
+    force : pair of float, optional
+        At a free end, newtons over the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
+    side : {+1, -1}
+        Bulge to the left or the right of the way from start to end.
+    buckling : int
+        Buckling mode; above 1 the shape is unstable as a rule.
+
+    Raises
+    ------
+    InputError
+        A length that does not reach, a force at an end that is held.
+
+    Examples
+    --------
+    >>> round(elastica((0, 0), (70, 0), 100, angles=(0, 0)).Length(), 3)
+    100.0
+    """
+    found = elastica_between(
+        start,
+        end,
+        length,
+        angles=end_angles(angles),
+        stiffness=stiffness,
+        gravity=gravity,
+        force=force,
+        side=side,
+        mode=whole_number(buckling, "buckling", 1),
+    )
+    return cq.Wire(occt.make_wire(Path([Spline(found.curve)]))).Edges()[0]
+
+
+def section_strips(
+    body: "cq.Shape | cq.Workplane",
+    planes: "cq.Plane | Frame | Iterable[cq.Plane | Frame] | SectionSpec",
+    sheet: Sheet | str,
+    *,
+    max_width: float | None = None,
+    half: bool = False,
+    **options: Unpack[StripOptions],
+) -> "list[StripSolid | StripCompound]":
+    """The strips that follow the lines in which planes cut a face or a body.
+
+    Parameters
+    ----------
+    body : Face, Shell, Solid, or Workplane with one
+    planes : Plane, planes, or SectionSpec
+        A `SectionSpec` also splits closed lines, keeps the longest and smooths.
+    sheet, max_width, **options
+        As in `strip_outline`; most sections bend within `limits` only.
+    half : bool
+        Only what lies on the side to which a plane's x axis points.
+
+    Returns
+    -------
+    list of StripSolid
+        Standing in the section's plane; called by `label` and a number.
+
+    Raises
+    ------
+    InputError
+        No section that a strip could follow, and as `strip_outline`.
+
+    Warns
+    -----
+    StripWarning
+        Of lines that are left out.
+
+    Examples
+    --------
+    >>> dome = cq.Workplane().sphere(60, angle1=20).faces(">Z")
+    >>> len(section_strips(dome, cq.Plane.XZ(), "card-200gsm", max_width=8))
+    1
+    """
+    shape = body.val() if isinstance(body, cq.Workplane) else body
+    return [
+        bent_strip(curve, sheet, max_width=max_width, **placed)
+        for curve, placed in section_requests(shape, planes, options, half=half)
+    ]
+
+
+def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Assembly:
+    """The bent strips of a model as an assembly with names, colours and places.
+
+    The ends of every strip are held by constraints (points and axes of their end faces), so that parts which are
+    added and constrained to them find their places in `solve()` while the strips stay. Equal strips share one body.
+
+    Parameters
+    ----------
+    model : Model
+    others : iterable of BasePlate, SlottedFrame and EndFixture, optional
+        What holds the strips, as further children, held where they are by `solve()` as the strips.
+
+    Returns
+    -------
+    Assembly
+        Called like the model; its children like the parts (with "_" for what queries cannot hold), each strip
+        with its end faces tagged "start" and "end" and its `Strip` as metadata "strip". Of a laminate that is the
+        base, with the backing as its child.
+
+    Raises
+    ------
+    InputError
+        Something else among `others`.
+    """
+    from elastica_cad.fabrication.model.assembly import assembly_parts, require_model, shape_parts
+
+    require_model(model)
+    assembly = cq.Assembly(name=model.name)
+    parts = assembly_parts(model.placed, (*model.plates, *others))
+    warn_of_missing_slots(model)
+    for part, (body, *glued_on) in shape_parts(parts, _part_shapes):
+        name, place = free_name(part.name, assembly), make_location(part.frame)
+        color, *colors = (cq.Color(*each) for each in part.colors)
+        if not isinstance(body, StripSolid):
+            assembly.add(body, name=name, color=color, loc=place)
+            assembly.constrain(name, "Fixed")
+            continue
+        work = cq.Workplane(obj=body)
+        faces = {end: body.end_face(end) for end in ENDS}
+        for end, face in faces.items():
+            work.newObject([face]).tag(end)
+        strip = cq.Assembly(work, name=name, loc=place, color=color, metadata={"strip": part.strip})
+        for sheet, label, its_color in zip(glued_on, part.names[1:], colors, strict=True):
+            strip.add(sheet, name=free_name(label, assembly), color=its_color)
+        assembly.add(strip)
+        for end, face in faces.items():
+            there = face.moved(place)
+            assembly.constrain(f"{name}?{end}", "FixedPoint", there.Center().toTuple())
+            assembly.constrain(f"{name}?{end}", "FixedAxis", there.normalAt().toTuple())
+    return assembly
+
+
+def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
+    """A body, of a strip its sheets: the base is the one that knows its strip."""
+    base, *glued_on = (cq.Solid(occt.make_solid(record)) for record in part.solids)
+    if part.strip is not None:
+        home = part.solids[0].joints["start"]
+        made = MadeStrip(part.strip, Frame(), home=home)
+        base = dress(StripSolid(base.wrapped), part.solids[0].joints, made)
+    return [base, *glued_on]
+
+
+Form: TypeAlias = Literal["flat", "bent", "outline"]
+
+METHOD = "elasticStrip"
+CHAIN = 1e-4  # mm: ends of pending edges that are meant to meet
+
+
+def register() -> None:
+    """Add `elasticStrip` to cq.Workplane and cq.Sketch; calling it again does no harm.
+
+    Raises
+    ------
+    InputError
+        Another library has put an `elasticStrip` there.
+    """
+    methods: dict[type, Callable[..., Any]] = {cq.Workplane: _workplane_strip, cq.Sketch: _sketch_strip}
+    for owner, method in methods.items():
+        if getattr(owner, METHOD, method) is not method:
+            raise InputError(
+                f"cq.{owner.__name__} has an {METHOD} of another library already: use the functions of "
+                "elastica_cad.cadquery instead"
+            )
+    for owner, method in methods.items():
+        setattr(owner, METHOD, method)
+
+
+def _workplane_strip(
+    self: cq.Workplane,
+    sheet: Sheet | str,
+    *,
+    max_width: float | None = None,
+    form: Form = "flat",
+    combine: bool | str = False,
+    clean: bool = True,
+    **options: Unpack[StripOptions],
+) -> cq.Workplane:
+    """The strip of the pending edges and wires, or of the edges and wires selected.
+
+    Parameters
+    ----------
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    max_width : float
+        As in `strip_outline`.
+    form : "flat", "bent" or "outline"
+        Flat it lies on the workplane, the start of its free part at the origin, as its outline does, which is a
+        face to be extruded; bent it stands on the edges, which are moved to the points of the stack, where there
+        are some.
+    combine, clean
+        As in `Workplane.eachpoint`; of solids only.
+    **options
+        As in `strip_outline`.
+
+    Returns
+    -------
+    Workplane
+        With a strip for every chain of edges on its stack, at every point of the stack; the end faces of solids
+        are tagged "start" and "end".
+    """
+    if form not in get_args(Form):
+        raise InputError(f"form {form!r} is not known: choose flat, bent or outline")
+    if form == "outline" and combine:
+        raise InputError(
+            "an outline is a face, which joins no solid: extrude it first, or choose form='flat'"
+        )
+    pending = [*self.ctx.popPendingEdges(False), *self.ctx.popPendingWires(False)]
+    drawn = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
+    if not drawn:
+        raise InputError("there is no curve: draw one on the workplane, or select edges")
+    bodies: list[StripFace | StripSolid | StripCompound] = []
+    for chain in cq.Wire.combine(_edges(drawn), CHAIN):
+        made = make_strip_of(chain, sheet, max_width=max_width, workplane=self.plane, **options)
+        if form == "outline":
+            bodies.append(strip_outline(made.strip))
+            continue
+        records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
+        bodies.append(make_body(records, made))
+    tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
+    points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
+    places = points or [cq.Location()]
+    local = form != "bent" or bool(points)  # what is drawn in place stays as it was made
+    if local and form == "bent":
+        bodies = [body.moved(self.plane.location.inverse) for body in bodies]
+    left = iter([body for body in bodies for _ in places])
+    put = []
+
+    def at_place(place: cq.Location) -> StripFace | StripSolid | StripCompound:
+        put.append(next(left).moved(place) if local else next(left))
+        return put[-1]
+
+    made = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
+    for end in ENDS:
+        self.newObject([body.end_face(end) for body in put if not isinstance(body, StripFace)]).tag(end)
+    return made
+
+
+def _edges(drawn: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:
+    return [edge for item in drawn for edge in (item.Edges() if isinstance(item, cq.Wire) else [item])]
+
+
+def _sketch_strip(
+    self: cq.Sketch,
+    sheet: Sheet | str,
+    *,
+    max_width: float | None = None,
+    mode: str = "a",
+    tag: str | None = None,
+    **options: Unpack[StripOptions],
+) -> cq.Sketch:
+    """Add the flat pattern of the strip that bends into the sketch's edges; these are used up.
+
+    `mode` and `tag` as in `Sketch.face`, other arguments as in `strip_outline`.
+    """
+    if not self._edges:
+        raise InputError("there is no curve: draw edges in the sketch first")
+    face = strip_outline(list(self._edges), sheet, max_width=max_width, **options)
+    self._edges = []
+    return self.reset().face(face, mode=mode, tag=tag)

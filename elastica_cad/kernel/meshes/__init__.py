@@ -1,1 +1,0 @@
-"""Bodies as triangles, and the files that hold them."""
