@@ -14,7 +14,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.mating_marks import end_numbers, label_off_cuts, mating_marks
-from elastica_cad.fabrication.slots.slot import Slot, slot_rim
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
 from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
@@ -291,8 +291,8 @@ def joined_within(strip: Strip, shop: Shop) -> Strip:
 
 def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
     """Does a plate at these places along the strip leave the slot free, and half its width beside it?"""
-    x = slot_rim(slot, width, beyond=slot.width)[:, 0]
-    middle, reach = (x.max() + x.min()) / 2, (x.max() - x.min()) / 2
+    low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
+    middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
 
 

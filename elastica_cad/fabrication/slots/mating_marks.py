@@ -8,8 +8,8 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import ENGRAVE, MARK
 from elastica_cad.fabrication.drawings.lettering import LABEL_MM, LABEL_SHARE, Text, fit_label, text_width
-from elastica_cad.fabrication.slots.slot import Slot, slot_rim
-from elastica_cad.fabrication.slots.text_room import CLEARANCE_MM, Cuts, on_free_part, text_box
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
+from elastica_cad.fabrication.slots.text_room import CLEARANCE_MM, FLAT_MM, Cuts, on_free_part, text_box
 from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
@@ -42,12 +42,12 @@ def mating_marks(
     Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
     slot stays without.
     """
-    rims = [slot_rim(slot, width, beyond=slot.width) for slot in slots]
+    rims = [slot_cut(slot, width, beyond=slot.width) for slot in slots]
     cuts = Cuts(holes, marks, slots=rims)
     boxes = [box_about(text_box(text)) for text in taken]
     found = []
     for slot, rim in zip(slots, rims, strict=True):
-        for text in _choices(slot, rim, width) if slot.mate else ():
+        for text in _choices(slot, rim.points(FLAT_MM), width) if slot.mate else ():
             box = text_box(text)
             if _clear(box, width, boxes, cuts):
                 found.append(text)
@@ -136,8 +136,6 @@ def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()
-    if slot.relief == "round":
-        end += inward * slot.width / 2
     inside = np.abs(cut[:, 1]) < float(width(np.clip(slot.at, 0.0, width.length))) / 2
     low, high = cut[inside, 0].min(), cut[inside, 0].max()
     middle = points[:, 1].mean()

@@ -1,7 +1,6 @@
 """Slots: narrow cuts that let strips interlock, open at the edge of the flat pattern."""
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -16,16 +15,11 @@ from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, lef
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 from elastica_cad.geometry.running_sums import lengths_along
 
-RELIEF_CHORDS = 8
-"""Of a round inner end where only what lies near is asked."""
-
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines: a tenth of what drawings tell apart."""
 
 CLEARANCE_MM = 0.1
 """Usually added to the width of a slot: a laser-cut sheet then slides in and stays."""
-
-_SLOTS = 512  # whose sides are kept: an outline is cut by slots that other strips are then kept clear of
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
@@ -154,24 +148,6 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
     return Path([*inward, end, *left.drawn(beyond)])
 
 
-def slot_rim(slot: Slot, width: Profile, *, beyond: float) -> FloatArray:
-    """Points (n, 2) of a polyline near `slot_cut`: quick to make."""
-    points, widths = slot.center_line(width)
-    tangents = np.gradient(points, axis=0)
-    normals = _left_of(tangents)
-    onward = points[-1] + tangents[-1] * beyond / np.hypot(*tangents[-1])
-    points, widths, normals = (
-        np.concatenate([row, last])
-        for row, last in ((points, onward[None]), (widths, widths[-1:]), (normals, normals[-1:]))
-    )
-    off = widths[:, None] / 2 * normals
-    turn = np.pi * np.arange(1, RELIEF_CHORDS)[:, None] / RELIEF_CHORDS
-    back = np.array([-normals[0, 1], normals[0, 0]])  # beyond the inner end
-    end = points[0] + widths[0] / 2 * (np.sin(turn) * back - np.cos(turn) * normals[0])
-    round_end = end if slot.relief == "round" else end[:0]
-    return np.concatenate([(points - off)[::-1], round_end, points + off])
-
-
 def _left_of(tangents: FloatArray) -> FloatArray:
     """Unit normals (k, 2) to the left of tangents (k, 2)."""
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
@@ -194,7 +170,6 @@ class _Side:
         return [self.bent, Line(self.points[-1], onward)]
 
 
-@lru_cache(maxsize=_SLOTS)
 def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
     """The right and the left side, seen outward."""
     points, widths = slot.center_line(width)

@@ -1,14 +1,13 @@
 """Room for engraved texts: boxes about them, and the cuts that these keep off."""
 
 from collections.abc import Sequence
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.lettering import Text, text_span
 from elastica_cad.geometry.boxes import box_about, boxes_meet
-from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
@@ -18,9 +17,6 @@ CLEARANCE_MM = 0.5
 
 FLAT_MM = 0.02
 """Flatness of the cuts as letters see them: little beside their clearance."""
-
-_POLYLINES = 256
-"""Kept: labels, marks and numbers keep off the same outlines, and so do equal strips."""
 
 
 def text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
@@ -41,39 +37,20 @@ def on_free_part(box: FloatArray, width: Profile) -> bool:
     return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
 
 
-@lru_cache(maxsize=_POLYLINES)
-def _polyline(line: Path) -> FloatArray:
-    """Points (n, 2) of a line as letters see it, run around to the first where it is closed."""
-    (points,) = polylines([line], FLAT_MM)
-    points = _around(points) if line.closed else points
-    points.setflags(write=False)
-    return points
-
-
 class _Cut:
-    """A line that letters keep off, and the side of it where no material is, if it is closed.
+    """A line that letters keep off; of a loop also the side where no material is, "inside" or "outside"."""
 
-    Parameters
-    ----------
-    line : Path or (n, 2) array
-        Points run around to the first.
-    gone : {"inside", "outside"}, optional
-    """
-
-    def __init__(self, line: Path | FloatArray, gone: str = "") -> None:
+    def __init__(self, line: Path, gone: str = "") -> None:
         self.line, self.gone = line, gone
 
     @cached_property
-    def bounds(self) -> FloatArray:
-        return self.line.bounds if isinstance(self.line, Path) else box_about(self.line)
-
-    @cached_property
     def points(self) -> FloatArray:
-        if not isinstance(self.line, Path):
-            return self.line
-        return _polyline(self.line)
+        """Along the line, of a loop back to the first."""
+        points = self.line.points(FLAT_MM)
+        return _around(points) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, rim: FloatArray) -> bool:
+        """Does it run through a box, or leave it no material?"""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
@@ -83,15 +60,7 @@ class _Cut:
 
 
 class Cuts:
-    """What letters keep off: loops whose inside is cut out, lines, and all that is beyond the outline.
-
-    Parameters
-    ----------
-    holes, lines : sequence of Path
-    outline : Path, optional
-    slots : sequence of (n, 2) array
-        Points about what else is cut out.
-    """
+    """What letters keep off: loops and slots whose inside is cut out, lines, and all that is beyond the outline."""
 
     def __init__(
         self,
@@ -99,22 +68,18 @@ class Cuts:
         lines: Sequence[Path] = (),
         *,
         outline: Path | None = None,
-        slots: Sequence[FloatArray] = (),
+        slots: Sequence[Path] = (),
     ) -> None:
         self._outline = None if outline is None else _Cut(outline, "outside")
         self._cuts = [] if self._outline is None else [self._outline]
-        self._cuts += [_Cut(hole, "inside") for hole in holes]
+        self._cuts += [_Cut(hole, "inside") for hole in (*holes, *slots)]
         self._cuts += [_Cut(line) for line in lines]
-        self._cuts += [_Cut(_around(points), "inside") for points in slots]
-
-    @cached_property
-    def _bounds(self) -> FloatArray:
-        return np.array([cut.bounds for cut in self._cuts]).reshape(-1, 2, 2)
+        self._bounds = np.array([cut.line.bounds for cut in self._cuts]).reshape(-1, 2, 2)
 
     def clear_of(self, box: FloatArray) -> bool:
         """Does a box lie off all of them?"""
         bounds = box_about(box)
-        if self._outline and not boxes_meet(self._outline.bounds, bounds):
+        if self._outline and not boxes_meet(self._outline.line.bounds, bounds):
             return False
         rim = _around(box)
         met = np.flatnonzero(boxes_meet(self._bounds, bounds)).tolist()
