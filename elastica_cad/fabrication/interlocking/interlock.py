@@ -218,16 +218,12 @@ class _Cutter:
         Each is cut from where it ends anyway; where both ways serve, the earlier strip of the model opens
         towards `above` (its own rulings' direction).
         """
-        costs: list[float] = []
-        room = crossing.room / crossing.length
+        costs = []
         for ends in ((0, 1), (1, 0)):
-            least = room[0, ends[0]] + room[1, ends[1]]
-            if least > FORCED_SHARE + min(costs, default=np.inf):
-                costs.append(least)
-                continue
             exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
-            beyond = [np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True)]
-            costs.append(float(sum(beyond)))
+            costs.append(
+                sum(np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True))
+            )
         if not np.isfinite(min(costs)):
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.names[i] for i in members]

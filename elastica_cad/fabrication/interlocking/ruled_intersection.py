@@ -65,10 +65,6 @@ class IntersectionCurve(Protocol):
         """Places (k,) between which nothing but a crossing of an edge happens."""
 
     @abstractmethod
-    def near(self) -> IntersectionPoints:
-        """Roughly where the nodes are."""
-
-    @abstractmethod
     def at(self, q: FloatArray) -> IntersectionPoints:
         """Common points at q (n,), to rounding error."""
 
@@ -103,10 +99,6 @@ class Ruling:
     def nodes(self) -> FloatArray:
         """From one end of the ruling to the other."""
         return np.linspace(-self.reach, self.reach, 9)
-
-    def near(self) -> IntersectionPoints:
-        """The nodes themselves."""
-        return self.at(self.nodes)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
         """Points on the ruling."""
@@ -189,11 +181,6 @@ class Branch:
     def nodes(self) -> FloatArray:
         """0, 1, 2, ..."""
         return np.arange(self.s_a.size, dtype=float)
-
-    def near(self) -> IntersectionPoints:
-        """The nodes, the heights not quite equal."""
-        h = self.heights
-        return h.common(self.s_a, self.s_b, (h.a.in_plane(self.s_a), h.b.in_plane(self.s_b)))
 
     def at(self, q: FloatArray) -> IntersectionPoints:
         """Newton's method across the level set, from between the nodes."""

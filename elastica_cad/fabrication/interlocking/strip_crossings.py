@@ -9,7 +9,6 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.fabrication.interlocking.bracketed_zeros import bracketed_zeros
 from elastica_cad.fabrication.interlocking.ruled_intersection import (
     IntersectionCurve,
-    IntersectionPoints,
     intersect_surfaces,
     margins,
 )
@@ -21,9 +20,6 @@ NODE_PARTS = 4
 
 ON_EDGE_MM = 1e-8
 """A crossing that ends this near to an edge ends on it: some hundred times what Newton's method leaves."""
-
-NODES_AHEAD = 16
-"""Nodes that are looked at together for the end of a strip: it mostly is near."""
 
 LENGTH_POINTS = 33
 """Points by which the length along a crossing is measured: right to a thousandth, to place points evenly."""
@@ -130,18 +126,15 @@ class Crossing:
             return float(end)
         origin, way = (self.start, -1) if end == 0 else (self.end, 1)
         nodes = self.locus.nodes
-        ahead = np.concatenate([[origin], nodes[(nodes - origin) * way > 0][::way]])
-        for first in range(0, ahead.size - 1, NODES_AHEAD):
-            q = ahead[first : first + NODES_AHEAD + 1]
-            m = margins(self.strips, self.locus.at(q))[:, 2 * which : 2 * which + 2]
-            outside = np.flatnonzero(m.min(axis=1) < 0)
-            if outside.size:
-                i = int(outside[0])
-                side = int(np.argmin(m[i]))
-                sides, values = np.array([2 * which + side]), (m[[i - 1], side], m[[i], side])
-                root = float(_edges(self.strips, self.locus, (q[[i - 1]], q[[i]]), sides, values)[0])
-                return (root - self.start) / (self.end - self.start)
-        return None
+        q = np.concatenate([[origin], nodes[(nodes - origin) * way > 0][::way]])
+        m = margins(self.strips, self.locus.at(q))[:, 2 * which : 2 * which + 2]
+        outside = np.flatnonzero(m.min(axis=1) < 0)
+        if not outside.size:
+            return None
+        i, side = int(outside[0]), int(np.argmin(m[outside[0]]))
+        sides, values = np.array([2 * which + side]), (m[[i - 1], side], m[[i], side])
+        root = float(_edges(self.strips, self.locus, (q[[i - 1]], q[[i]]), sides, values)[0])
+        return (root - self.start) / (self.end - self.start)
 
 
 def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
@@ -158,19 +151,16 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
 
 def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> list[tuple[float, float]]:
     """Ranges of q inside both strips."""
-    runs: list[tuple[float, float]] = []
-    for block in _blocks(_possible_stretches(strips, locus.near())):
-        nodes = locus.nodes[block[0] : block[1] + 1]
-        fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
-        q = np.append(fine, nodes[-1])
-        m = margins(strips, locus.at(q))
-        i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
-        on_edge = q[(m == 0).any(axis=1)]
-        edges = _edges(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
-        cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
-        inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
-        runs += [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
-    return runs
+    nodes = locus.nodes
+    fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
+    q = np.append(fine, nodes[-1])
+    m = margins(strips, locus.at(q))
+    i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
+    on_edge = q[(m == 0).any(axis=1)]
+    edges = _edges(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
+    cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
+    inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
+    return [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
 
 
 def _edges(
@@ -183,16 +173,6 @@ def _edges(
     """Where on the locus the margins' columns `sides` (n,) vanish, between places (n,) where they have `values`."""
     rows = np.arange(sides.size)
     return bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
-
-
-def _possible_stretches(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> BoolArray:
-    """Which stretches between nodes may be inside both strips, given roughly where the nodes are."""
-    worth = np.ones(p.v.size - 1, dtype=bool)
-    for across, strip in ((p.v, strips[0]), (p.u, strips[1])):
-        low, high = np.minimum(across[:-1], across[1:]), np.maximum(across[:-1], across[1:])
-        reach = 0.75 * strip.width.extremes[1] + (high - low) / 2
-        worth &= (low < reach) & (high > -reach)
-    return worth
 
 
 def _blocks(flags: BoolArray) -> list[tuple[int, int]]:
