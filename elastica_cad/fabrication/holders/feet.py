@@ -19,7 +19,7 @@ from elastica_cad.geometry.paths.path import Path
 LEAST_GLUED_MM = 4.0
 """Of a tab behind its plate: less is no joint."""
 
-LABEL_MM = 3.0
+FOOT_LABEL_MM = 3.0
 """Height of a foot's name, where there is room."""
 
 
@@ -102,7 +102,7 @@ def _label(name: str, corners: np.ndarray) -> Text:
     sides = np.roll(corners, -1, axis=0) - corners
     (ux, uy), (vx, vy) = sides[:2]
     inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()  # radius of the circle inscribed
-    height = min(LABEL_MM, inner / 2)
+    height = min(FOOT_LABEL_MM, inner / 2)
     height *= min(1.0, 1.6 * inner / text_width(name, height))
     x, y = corners.mean(axis=0) - np.array([text_width(name, height), height]) / 2
     return Text((float(x), float(y)), name, height, 0.0, ENGRAVE)

@@ -11,7 +11,7 @@ from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, refuse_options_unlike
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base_plate, plate_with, tab_slot
 from elastica_cad.fabrication.holders.placed_tab import Key, PlacedTab
-from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
+from elastica_cad.fabrication.holders.ring_plate import GAP_MM, Ring, needed_length, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_seats
 from elastica_cad.fabrication.holding.lean import Lean, lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -27,9 +27,6 @@ LEAN_ROUNDS = 6
 
 LEANED_MM = 0.03
 """The last round moves slots by less: each leaves a tenth of what it moved."""
-
-GAP_MM = 20.0
-"""Between two plates, unless told."""
 
 Plate = TypeVar("Plate", BasePlate, Ring)
 
@@ -175,13 +172,6 @@ def add_second(
         for tab in tabs
     ]
     return lean_pair(placed, (first, second(slots, ground)))
-
-
-def needed_length(tab: PlacedTab, first: BasePlate | Ring, gap: float) -> float:
-    """Length, in whole mm, that a tab needs to reach through a plate and another `gap` mm behind it."""
-    back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
-    missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
-    return float(np.ceil(tab.length + missing))
 
 
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.holders.base_plate import (
     FLATTEST_RAD,
     LABEL_MM,
     LEAST_OPENING_SHARE,
+    BasePlate,
     TabSlot,
     around,
     check_sizes,
@@ -32,6 +33,9 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 PLAY_MM = 0.3
 """Room beside a tab in its slot on either side; narrow, for tabs that stand close."""
+
+GAP_MM = 20.0
+"""Between two plates, unless told."""
 
 BORDER_MM = 8.0
 """Least width of material beside slots and seats, unless told."""
@@ -293,3 +297,10 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
             f"{name}: the tabs lie over each other {along.min():.3g} mm from the axis: end the strips at a larger "
             "ring, or give them shorter or narrower tabs"
         )
+
+
+def needed_length(tab: PlacedTab, first: BasePlate | Ring, gap: float) -> float:
+    """Length, in whole mm, that a tab needs to reach through a plate and another `gap` mm behind it."""
+    back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
+    missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
+    return float(np.ceil(tab.length + missing))

@@ -9,8 +9,7 @@ from elastica_cad._counts import and_more
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.plate_pair import GAP_MM, needed_length
-from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.ring_plate import GAP_MM, Ring, needed_length
 from elastica_cad.fabrication.holders.tab_seats import plates_of, require_holders, seat_of, tab_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed

@@ -17,10 +17,10 @@ SHORTENING = (1.0, 0.1, 0.01)
 FREE = 1e-4
 """The same in all others, which end where it is of no account: each leaves this share of what it moved."""
 
-MOST_STEPS = 36
+MOST_LEANS = 36
 """Half a dozen are usual."""
 
-SETTLED_SHARE = 1e-7
+LEANED_SHARE = 1e-7
 """Of the length: what a step moves when the contacts have been found."""
 
 
@@ -83,7 +83,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
     H, g, q = np.zeros((n, n)), np.zeros(n), np.zeros(n)
     g[:2] = load
     springs = chain(SHORTENING, repeat(FREE))
-    for spring, _ in zip(springs, range(MOST_STEPS), strict=False):
+    for spring, _ in zip(springs, range(MOST_LEANS), strict=False):
         H[0, 0] = H[1, 1] = spring * pressed / length
         if n > 2:
             H[2:, 2:] = end.bending / length**2
@@ -92,7 +92,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         q[2:] += step[2:]
         # the holder is moved against the tab, which stays where it is
         shift, turn = shift - float(step[0]), turn - way * float(step[1]) / length
-        if np.abs(step).max() <= SETTLED_SHARE * length:
+        if np.abs(step).max() <= LEANED_SHARE * length:
             break
         end = SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
     return Lean(shift, turn, q[2:] * way / length, piece)

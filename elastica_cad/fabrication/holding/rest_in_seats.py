@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.seated_end import PRICE, SeatedEnd, step_within
-from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.fabrication.holding.tab_seat import EndPose, TabSeat
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticSolution
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -24,14 +24,6 @@ DEAREST = 1e6  # a tab that pays this does not fit
 OVERLAP_SHARE = 1e-7  # of the length: overlaps below it are rounding
 SEATING_STEPS = 3
 SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
-
-
-@dataclass(frozen=True)
-class EndPose:
-    """Where an end comes to rest: `shift` mm to the left of the design, `turn` rad anticlockwise."""
-
-    shift: float = 0.0
-    turn: float = 0.0
 
 
 def rest_in_seats(

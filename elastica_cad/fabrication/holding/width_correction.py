@@ -3,9 +3,9 @@
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.holding.held_shape import shape_responses
 from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
-from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
@@ -22,44 +22,6 @@ def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
         one[0, -1] = 1.0
         one = one[:, 1:]
     return np.asarray(bezier_spans(knots, 3).basis(s) @ one)
-
-
-def shape_responses(
-    rod: Rod, moments: FloatArray, loads: FloatArray | None = None, apart: FloatArray | None = None
-) -> FloatArray:
-    """How the nodes of a rod in balance move (n, m, 2), mm, to first order, with its start held in its place.
-
-    The shape answers changes of moment and weight at the same shape by H d(alpha) + C^t d(lambda) = -d(imbalance),
-    C d(alpha) = d(chord), with the Hessian H of the discrete energy (paper, section 7.1) and the ends' rows C.
-
-    Parameters
-    ----------
-    rod : Rod
-    moments : (n, m) array
-        By how much the moments at the nodes grow, where the shape stays.
-    loads : (n, m, 2) array, optional
-        The same of the nodal weight.
-    apart : (m, 2) array, optional
-        How the end is moved against the start, mm.
-    """
-    discrete, (n, m) = rod.discrete, moments.shape
-    lengths, tangents = discrete.edge_lengths[:, None], discrete.tangents
-    imbalance = moments[:-1] - moments[1:]
-    if loads is not None:
-        pull = np.zeros((n - 1, m, 2))
-        pull[1:] = np.cumsum(loads[1:-1], axis=0)
-        shear = pull[..., 1] * tangents[:, None, 0] - pull[..., 0] * tangents[:, None, 1]
-        imbalance = imbalance + lengths * shear
-    rows = discrete.constraint_rows
-    answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
-    turned, forced = answers[:, :m], answers[:, m:]
-    chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # of a straight rod no turn of its parts moves the ends along it
-    turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
-    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
-    moved = np.zeros((n, m, 2))
-    moved[1:] = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
-    return moved
 
 
 def correct_widths(

@@ -9,7 +9,7 @@ from elastica_cad._types import FloatArray
 ZERO = 1e-11
 """A value below this, in the unit of the function, counts as zero: of lengths in mm, rounding of a 10 m model."""
 
-MOST_STEPS = 80
+ZERO_STEPS = 80
 """Far more than the rule needs: it gains more than a digit and a half a step."""
 
 
@@ -28,7 +28,7 @@ def bracketed_zeros(
         return low
     f, g = values
     root, h = high, g
-    for _ in range(MOST_STEPS):
+    for _ in range(ZERO_STEPS):
         moving = np.abs(h) > ZERO
         if not np.any(moving & (np.abs(high - low) > 1e-15 * np.maximum(np.abs(high), np.abs(low)))):
             break

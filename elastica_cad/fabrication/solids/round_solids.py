@@ -18,12 +18,10 @@ from elastica_cad.fabrication.solids.boundary_records import (
     SpaceSurface,
     StraightTrace,
 )
+from elastica_cad.fabrication.solids.side_views import FACE_MM
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-
-FACE_MM = 1e-4
-"""How closely a skin follows its radius."""
 
 HALF_TURN_SPANS = 8
 """Of the spline of degree 5 that half a circle is made of: 1e-8 of its radius off."""

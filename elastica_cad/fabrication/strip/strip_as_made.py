@@ -8,10 +8,10 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, strayed
+from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, shape_responses, strayed
 from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
-from elastica_cad.fabrication.holding.rest_in_seats import EndPose, rest_in_seats
-from elastica_cad.fabrication.holding.width_correction import shape_responses
+from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.tab_seat import EndPose
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths

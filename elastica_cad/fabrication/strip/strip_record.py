@@ -14,7 +14,6 @@ from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.strip_sentences import (
     backing_mark,
@@ -366,6 +365,8 @@ class Strip:
     @cached_property
     def as_built(self) -> Rod:
         """The rod with the stiffness and weight of what is really cut, to be bent: see `rod_as_built`."""
+        from elastica_cad.fabrication.strip.as_built import rod_as_built
+
         return rod_as_built(self.rod, self.layout, [layer.material for layer in self.layers])
 
     @cached_property
