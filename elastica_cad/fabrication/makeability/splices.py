@@ -13,9 +13,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
-from elastica_cad.fabrication.slots.mating_marks import end_numbers, label_off_cuts, mating_marks
+from elastica_cad.fabrication.slots.marks import Cuts, end_numbers, label_off_cuts, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
-from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip

@@ -15,8 +15,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
-from elastica_cad.fabrication.slots.mating_marks import end_numbers
-from elastica_cad.fabrication.slots.text_room import Cuts
+from elastica_cad.fabrication.slots.marks import Cuts, end_numbers
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.boxes import box_around

@@ -11,10 +11,8 @@ from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
-from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, label_on_tabs, mating_marks
-from elastica_cad.fabrication.slots.slot import Slot, slot_cut
-from elastica_cad.fabrication.slots.slotted_outline import cut_slots
-from elastica_cad.fabrication.slots.text_room import Cuts
+from elastica_cad.fabrication.slots.marks import Cuts, label_off_cuts, label_on_tabs, mating_marks
+from elastica_cad.fabrication.slots.slot import Slot, cut_slots, slot_cut
 from elastica_cad.fabrication.strip.flat_outline import (
     Ends,
     add_register_holes,

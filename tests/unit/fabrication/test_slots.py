@@ -8,8 +8,8 @@ from shapely.ops import unary_union
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.drawings.lettering import text_strokes
+from elastica_cad.fabrication.slots.marks import CLEARANCE_MM
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.slots.text_room import CLEARANCE_MM
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
