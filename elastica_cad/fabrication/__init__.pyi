@@ -62,7 +62,7 @@ from elastica_cad.fabrication.sheets.cut_list import (
     CutListRow as CutListRow,
     cut_list as cut_list,
 )
-from elastica_cad.fabrication.sheets.equal_strips import EqualStrips as EqualStrips
+from elastica_cad.fabrication.sheets.pieces import EqualStrips as EqualStrips
 from elastica_cad.fabrication.sheets.nesting import NestedSheet as NestedSheet, nest_pieces as nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece as Piece
 from elastica_cad.fabrication.slots.slot import Slot as Slot

@@ -16,7 +16,7 @@ from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
+from elastica_cad.fabrication.sheets.pieces import EqualStrips
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod

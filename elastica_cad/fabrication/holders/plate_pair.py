@@ -16,7 +16,7 @@ from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_seats
 from elastica_cad.fabrication.holding.lean import Lean, lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.equal_strips import cut_key
+from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.strip.tabs import ENDS
 from elastica_cad.geometry.frame import Frame

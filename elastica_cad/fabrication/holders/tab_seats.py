@@ -15,7 +15,7 @@ from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, require_placed
-from elastica_cad.fabrication.sheets.equal_strips import cut_key
+from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 
 Slotted: TypeAlias = BasePlate | Ring

@@ -20,9 +20,14 @@ from elastica_cad.fabrication.interlocking.interlock import Joint, interlock
 from elastica_cad.fabrication.model.patterns import mirror, repeat, rotate
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed, strip_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
-from elastica_cad.fabrication.sheets.equal_strips import EqualStrips, count_shapes, group_equal_strips
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
-from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
+from elastica_cad.fabrication.sheets.pieces import (
+    EqualStrips,
+    Piece,
+    count_shapes,
+    group_equal_strips,
+    strip_pieces,
+)
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet

@@ -7,7 +7,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.plate_pair import plate_pair, ring_pair
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.equal_strips import count_shapes
+from elastica_cad.fabrication.sheets.pieces import count_shapes
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
