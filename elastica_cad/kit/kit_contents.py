@@ -15,8 +15,8 @@ from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_
 from elastica_cad.fabrication.holders.tab_seats import hold_each
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.interlocking.collisions import tell_missing_slots
+from elastica_cad.fabrication.makeability.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.shop import Shop
-from elastica_cad.fabrication.makeability.splices import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model

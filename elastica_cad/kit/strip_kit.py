@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.makeability.splices import spliced
+from elastica_cad.fabrication.makeability.makeable_strip import spliced
 from elastica_cad.fabrication.slots.marks import Cuts, end_numbers
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec

@@ -8,11 +8,11 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.shop import Shop
-from elastica_cad.fabrication.makeability.thin_places import find_thin_places
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     find_plate_faults,
     find_slot_faults,
     find_strip_faults,
+    find_thin_places,
 )
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.perforation import Perforated
