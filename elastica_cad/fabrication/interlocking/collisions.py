@@ -14,6 +14,7 @@ import numpy as np
 
 from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.fabrication.interlocking.crossings import strip_crossings
 from elastica_cad.fabrication.interlocking.interlock import (
     SHALLOW_RAD,
     TOUCHING_RAD,
@@ -22,7 +23,6 @@ from elastica_cad.fabrication.interlocking.interlock import (
     strip_thickness,
 )
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
-from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.slots.slot import slot_cut
 from elastica_cad.fabrication.strip.strip_record import Strip
