@@ -5,8 +5,7 @@ from typing import Any
 
 import build123d as bd
 
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, PrismSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
 

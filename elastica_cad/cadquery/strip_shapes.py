@@ -11,8 +11,13 @@ import cadquery as cq
 from elastica_cad.cadquery.native_places import free_name, make_location, plain_name, read_frame
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, bent_sheets
+from elastica_cad.fabrication.solids.strip_solids import (
+    BentSolid,
+    BodyRecord,
+    FlatSolid,
+    PrismSolid,
+    bent_sheets,
+)
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -66,7 +66,7 @@ from elastica_cad.fabrication.sheets.pieces import EqualStrips as EqualStrips
 from elastica_cad.fabrication.sheets.nesting import NestedSheet as NestedSheet, nest_pieces as nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece as Piece
 from elastica_cad.fabrication.slots.slot import Slot as Slot
-from elastica_cad.fabrication.solids.prisms import PrismSolid as PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import PrismSolid as PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid as BentSolid, FlatSolid as FlatSolid
 from elastica_cad.fabrication.strip.lamination import Laminated as Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated as Perforated

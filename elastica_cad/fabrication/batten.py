@@ -10,7 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text
-from elastica_cad.fabrication.solids.side_views import side_view
+from elastica_cad.fabrication.solids.tapered_solids import side_view
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec

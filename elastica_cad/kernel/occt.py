@@ -19,8 +19,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     Surface,
     trace_turn,
 )
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline

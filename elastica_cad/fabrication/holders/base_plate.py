@@ -23,8 +23,7 @@ from elastica_cad.fabrication.makeability.uncuttable_parts import (
 from elastica_cad.fabrication.placed_strip import Placed, require_placed
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
-from elastica_cad.fabrication.solids.prisms import convex_corners
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid, convex_corners
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.boxes import boxes_about, boxes_meet
 from elastica_cad.geometry.frame import Frame, frame_or_plain

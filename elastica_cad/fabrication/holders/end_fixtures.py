@@ -15,8 +15,7 @@ from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holda
 from elastica_cad.fabrication.holding.lean import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, require_placed
-from elastica_cad.fabrication.solids.prisms import PrismSolid, convex_corners
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid, convex_corners
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.fabrication.solids.joint_places import centred_thickness
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, centred_thickness
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -12,7 +12,7 @@ import ezdxf
 import numpy as np
 
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, Drawing, LayeredPath
-from elastica_cad.fabrication.solids.side_views import side_view
+from elastica_cad.fabrication.solids.tapered_solids import side_view
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec

@@ -11,8 +11,7 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtur
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.prisms import convex_corners
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid, convex_corners
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.fabrication.solids import smooth_pieces
-from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.solids.flat_pattern import in_smooth_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path

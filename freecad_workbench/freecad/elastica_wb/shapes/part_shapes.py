@@ -16,9 +16,8 @@ from freecad.elastica_wb.shapes.binary_brep import EDGE_TOLERANCE_MM, brep_bytes
 from freecad.elastica_wb.shapes.drawn_meshes import mesh_of
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.plane_faces import plane_face
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
+from elastica_cad.fabrication.solids.boundary_records import plane_face
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.placed_curve import placed_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
