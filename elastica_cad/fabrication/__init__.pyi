@@ -19,16 +19,16 @@ from elastica_cad.fabrication.drawings.lettering import (
     text_width as text_width,
 )
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color as sheet_color
-from elastica_cad.fabrication.holders.base_plate import BasePlate as BasePlate, base_plate as base_plate
+from elastica_cad.fabrication.holders.plates import BasePlate as BasePlate, base_plate as base_plate
 from elastica_cad.fabrication.holders.end_fixtures import (
     EndFixture as EndFixture,
     end_fixtures as end_fixtures,
 )
-from elastica_cad.fabrication.holders.feet import add_feet as add_feet
+from elastica_cad.fabrication.holders.slotted_frame import add_feet as add_feet
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab as PlacedTab
-from elastica_cad.fabrication.holders.plate_pair import plate_pair as plate_pair, ring_pair as ring_pair
-from elastica_cad.fabrication.holders.ring_plate import Ring as Ring, ring_plate as ring_plate
-from elastica_cad.fabrication.holders.rocking_tabs import (
+from elastica_cad.fabrication.holders.plate_pairs import plate_pair as plate_pair, ring_pair as ring_pair
+from elastica_cad.fabrication.holders.plates import Ring as Ring, ring_plate as ring_plate
+from elastica_cad.fabrication.holders.held_tabs import (
     holder_plays as holder_plays,
     rocking_tabs as rocking_tabs,
 )
@@ -37,7 +37,7 @@ from elastica_cad.fabrication.holders.slotted_frame import (
     SlottedFrame as SlottedFrame,
     slotted_frame as slotted_frame,
 )
-from elastica_cad.fabrication.holders.tab_seats import held_shapes as held_shapes, tab_seats as tab_seats
+from elastica_cad.fabrication.holders.held_tabs import held_shapes as held_shapes, tab_seats as tab_seats
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
 from elastica_cad.fabrication.holding.reactions import Reactions as Reactions
 from elastica_cad.fabrication.holding.tab_seat import EndPose as EndPose, TabSeat as TabSeat

@@ -8,9 +8,8 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color, sheet_color
-from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.plates import BasePlate, Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib
 from elastica_cad.fabrication.model.assembly import Holder, single_holders
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid

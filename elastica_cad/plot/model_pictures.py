@@ -11,8 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.holders.base_plate import BasePlate
-from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.plates import BasePlate, Ring
 from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed

@@ -12,11 +12,10 @@ from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, is_number, is_whole, several
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
-from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
-from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.held_tabs import held_shapes
+from elastica_cad.fabrication.holders.plates import BasePlate, Ring, base_plate
 from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame, slotted_frame
-from elastica_cad.fabrication.holders.tab_seats import held_shapes
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.interlocking.interlock import Joint, interlock
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed, strip_names

@@ -9,15 +9,12 @@ from scipy.optimize import nnls
 
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.compensation import compensate_widths
-from elastica_cad.fabrication.holders.base_plate import base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.end_plates import end_plates
-from elastica_cad.fabrication.holders.feet import add_feet
+from elastica_cad.fabrication.holders.held_tabs import held_shapes, holder_plays, rocking_tabs, tab_seats
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.plate_pair import plate_pair
-from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
-from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
-from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_seats
+from elastica_cad.fabrication.holders.plate_pairs import end_plates, plate_pair
+from elastica_cad.fabrication.holders.plates import base_plate
+from elastica_cad.fabrication.holders.slotted_frame import add_feet, slotted_frame
 from elastica_cad.fabrication.holding.lean import lean_against
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat

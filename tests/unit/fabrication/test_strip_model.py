@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.plate_pair import plate_pair, ring_pair
+from elastica_cad.fabrication.holders.plate_pairs import plate_pair, ring_pair
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import count_shapes

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from elastica_cad import plot
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.ring_plate import ring_plate
+from elastica_cad.fabrication.holders.plates import ring_plate
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
