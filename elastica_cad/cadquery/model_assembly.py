@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import cadquery as cq
 
-from elastica_cad.fabrication.strip.tabs import ENDS
+from elastica_cad.fabrication.strip.outline import ENDS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_body import MadeStrip

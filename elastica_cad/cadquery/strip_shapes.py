@@ -18,8 +18,8 @@ from elastica_cad.fabrication.solids.strip_solids import (
     PrismSolid,
     bent_sheets,
 )
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt

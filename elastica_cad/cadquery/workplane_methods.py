@@ -15,7 +15,7 @@ from elastica_cad.cadquery.strip_shapes import (
 )
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.tabs import ENDS
+from elastica_cad.fabrication.strip.outline import ENDS
 from elastica_cad.kernel.strip_on_path import StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
 

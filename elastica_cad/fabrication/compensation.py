@@ -45,7 +45,7 @@ def compensate_widths(
 
     Examples
     --------
-    >>> from elastica_cad.fabrication.strip.tabs import Tab
+    >>> from elastica_cad.fabrication.strip.outline import Tab
     >>> from elastica_cad.fabrication.strip_spec import make_strip
     >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
     >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])

@@ -11,7 +11,7 @@ from freecad.elastica_wb.shapes.drawn_meshes import mesh_of
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 

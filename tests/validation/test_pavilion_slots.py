@@ -12,7 +12,7 @@ from elastica_cad.fabrication.interlocking.collisions import missing_slots
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP
 from elastica_cad.fabrication.makeability.uncuttable_parts import find_strip_faults
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.design_file import read_design
 

@@ -16,7 +16,7 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed
 from elastica_cad.fabrication.sheets.pieces import cut_key
-from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 
 Slotted: TypeAlias = BasePlate | Ring
 

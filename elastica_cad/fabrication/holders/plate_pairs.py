@@ -32,7 +32,7 @@ from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
-from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 

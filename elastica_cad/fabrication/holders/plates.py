@@ -24,7 +24,7 @@ from elastica_cad.fabrication.placed_strip import Placed, require_placed
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, convex_corners
-from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.geometry.boxes import boxes_about, boxes_meet
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.offset import offset_path

@@ -21,7 +21,7 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, convex_corners
-from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

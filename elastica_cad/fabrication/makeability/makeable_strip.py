@@ -24,7 +24,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import turns_along
 
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.strip.made_stiffness import LapPlates
+    from elastica_cad.fabrication.strip.as_made import LapPlates
 from contextlib import suppress
 
 from elastica_cad._values import require_flag
@@ -135,7 +135,7 @@ class Splice:
     @property
     def plates(self) -> "LapPlates":
         """What joins the pieces."""
-        from elastica_cad.fabrication.strip.made_stiffness import LapPlates
+        from elastica_cad.fabrication.strip.as_made import LapPlates
 
         return LapPlates(self.joints, self.lap, self.backing_joints)
 

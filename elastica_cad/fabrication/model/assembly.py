@@ -15,8 +15,8 @@ from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, PrismSolid, bent_sheets
+from elastica_cad.fabrication.strip.outline import ENDS
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import ENDS
 from elastica_cad.geometry.frame import Frame
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"

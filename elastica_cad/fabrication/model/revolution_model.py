@@ -16,8 +16,8 @@ from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.outline import ENDS, Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import ENDS, Tab
 from elastica_cad.forming.revolution.meridian import Meridian, meridian
 from elastica_cad.mechanics.material.sheet import Sheet
 

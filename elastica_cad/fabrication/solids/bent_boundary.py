@@ -26,7 +26,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     Surface,
 )
 from elastica_cad.fabrication.solids.flat_pattern import Piece, Region, on_segment
-from elastica_cad.fabrication.strip.flat_outline import graphs, pace
+from elastica_cad.fabrication.strip.outline import graphs, pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline

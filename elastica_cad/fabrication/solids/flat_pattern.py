@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.flat_outline import pace
+from elastica_cad.fabrication.strip.outline import pace
 from elastica_cad.geometry.curves.line_intersections import line_crossings
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path

@@ -15,9 +15,8 @@ from elastica_cad.fabrication.solids.bent_boundary import BentMap, BoundaryMaker
 from elastica_cad.fabrication.solids.boundary_records import Boundary
 from elastica_cad.fabrication.solids.flat_pattern import CutPattern, cut_across, in_smooth_pieces
 from elastica_cad.fabrication.solids.tapered_solids import RoundSolid, side_view
-from elastica_cad.fabrication.strip.flat_outline import close_chain, fix_tab_widths
+from elastica_cad.fabrication.strip.outline import Tab, close_chain, fix_tab_widths
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.clip import clip_across

@@ -19,8 +19,8 @@ from elastica_cad.fabrication.solids.boundary_records import (
     SpaceSurface,
     StraightTrace,
 )
+from elastica_cad.fabrication.strip.outline import lines_through
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import lines_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

@@ -13,7 +13,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
 from elastica_cad.fabrication.slots.marks import Cuts, label_off_cuts, label_on_tabs, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot, cut_slots, slot_cut
-from elastica_cad.fabrication.strip.flat_outline import (
+from elastica_cad.fabrication.strip.outline import (
     Ends,
     add_register_holes,
     end_holes,

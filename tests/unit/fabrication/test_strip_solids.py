@@ -14,9 +14,8 @@ from elastica_cad.fabrication.solids.boundary_records import (
 )
 from elastica_cad.fabrication.solids.flat_pattern import cut_across, on_segment
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.flat_outline import long_sides
+from elastica_cad.fabrication.strip.outline import Hole, Tab, long_sides
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

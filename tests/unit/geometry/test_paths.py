@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.flat_outline import graph
+from elastica_cad.fabrication.strip.outline import graph
 from elastica_cad.geometry.curves.graph_areas import area_beside_graph
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.clip import clip_across, trim_across
