@@ -39,7 +39,7 @@ from elastica_cad.fabrication.holders.slotted_frame import (
 )
 from elastica_cad.fabrication.holders.held_tabs import held_shapes as held_shapes, tab_seats as tab_seats
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
-from elastica_cad.fabrication.holding.reactions import Reactions as Reactions
+from elastica_cad.fabrication.holding.held_shape import Reactions as Reactions
 from elastica_cad.fabrication.holding.tab_seat import EndPose as EndPose, TabSeat as TabSeat
 from elastica_cad.fabrication.interlocking.interlock import (
     Joint as Joint,

@@ -14,7 +14,7 @@ from elastica_cad._values import is_number, is_one_of, require_record
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
-from elastica_cad.fabrication.holding.lean import lean_against
+from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, require_placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid, convex_corners

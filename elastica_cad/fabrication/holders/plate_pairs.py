@@ -26,7 +26,7 @@ from elastica_cad.fabrication.holders.plates import (
     ring_plate,
     tab_slot,
 )
-from elastica_cad.fabrication.holding.lean import Lean, lean_against
+from elastica_cad.fabrication.holding.rest_in_seats import Lean, lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed

@@ -11,11 +11,12 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import (
     ANTICLASTIC,
     HeldShape,
+    LapJoint,
     Seats,
+    closes,
     shape_responses,
     strayed,
 )
-from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import EndPose
 from elastica_cad.fabrication.slots.slot import Slot

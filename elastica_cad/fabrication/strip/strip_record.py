@@ -10,8 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.holding.lap_joint import closes
-from elastica_cad.fabrication.holding.reactions import Reactions
+from elastica_cad.fabrication.holding.held_shape import Reactions, closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs

@@ -15,8 +15,7 @@ from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.plate_pairs import end_plates, plate_pair
 from elastica_cad.fabrication.holders.plates import base_plate
 from elastica_cad.fabrication.holders.slotted_frame import add_feet, slotted_frame
-from elastica_cad.fabrication.holding.lean import lean_against
-from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.rest_in_seats import lean_against, rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.placed_strip import Placed
