@@ -20,7 +20,7 @@ SMOOTHING = 5e-3  # weight of the second differences of the coefficients against
 SIZE = 7e-3  # the same of the coefficients themselves: of many changes that serve, the smallest
 
 
-def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
+def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     """Cubic B-splines (n, m) at even stations s (n,) of a strip; of a closed one both ends share theirs."""
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
@@ -31,7 +31,7 @@ def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     return np.asarray(bezier_spans(knots, 3).basis(s) @ one)
 
 
-def correct_widths(
+def _correct_widths(
     made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, *, largest: float
 ) -> FloatArray:
     """Coefficients (m,) of the change of width that takes a drift back, to first order.
@@ -46,7 +46,7 @@ def correct_widths(
     drift : (n, 2) array
         Of its nodes from the design, mm.
     basis : (n, m) array
-        Of the changes: see `width_basis`. Of a closed strip only its shape counts, not where it lies.
+        Of the changes: see `_width_basis`. Of a closed strip only its shape counts, not where it lies.
     kept : (m,) array
         Coefficients of the change that the rod has already.
     largest : float
@@ -129,7 +129,7 @@ def compensate_widths(
             require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
-    basis = width_basis(design.s, closed=strip.is_closed)
+    basis = _width_basis(design.s, closed=strip.is_closed)
     # a first guess: as much wider as each place is softer, evened out along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
@@ -143,7 +143,7 @@ def compensate_widths(
         if best.strayed <= ENOUGH_SHARE * design.length:
             break
         drift = best.rod.position - design.position
-        wanted = correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
+        wanted = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
         coefficients = best.coefficients + step * (wanted - best.coefficients)
         found = _held(strip, basis, coefficients, (start, end))
         if found is None or found.strayed >= best.strayed:

@@ -69,16 +69,16 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
 
 
 def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
-    holders = require_holders(holders)
+    holders = _require_holders(holders)
     for holder in holders:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
-    for plate in plates_of(holders):
+    for plate in _plates_of(holders):
         for _, tab, walls in slot_walls(plate):
             yield tab, _seat_between(walls, tab, plate)
 
 
-def require_holders(holders: object) -> tuple[object, ...]:
+def _require_holders(holders: object) -> tuple[object, ...]:
     """Holders as a tuple; refuses what cannot be gone through."""
     if not is_series(holders):
         raise InputError(
@@ -87,7 +87,7 @@ def require_holders(holders: object) -> tuple[object, ...]:
     return tuple(holders)
 
 
-def plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
+def _plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
     """The plates among holders whose slots leave tabs their play: of frames too, none whose tabs are glued."""
     for holder in holders:
         # a slotted frame is told by its rails: it is made by means of this module
@@ -119,7 +119,7 @@ def hold_each(
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
-        start, end = (seat_of(seats, one, k) for k in ENDS)
+        start, end = (_seat_of(seats, one, k) for k in ENDS)
         alike = cut_key(one.strip), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
@@ -129,7 +129,7 @@ def hold_each(
         yield known[alike]
 
 
-def seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
+def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
     """What holds an end of a placed strip."""
     return seats.get(PlacedTab.of(one.strip, end, one.frame).key)
 
@@ -143,7 +143,7 @@ NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """A sentence for every holder: how far its tabs shift across and turn in it at most, before they jam."""
-    placed, holders, told = require_placed(placed), require_holders(holders), []
+    placed, holders, told = require_placed(placed), _require_holders(holders), []
     for name, held in _by_holder(placed, holders).items():
         low, high = np.degrees(np.array([seat.turning for _, _, seat in held]).T)
         room = max(seat.room for _, _, seat in held)
@@ -169,7 +169,7 @@ def _turn(degrees: float) -> str:
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure."""
-    placed, holders, told = require_placed(placed), require_holders(holders), []
+    placed, holders, told = require_placed(placed), _require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
     for holder, held in _by_holder(placed, holders).items():
         rocking = [one for one in held if np.ptp(one[2].turning) > 2 * ROCKING_RAD]
@@ -191,7 +191,7 @@ def _by_holder(
     seats, found = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
     for one in placed:
         for end in ENDS:
-            seat = seat_of(seats, one, end)
+            seat = _seat_of(seats, one, end)
             if seat is not None:
                 found.setdefault(seat.name, []).append((one, end, seat))
     return found
@@ -200,7 +200,7 @@ def _by_holder(
 def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     """What becomes of a strip in its seats."""
     try:
-        strayed = one.strip.held(*(seat_of(seats, one, end) for end in ENDS)).deviation
+        strayed = one.strip.held(*(_seat_of(seats, one, end) for end in ENDS)).deviation
     except NotConvergedError:
         return "the strip finds no rest in it"
     return f"the strip strays {strayed:.2g} mm so, {100 * strayed / one.strip.rod.length:.2g} % of its length"
@@ -214,7 +214,7 @@ def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
     )
     lengths = [
         needed_length(slot.tab, plate, GAP_MM)
-        for plate in plates_of(holders)
+        for plate in _plates_of(holders)
         for slot in plate.slots
         if slot.tab is not None and slot.tab.key == key
     ]

@@ -92,7 +92,7 @@ def plate_pair(
         return plate_with(slots, sheet, ground, border=border, name=f"{upper.name}-lower", **kept)
 
     room = {"play": options.get("play", 0.5), "clearance": options.get("clearance", CLEARANCE_MM)}
-    return add_second(placed, upper, lower, gap=gap, least=options.get("slot_width") or 0.0, **room)
+    return _add_second(placed, upper, lower, gap=gap, least=options.get("slot_width") or 0.0, **room)
 
 
 def ring_pair(
@@ -139,7 +139,7 @@ def ring_pair(
         return ring_around(slots, sheet, ground, name=f"{name}-outer", **kept)
 
     room = {key: options[key] for key in ("play", "clearance") if key in options}
-    return add_second(placed, first, outer, gap=gap, **room)
+    return _add_second(placed, first, outer, gap=gap, **room)
 
 
 def require_gap(gap: float) -> None:
@@ -148,7 +148,7 @@ def require_gap(gap: float) -> None:
         raise InputError(f"the gap between two plates is {gap!r} mm: it must be positive")
 
 
-def add_second(
+def _add_second(
     placed: Sequence[Placed],
     first: Plate,
     second: Callable[[Sequence[TabSlot], Frame], Plate],
@@ -334,7 +334,7 @@ def _pair_plate(
     def outer(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
         return plate_with(slots, plate.sheet, ground, name=f"{plate.name}-outer", **rest)
 
-    return add_second(placed, plate, outer, gap=gap, play=play, clearance=clearance)
+    return _add_second(placed, plate, outer, gap=gap, play=play, clearance=clearance)
 
 
 def facing_plates(

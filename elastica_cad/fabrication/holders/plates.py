@@ -218,7 +218,7 @@ def base_plate(
     sheet = Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
     slot_width = 0.0 if slot_width is None else slot_width
-    check_sizes(name, play=play, clearance=clearance, slot_width=slot_width, border=border)
+    _check_sizes(name, play=play, clearance=clearance, slot_width=slot_width, border=border)
     if not is_one_of(shape, ("hull", "rectangle", "ring")):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
     require_ends(ends)
@@ -249,7 +249,7 @@ def base_plate(
     return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
 
 
-def check_sizes(name: str, **sizes: float) -> None:
+def _check_sizes(name: str, **sizes: float) -> None:
     """Refuse sizes of a plate below 0."""
     for what, value in sizes.items():
         if not (is_number(value) and value >= 0):
@@ -282,11 +282,11 @@ def plate_with(
         if inner > LEAST_OPENING_SHARE * outer:
             outline, opening = Path.circle(center, outer), Path.circle(center, inner)
     others = () if opening is None else (opening,)
-    told = check_slots(name, sheet, outline, slots, others, shop=shop, ignore_limits=ignore_limits)
+    told = _check_slots(name, sheet, outline, slots, others, shop=shop, ignore_limits=ignore_limits)
     return BasePlate(sheet, frame, outline, tuple(slots), name, told, opening)
 
 
-def check_slots(
+def _check_slots(
     name: str,
     sheet: Sheet,
     outline: Path,
@@ -480,7 +480,7 @@ class Ring:
         InputError
             Slots that meet or are far wider than their tabs, thin bridges, a ring larger than the stock.
         """
-        told = check_slots(
+        told = _check_slots(
             self.name,
             self.sheet,
             self.outline,
@@ -582,7 +582,7 @@ def ring_plate(
         far wider than their tabs, bridges too thin to cut.
     """
     sheet = Sheet.of(sheet)
-    check_sizes(name, border=border, play=play, clearance=clearance)
+    _check_sizes(name, border=border, play=play, clearance=clearance)
     tabs = several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
         raise InputError(f"{name}: there is no tab for it to hold: give it PlacedTab records")

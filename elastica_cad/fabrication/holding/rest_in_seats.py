@@ -99,7 +99,7 @@ def _chain(pieces: int) -> FloatArray:
     return np.asarray(joints.T @ (springs[:, None] * joints))
 
 
-def step_within(
+def _step_within(
     hessian: FloatArray,
     gradient: FloatArray,
     walls: tuple[FloatArray, FloatArray],
@@ -331,7 +331,7 @@ class _Held:
         for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
             tab = self._tab(at, one)
             g[tab] = H[tab, tab] @ part[2:]
-        return step_within(
+        return _step_within(
             H, g, self.walls(q), self.design.length, poses[::2], scale=scale, price=price, reach=reach
         )
 
@@ -443,7 +443,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         if n > 2:
             H[2:, 2:] = end.bending / length**2
             g[2:] = H[2:, 2:] @ q[2:]
-        step = step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
+        step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
         q[2:] += step[2:]
         # the holder is moved against the tab, which stays where it is
         shift, turn = shift - float(step[0]), turn - way * float(step[1]) / length

@@ -108,8 +108,8 @@ class Body:
         widest = self.ruled.width.extremes[1]
         along, ends = _steps(first, last, EDGE_PITCH_MM), _steps(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest)
         rows, inner = _steps(first, last, FACE_PITCH_MM), _steps(-1.0, 1.0, 2 * FACE_PITCH_MM / widest)
-        grids = [(along, [-1.0, 1.0]), ([first, last], ends), (rows, inner)]
-        s, share = np.concatenate([np.reshape(np.meshgrid(*grid), (2, -1)) for grid in grids], axis=1)
+        grids = [(along, np.array([-1.0, 1.0])), (np.array([first, last]), ends), (rows, inner)]
+        s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
         return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0)
 
     @cached_property

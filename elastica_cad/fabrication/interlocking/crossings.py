@@ -29,7 +29,7 @@ ZERO_STEPS = 80
 """Far more than the rule needs: it gains more than a digit and a half a step."""
 
 
-def bracketed_zeros(
+def _bracketed_zeros(
     function: Callable[[FloatArray], FloatArray],
     low: FloatArray,
     high: FloatArray,
@@ -111,7 +111,7 @@ def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> Flo
     return np.column_stack([w - p.v, w + p.v, x - p.u, x + p.u])
 
 
-def intersect_surfaces(a: RuledStrip, b: RuledStrip) -> tuple[IntersectionCurve, ...]:
+def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> tuple[IntersectionCurve, ...]:
     """All curves in which the two surfaces, with rulings of any length, meet."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
@@ -274,7 +274,7 @@ def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, Fl
     if np.abs(slope).max() < LEVEL_SLOPE:
         return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
-    found = bracketed_zeros(
+    found = _bracketed_zeros(
         lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1], values=(slope[turns], slope[turns + 1])
     )
     top = heights.along(strip, found)[0]
@@ -479,7 +479,7 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
     strips that are clearly apart (`strips_may_meet`) there is none.
     """
     found = []
-    for locus in intersect_surfaces(a, b):
+    for locus in _intersect_surfaces(a, b):
         found += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
     return tuple(found)
 
@@ -507,7 +507,7 @@ def _edges(
 ) -> FloatArray:
     """Where on the locus the margins' columns `sides` (n,) vanish, between places (n,) where they have `values`."""
     rows = np.arange(sides.size)
-    return bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
+    return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
 
 
 def _blocks(flags: BoolArray) -> list[tuple[int, int]]:

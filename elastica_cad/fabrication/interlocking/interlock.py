@@ -23,7 +23,7 @@ CLOSE_MM = 1e-6
 """The faces meet there: what files keep."""
 
 
-def bent_slot_width(
+def _bent_slot_width(
     own: RuledStrip, other: RuledStrip, rows: FloatArray, mates: FloatArray, *, thickness: tuple[float, float]
 ) -> FloatArray:
     """Widths (n,), mm, that let the faces of another strip through those of this one, half to either side.
@@ -256,7 +256,7 @@ class _Cutter:
             widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
             if self.fit == "exact":
                 sheets = _turned(crossing.strips, which)
-                bent = bent_slot_width(*sheets, rows, mates, thickness=(own, other))
+                bent = _bent_slot_width(*sheets, rows, mates, thickness=(own, other))
                 widths = np.maximum(widths, bent + self.clearance)
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):

@@ -49,7 +49,8 @@ def cut_key(strip: Strip) -> Hashable:
         for slot in strip.slots
     ]
     own = [getattr(strip, one.name) for one in fields(Strip) if one.name not in ("label", "slots")]
-    return value_key((own, slots))
+    key: Hashable = value_key((own, slots))
+    return key
 
 
 def _sizes(slot: Slot) -> FloatArray:

@@ -29,7 +29,7 @@ FLAT_MM = 0.02
 """Flatness of the cuts as letters see them: little beside their clearance."""
 
 
-def text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
+def _text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
     """Corners (4, 2) of all strokes of a text with a clearance about them, anticlockwise."""
     long = text.length
     low, high = text_span(text.text, text.height)
@@ -39,7 +39,7 @@ def text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
     return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
 
 
-def on_free_part(box: FloatArray, width: Profile) -> bool:
+def _on_free_part(box: FloatArray, width: Profile) -> bool:
     """Does a box lie on the free part of a strip?"""
     x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
     if x[0] < 0 or x[-1] > width.length:
@@ -130,11 +130,11 @@ def mating_marks(
     """
     rims = [slot_cut(slot, width, beyond=slot.width) for slot in slots]
     cuts = Cuts(holes, marks, slots=rims)
-    boxes = [box_about(text_box(text)) for text in taken]
+    boxes = [box_about(_text_box(text)) for text in taken]
     found = []
     for slot, rim in zip(slots, rims, strict=True):
         for text in _choices(slot, rim.points(FLAT_MM), width) if slot.mate else ():
-            box = text_box(text)
+            box = _text_box(text)
             if _clear(box, width, boxes, cuts):
                 found.append(text)
                 boxes.append(box_about(box))
@@ -149,13 +149,13 @@ def end_numbers(
 
     Other `names` stand for joints; an empty one, or one that finds no room, is left out.
     """
-    boxes, numbers = [box_about(text_box(text)) for text in taken], []
+    boxes, numbers = [box_about(_text_box(text)) for text in taken], []
     for number, end, way in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
         for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
             long = text_width(number, height)
             x = end + way * (off + max(height, long) / 2) - long / 2
             text = Text((float(x), -height / 2), number, height, layer=ENGRAVE)
-            if _clear(text_box(text), width, boxes, cuts):
+            if _clear(_text_box(text), width, boxes, cuts):
                 numbers.append(text)
                 break
     return tuple(numbers)
@@ -181,7 +181,7 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
     tried = (
         (text(off, share), near) for near in LABEL_CLEARANCES_MM for share in LABEL_SHARES for off in ways
     )
-    clear = (one for one, near in tried if _clear(text_box(one, near), width, (), cuts))
+    clear = (one for one, near in tried if _clear(_text_box(one, near), width, (), cuts))
     return next(clear, text(0.0, 1.0))
 
 
@@ -206,13 +206,13 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
         for tab in tabs
         for at in places
     )
-    clear = (one for one, near in tried if cuts.clear_of(text_box(one, near)))
+    clear = (one for one, near in tried if cuts.clear_of(_text_box(one, near)))
     return next(clear, text(tabs[0], 1.0, 0.5, 0.0))
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
     """Does a box, by its corners, lie on the free part, off what is taken by others (2, 2), and off cuts?"""
-    if not on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
+    if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
         return False
     return cuts.clear_of(box)
 

@@ -33,7 +33,7 @@ def centred_thickness(strip: Strip) -> float:
     return strip.layers[-1 if strip.layout.stack is None else 0].high
 
 
-def joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
+def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
     """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
     places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
     for number, hole in enumerate(strip.holes, start=1):
@@ -42,7 +42,7 @@ def joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
     return places
 
 
-def with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
+def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
     """The joints, and of every hole one on each face of the strip: "hole1:top", "hole1:bottom", z outward."""
     found = dict(joints)
     for name, frame in joints.items():
@@ -131,9 +131,9 @@ class FlatSolid:
             return (_tapered_solid(strip, frame, bent=False),)
         thick = centred_thickness(strip)
         middle = frame.shifted(z=thick / 2)
-        places = joint_places(strip).items()
+        places = _joint_places(strip).items()
         on_middle = {name: turned(middle.shifted(x, y), way) for name, (x, y, way) in places}
-        joints = with_faces(on_middle, thick)
+        joints = _with_faces(on_middle, thick)
         return tuple(
             cls(
                 in_smooth_pieces(layer.outline),
@@ -262,7 +262,7 @@ class BentSolid:
             shape = self.maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
             found[name] = turned(tangent.shifted(x, y), way)
-        return with_faces(found, self.between) if self.between else found
+        return _with_faces(found, self.between) if self.between else found
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -310,7 +310,7 @@ class BentSolid:
             if strip.ends[1].length:
                 yield cls._lap(strip, frame)
             return
-        joints: Mapping[str, tuple[float, float, int]] = joint_places(strip)
+        joints: Mapping[str, tuple[float, float, int]] = _joint_places(strip)
         thick = centred_thickness(strip)
         for layer in strip.layers:
             faces = (layer.low - thick / 2, layer.high - thick / 2)
@@ -336,7 +336,7 @@ class BentSolid:
             layer.holes,
             heights=(-half, half),
             frame=frame,
-            joints=joint_places(strip),
+            joints=_joint_places(strip),
             between=2 * half,
         )
 

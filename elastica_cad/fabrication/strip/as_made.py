@@ -66,7 +66,7 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     """
     if layout.size is not None:  # tapered: nothing is cut out of it
         return replace(rod, bending_stiffness=layout.bending_stiffness)
-    n, s = rod.s.size, cell_stations(rod)
+    n, s = rod.s.size, _cell_stations(rod)
     left = [width(s) for width in widths]
     material = left[0]
     # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
@@ -75,7 +75,7 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
     asked = rod.profile(s)
     softer = layout.bending_stiffness * asked / has
-    EI = layout.bending_stiffness * _stiffness_of_cells(rod, asked) / cell_means(softer, n)
+    EI = layout.bending_stiffness * _stiffness_of_cells(rod, asked) / _cell_means(softer, n)
     least = float(EI.min())
     made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
     if rod.gravity is None:
@@ -83,7 +83,7 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     weight = rod.weight or Weight()
     newtons = layout.weight_per_length(material, backing) if law is None else law.weight_per_length(material)
     if newtons is not None:
-        along = Profile.interpolate(rod.s, cell_means(newtons, n))
+        along = Profile.interpolate(rod.s, _cell_means(newtons, n))
         return replace(made, weight=replace(weight, alpha=along, beta=0.0))
     if rod.weight is None:
         return made
@@ -97,17 +97,17 @@ def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:
     if rod.profile.steps:
         jumps = np.array([start for start, _ in rod.profile.steps])
         near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
-        K[near] = 1 / cell_means(1 / asked, rod.s.size)[near]
+        K[near] = 1 / _cell_means(1 / asked, rod.s.size)[near]
     return K
 
 
-def cell_stations(rod: Rod) -> FloatArray:
+def _cell_stations(rod: Rod) -> FloatArray:
     """Stations, mm, at the middle of `CUTS` even parts of every edge of a rod."""
     ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
     return np.asarray((ends[1:] + ends[:-1]) / 2)
 
 
-def cell_means(values: FloatArray, nodes: int) -> FloatArray:
+def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
     """Mean (n,) over the cell of each node of values at uniform stations, `CUTS` between neighbouring nodes."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2
@@ -192,7 +192,7 @@ def stiffness_shares(
     tab_widths : pair of float or None
         mm; None for a tab as wide as the strip's end.
     """
-    s, n = cell_stations(rod), rod.s.size
+    s, n = _cell_stations(rod), rod.s.size
     width = layout.width(s)
     slope = dead_zone_slope(min(layout.sheet.poisson_ratio, 0.5))
     found = {
@@ -205,7 +205,7 @@ def stiffness_shares(
     }
     # a cell's angle feels the mean compliance
     return {
-        cause: 1 / cell_means(1 / np.maximum(share, LEAST_SHARE), n)
+        cause: 1 / _cell_means(1 / np.maximum(share, LEAST_SHARE), n)
         for cause, share in found.items()
         if share is not None
     }
@@ -233,7 +233,7 @@ class Curl:
         return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
 
 
-def curl_of(rod: Rod, layout: Layout) -> Curl | None:
+def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
     """How a strip curls about its design; None where that changes nothing or a section knows its own.
 
     Where plates lie over joints it curls as without them.
@@ -252,7 +252,7 @@ def curl_of(rod: Rod, layout: Layout) -> Curl | None:
 
 def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
     """A rod that follows its bend as its design counts on; where it does not, the rod itself."""
-    curl = curl_of(design, layout) if design.follows_bend else None
+    curl = _curl_of(design, layout) if design.follows_bend else None
     return made if curl is None else curl.on(made)
 
 
@@ -345,7 +345,7 @@ class LapPlates:
         return under / np.diff(ends)
 
 
-def with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
+def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
     """A rod whose stiffness is changed by factors (n,) while its weight stays: out of balance until bent."""
     B, K = built.bending_stiffness or 1.0, built.stiffness
     changed = K * np.prod([np.ones(K.size), *shares], axis=0)
@@ -490,13 +490,13 @@ class StripAsMade:
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
             if ends[1].length and closes(rod)
             else None,
-            curl_of(design, layout),
+            _curl_of(design, layout),
         )
 
     @cached_property
     def rod(self) -> Rod:
         """The rod with all causes together, whose stiffness follows its bend: out of balance until bent."""
-        made = with_shares(self.cut, list(self.shares.values()))
+        made = _with_shares(self.cut, list(self.shares.values()))
         made = made if self.lap is None else _lapped(made, self.lap)
         return made if self.curl is None else self.curl.on(made)
 
@@ -574,4 +574,4 @@ class StripAsMade:
 
 def _lapped(made: Rod, lap: LapJoint) -> Rod:
     """The rod with its joint: stiffer there, and glued in a shape that it keeps in part."""
-    return replace(with_shares(made, [lap.share]), natural_curvature=lap.rest)
+    return replace(_with_shares(made, [lap.share]), natural_curvature=lap.rest)

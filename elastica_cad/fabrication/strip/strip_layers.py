@@ -88,10 +88,10 @@ class Layer:
         """Summed width (n,), mm, that is really left at stations `s` (n,)."""
         if (stations := numbers(s, "stations")).ndim > 1:
             raise InputError(f"stations are numbers (n,) in mm, not of shape {stations.shape}")
-        return material_width(self.outline, self.holes, stations)
+        return _material_width(self.outline, self.holes, stations)
 
 
-def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:
+def _material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:
     """Summed width (n,), mm, of what a straight cut across at the stations `s` (n,) meets.
 
     Parameters
@@ -104,7 +104,7 @@ def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatA
     Examples
     --------
     >>> plate = Path.rectangle(40, 10)
-    >>> material_width(plate, [Path.rectangle(10, 4, corner=(5, 3))], [2.0, 8.0]).round(6).tolist()
+    >>> _material_width(plate, [Path.rectangle(10, 4, corner=(5, 3))], [2.0, 8.0]).round(6).tolist()
     [10.0, 6.0]
     """
     s = np.atleast_1d(numbers(s, "stations"))
