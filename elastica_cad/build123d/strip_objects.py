@@ -8,10 +8,9 @@ from typing import Any, TypeAlias, Unpack
 import build123d as bd
 
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
+from elastica_cad.fabrication.strip.outline import StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import StripEnd
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt

@@ -19,7 +19,7 @@ from elastica_cad.cadquery.strip_shapes import (
 )
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.tabs import ENDS
+from elastica_cad.fabrication.strip.outline import ENDS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile

@@ -11,10 +11,15 @@ import cadquery as cq
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, bent_sheets
+from elastica_cad.fabrication.solids.strip_solids import (
+    BentSolid,
+    BodyRecord,
+    FlatSolid,
+    PrismSolid,
+    bent_sheets,
+)
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt

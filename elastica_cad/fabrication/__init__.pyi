@@ -19,16 +19,16 @@ from elastica_cad.fabrication.drawings.lettering import (
     text_width as text_width,
 )
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color as sheet_color
-from elastica_cad.fabrication.holders.base_plate import BasePlate as BasePlate, base_plate as base_plate
+from elastica_cad.fabrication.holders.plates import BasePlate as BasePlate, base_plate as base_plate
 from elastica_cad.fabrication.holders.end_fixtures import (
     EndFixture as EndFixture,
     end_fixtures as end_fixtures,
 )
-from elastica_cad.fabrication.holders.feet import add_feet as add_feet
+from elastica_cad.fabrication.holders.slotted_frame import add_feet as add_feet
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab as PlacedTab
-from elastica_cad.fabrication.holders.plate_pair import plate_pair as plate_pair, ring_pair as ring_pair
-from elastica_cad.fabrication.holders.ring_plate import Ring as Ring, ring_plate as ring_plate
-from elastica_cad.fabrication.holders.rocking_tabs import (
+from elastica_cad.fabrication.holders.plate_pairs import plate_pair as plate_pair, ring_pair as ring_pair
+from elastica_cad.fabrication.holders.plates import Ring as Ring, ring_plate as ring_plate
+from elastica_cad.fabrication.holders.held_tabs import (
     holder_plays as holder_plays,
     rocking_tabs as rocking_tabs,
 )
@@ -37,11 +37,10 @@ from elastica_cad.fabrication.holders.slotted_frame import (
     SlottedFrame as SlottedFrame,
     slotted_frame as slotted_frame,
 )
-from elastica_cad.fabrication.holders.tab_seats import held_shapes as held_shapes, tab_seats as tab_seats
+from elastica_cad.fabrication.holders.held_tabs import held_shapes as held_shapes, tab_seats as tab_seats
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
-from elastica_cad.fabrication.holding.reactions import Reactions as Reactions
-from elastica_cad.fabrication.holding.rest_in_seats import EndPose as EndPose
-from elastica_cad.fabrication.holding.tab_seat import TabSeat as TabSeat
+from elastica_cad.fabrication.holding.held_shape import Reactions as Reactions
+from elastica_cad.fabrication.holding.tab_seat import EndPose as EndPose, TabSeat as TabSeat
 from elastica_cad.fabrication.interlocking.interlock import (
     Joint as Joint,
     interlock as interlock,
@@ -63,11 +62,11 @@ from elastica_cad.fabrication.sheets.cut_list import (
     CutListRow as CutListRow,
     cut_list as cut_list,
 )
-from elastica_cad.fabrication.sheets.equal_strips import EqualStrips as EqualStrips
+from elastica_cad.fabrication.sheets.pieces import EqualStrips as EqualStrips
 from elastica_cad.fabrication.sheets.nesting import NestedSheet as NestedSheet, nest_pieces as nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece as Piece
 from elastica_cad.fabrication.slots.slot import Slot as Slot
-from elastica_cad.fabrication.solids.prisms import PrismSolid as PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import PrismSolid as PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid as BentSolid, FlatSolid as FlatSolid
 from elastica_cad.fabrication.strip.lamination import Laminated as Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated as Perforated
@@ -75,5 +74,5 @@ from elastica_cad.fabrication.strip.strip_layers import Layer as Layer
 from elastica_cad.fabrication.strip.strip_record import Strip as Strip
 from elastica_cad.fabrication.strip_spec import StripSpec as StripSpec, make_strip as make_strip
 from elastica_cad.fabrication.strip.styles import Plain as Plain
-from elastica_cad.fabrication.strip.tabs import Hole as Hole, TSlot as TSlot, Tab as Tab
+from elastica_cad.fabrication.strip.outline import Hole as Hole, TSlot as TSlot, Tab as Tab
 from elastica_cad.geometry.frame import Frame as Frame

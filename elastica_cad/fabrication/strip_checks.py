@@ -9,8 +9,8 @@ from elastica_cad.errors import Change, InputError, rounded_up
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.styles import Plain, Style
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.weight import PointMass

@@ -15,9 +15,9 @@ from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
-from elastica_cad.fabrication.strip.tabs import Tab, pair_of_tabs
 from elastica_cad.fabrication.strip_checks import (
     check_compensate,
     check_joint,

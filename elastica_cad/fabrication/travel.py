@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
+from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.rod.csv_text import csv_text

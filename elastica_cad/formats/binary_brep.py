@@ -24,7 +24,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     Surface,
     trace_turn,
 )
-from elastica_cad.fabrication.solids.pattern_strips import on_segment
+from elastica_cad.fabrication.solids.flat_pattern import on_segment
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

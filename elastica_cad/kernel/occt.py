@@ -8,8 +8,7 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.boundary_records import Boundary
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

@@ -12,7 +12,7 @@ from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.interlocking.collisions import self_contact
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.solids.flat_pattern import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, bent_sheets
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, TypedDict
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.outline import StripEnd, Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Style
-from elastica_cad.fabrication.strip.tabs import StripEnd, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve

@@ -9,14 +9,12 @@ from typing import Any, TypeAlias
 
 from elastica_cad._counts import counted
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holders.crowded_blocks import crowded_blocks
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
-from elastica_cad.fabrication.holders.tab_seats import hold_each
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture, crowded_blocks
+from elastica_cad.fabrication.holders.held_tabs import hold_each, holder_plays, rocking_tabs
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.interlocking.collisions import tell_missing_slots
+from elastica_cad.fabrication.makeability.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.shop import Shop
-from elastica_cad.fabrication.makeability.splices import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model

@@ -10,9 +10,8 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.makeability.splices import spliced
-from elastica_cad.fabrication.slots.mating_marks import end_numbers
-from elastica_cad.fabrication.slots.text_room import Cuts
+from elastica_cad.fabrication.makeability.makeable_strip import spliced
+from elastica_cad.fabrication.slots.marks import Cuts, end_numbers
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble

@@ -10,8 +10,13 @@ from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
 from elastica_cad.fabrication.holders.slotted_frame import Rib
-from elastica_cad.fabrication.model.assembly import Holder, SingleHolder, single_holders
-from elastica_cad.fabrication.model.assembly_steps import AssemblyStep, list_assembly_steps
+from elastica_cad.fabrication.model.assembly import (
+    AssemblyStep,
+    Holder,
+    SingleHolder,
+    list_assembly_steps,
+    single_holders,
+)
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.cut_list import CutList

@@ -5,9 +5,9 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -8,7 +8,7 @@ import pytest
 
 from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip, section_strips
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 SHEET = "birch-plywood-0.8"

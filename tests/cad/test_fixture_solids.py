@@ -10,10 +10,9 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, engraved
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, PrismSolid
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

@@ -8,8 +8,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 HOLE = 3.4

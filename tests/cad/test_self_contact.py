@@ -9,7 +9,7 @@ from elastica_cad.fabrication.interlocking.collisions import self_contact
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kernel.strip_body import StripWarning

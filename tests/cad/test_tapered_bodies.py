@@ -6,7 +6,7 @@ from importlib.util import find_spec
 import pytest
 
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Keep
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

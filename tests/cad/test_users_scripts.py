@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 

@@ -6,7 +6,7 @@ import pytest
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.flat_outline import graph
+from elastica_cad.fabrication.strip.outline import graph
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile

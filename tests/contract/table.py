@@ -12,8 +12,8 @@ from typing import Any
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
 from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame

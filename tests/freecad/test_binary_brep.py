@@ -12,8 +12,8 @@ from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid, make_w
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.boundary_records import SpaceCurve, SpaceSurface
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.formats.binary_brep import boundary_brep
 from elastica_cad.forming.limits import Limits

@@ -10,7 +10,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
-from elastica_cad.fabrication.strip.tabs import Hole
+from elastica_cad.fabrication.strip.outline import Hole
 
 
 @pytest.fixture

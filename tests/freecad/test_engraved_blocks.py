@@ -5,8 +5,7 @@ from freecad.elastica_wb.shapes import part_shapes
 
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.fabrication.holders.end_fixtures import engraved
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 

@@ -30,7 +30,7 @@ SPOKEN = [
     "fabrication/interlocking/collisions.py",
     "fabrication/model/strip_model.py",
     "fabrication/drawings/kerf.py",
-    "fabrication/holders/base_plate.py",
+    "fabrication/holders/plates.py",
     "fabrication/holders/end_fixtures.py",
     "fabrication/sheets/nesting.py",
     "formats/reports/bent_blank.py",

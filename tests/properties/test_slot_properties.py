@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon
 
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 

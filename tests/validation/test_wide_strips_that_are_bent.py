@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
+from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -11,8 +11,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed, require_placed, strip_names
+from elastica_cad.fabrication.strip.outline import ENDS, Hole, StripEnd, TSlot
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import ENDS, Hole, StripEnd, TSlot
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 
 Key: TypeAlias = tuple[float, ...]

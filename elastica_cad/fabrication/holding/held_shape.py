@@ -1,4 +1,4 @@
-"""The shape that a strip takes as it is made and held, and what each cause adds to its deviation."""
+"""How a strip is held: its reactions, its lap if it closes, and the shape that it takes as it is made."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,10 +6,87 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.holding.lap_joint import closes
-from elastica_cad.fabrication.holding.rest_in_seats import EndPose
-from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.fabrication.holding.tab_seat import EndPose, TabSeat
+from elastica_cad.geometry.curves.plane_curve import CORNER_RAD
+from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
+
+MEETING_SHARE = 1e-4
+"""Of the length: ends that are nearer meet; rods on few nodes close as well as that."""
+
+
+def closes(rod: Rod) -> bool:
+    """Do the ends of a rod meet, one going on in the other?"""
+    gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
+    turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
+    return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
+
+
+@dataclass(frozen=True, eq=False)
+class LapJoint:
+    """What a lap does to the strip that it covers.
+
+    Two layers of widths w and v, bent together to the drawn curvature kappa and glued there, push back with
+    (w + v) kappa, where w kappa is asked for; glued they bend as one section of c w, with
+    c w = w + v + 12 w v / (w + v) for layers of equal thickness. So the lap bends as c times the strip, from the
+    rest curvature kappa - (w + v) / (c w) (kappa - kappa_0), and stays straighter than drawn.
+
+    Attributes
+    ----------
+    share : (n,) array
+        Factor on the stiffness of the rod's cells.
+    rest : (n,) array
+        Curvature of its cells without moment, 1/mm.
+    """
+
+    share: FloatArray
+    rest: FloatArray
+
+    @classmethod
+    def of(cls, rod: Rod, width: FloatArray, length: float, lap_width: float) -> "LapJoint":
+        """The lap of a closed rod.
+
+        Parameters
+        ----------
+        rod : Rod
+            The design.
+        width : (n,) array
+            Of the material at its nodes, mm.
+        length, lap_width : float
+            Of the tab, mm.
+        """
+        # cells reach half an edge to either side of their node
+        edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
+        covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
+        both = width + lap_width
+        stiffer = (both + 12 * width * lap_width / both) / width
+        natural = rod.natural_curvature
+        lapped = rod.curvature - both / width / stiffer * (rod.curvature - natural)
+        return cls(1 / (covered / stiffer + 1 - covered), natural + covered * (lapped - natural))
+
+
+@dataclass(frozen=True, eq=False)
+class Reactions:
+    """What the supports do to the strip: forces (2,) in N, moments in N mm (positive anticlockwise).
+
+    Examples
+    --------
+    >>> print(Reactions(np.array([1.0, 0.0]), 20.0, np.array([-1.0, 0.0]), -20.0))
+    the start is held by 1 N, (1, 0), and 20 N mm; the end by 1 N, (-1, 0), and -20 N mm
+    """
+
+    start_force: FloatArray
+    start_moment: float
+    end_force: FloatArray
+    end_moment: float
+
+    def __str__(self) -> str:
+        start, end = (
+            f"{np.hypot(x, y):.4g} N, ({x:.4g}, {y:.4g}), and {moment:.4g} N mm"
+            for (x, y), moment in ((self.start_force, self.start_moment), (self.end_force, self.end_moment))
+        )
+        return f"the start is held by {start}; the end by {end}"
+
 
 Seats = tuple[TabSeat | None, TabSeat | None]
 
@@ -83,3 +160,41 @@ def strayed(design: Rod, place: FloatArray) -> float:
         cos, sin = np.cos(turn), np.sin(turn)
         place = wanted + (place - middle) @ np.array([[cos, sin], [-sin, cos]])
     return float(np.hypot(*(place - design.position).T).max())
+
+
+def shape_responses(
+    rod: Rod, moments: FloatArray, loads: FloatArray | None = None, apart: FloatArray | None = None
+) -> FloatArray:
+    """How the nodes of a rod in balance move (n, m, 2), mm, to first order, with its start held in its place.
+
+    The shape answers changes of moment and weight at the same shape by H d(alpha) + C^t d(lambda) = -d(imbalance),
+    C d(alpha) = d(chord), with the Hessian H of the discrete energy (paper, section 7.1) and the ends' rows C.
+
+    Parameters
+    ----------
+    rod : Rod
+    moments : (n, m) array
+        By how much the moments at the nodes grow, where the shape stays.
+    loads : (n, m, 2) array, optional
+        The same of the nodal weight.
+    apart : (m, 2) array, optional
+        How the end is moved against the start, mm.
+    """
+    discrete, (n, m) = rod.discrete, moments.shape
+    lengths, tangents = discrete.edge_lengths[:, None], discrete.tangents
+    imbalance = moments[:-1] - moments[1:]
+    if loads is not None:
+        pull = np.zeros((n - 1, m, 2))
+        pull[1:] = np.cumsum(loads[1:-1], axis=0)
+        shear = pull[..., 1] * tangents[:, None, 0] - pull[..., 0] * tangents[:, None, 1]
+        imbalance = imbalance + lengths * shear
+    rows = discrete.constraint_rows
+    answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
+    turned, forced = answers[:, :m], answers[:, m:]
+    chord = 0.0 if apart is None else apart.T[list(discrete.held)]
+    # of a straight rod no turn of its parts moves the ends along it
+    turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
+    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    moved = np.zeros((n, m, 2))
+    moved[1:] = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
+    return moved

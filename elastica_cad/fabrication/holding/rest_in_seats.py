@@ -1,17 +1,144 @@
-"""The rest shape of a strip whose tabs sit in holders that leave them room."""
+"""The rest of a strip whose tabs have room in their holders, and how holders lean so that tabs lie as designed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain, repeat
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holding.seated_end import PRICE, SeatedEnd, step_within
-from elastica_cad.fabrication.holding.tab_seat import TabSeat
-from elastica_cad.forming.optimizer.quadratic_program import QuadraticSolution
+from elastica_cad.fabrication.holding.tab_seat import EndPose, TabSeat
+from elastica_cad.forming.optimizer.quadratic_program import (
+    QuadraticProgram,
+    QuadraticSolution,
+    solve_quadratic,
+)
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
+
+STEP_SHARE = 0.05  # of the length: largest move of an end in one step
+STEP_RAD = 0.15  # largest turn of an end in one step
+PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above most contacts' multipliers
+TAB_PIECES = 16  # of a tab that bends: its turn at the mouth is then right to half a percent
+
+
+@dataclass(frozen=True, eq=False)
+class SeatedEnd:
+    """An end with room: its tab as a chain of rigid pieces between bending joints.
+
+    Unknowns are its shift, its turn and the angles of its tab's pieces; angles times the length of the strip, so
+    that all are mm.
+
+    Attributes
+    ----------
+    index : int
+        0 for the start, 1 for the end.
+    seat : TabSeat
+    stiffness : float
+        E I of the tab over the rod's B; infinite for tabs that do not bend.
+    """
+
+    index: int
+    seat: TabSeat
+    stiffness: float
+
+    @property
+    def way(self) -> int:
+        """Which way along the strip its tab points."""
+        return 1 if self.index else -1
+
+    @property
+    def pieces(self) -> int:
+        """How many the tab has; none where it is stiff."""
+        return TAB_PIECES if np.isfinite(self.stiffness) else 0
+
+    @cached_property
+    def piece(self) -> float:
+        """Length of a piece, mm."""
+        return self.seat.depth / TAB_PIECES
+
+    @property
+    def bending(self) -> FloatArray:
+        """Hessian (m, m) of the tab's energy over B in the angles of its pieces, 1/mm."""
+        return np.asarray(self.stiffness / self.piece * _chain(self.pieces))
+
+    @cached_property
+    def sideways(self) -> FloatArray:
+        """How far (k, m) each edge's gap closes for the angle of each piece, mm."""
+        into, _, side = self.seat.edges
+        begins = self.piece * np.arange(self.pieces)
+        covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
+        return np.asarray(-self.way * side[:, None] * covered)
+
+    def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
+        """What its holder does to a rod along shift and turn, over B, 1/mm2; `left` is a unit vector (2,)."""
+        k, sign = -self.index, -1.0 if self.index else 1.0
+        return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
+
+    def walls(self, part: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
+        """Slopes (k, 2 + m) by its unknowns and gaps (k,), mm, between tab and edges; negative overlaps."""
+        pose = float(part[0]), float(part[1]) / length
+        gaps = self.seat.gaps(*pose, self.way)
+        rows = np.empty((gaps.size, part.size))
+        rows[:, :2] = self.seat.slopes(*pose, self.way)
+        rows[:, 1] /= length
+        if part.size > 2:
+            rows[:, 2:] = self.sideways / length
+            gaps = gaps + rows[:, 2:] @ part[2:]
+        return rows, gaps
+
+
+def _chain(pieces: int) -> FloatArray:
+    """Hessian (m, m) of a chain of pieces whose joints have the stiffness 1."""
+    # the first piece turns about the mouth, half a piece away from its middle
+    springs = np.ones(pieces)
+    springs[:1] = 2.0
+    joints = np.eye(pieces) - np.eye(pieces, k=-1)
+    return np.asarray(joints.T @ (springs[:, None] * joints))
+
+
+def _step_within(
+    hessian: FloatArray,
+    gradient: FloatArray,
+    walls: tuple[FloatArray, FloatArray],
+    length: float,
+    shifts: Sequence[int],
+    *,
+    scale: float,
+    price: float = PRICE,
+    reach: float = np.inf,
+) -> QuadraticSolution:
+    """The next step of sequential quadratic programming, mm.
+
+    Parameters
+    ----------
+    hessian, gradient : (n, n), (n,) arrays
+        Of the energy over B.
+    walls : ((k, n), (k,)) arrays
+        Slopes and gaps of all edges.
+    length : float
+        Of the strip, mm: steps are bounded by shares of it.
+    shifts : sequence of int
+        Which unknowns are shifts; all others are angles.
+    scale : float
+        Stiffness of the ends by which all is divided, 1/mm3.
+    price : float
+        Of a mm of overlap.
+    reach : float
+        Farthest step of any unknown, mm.
+    """
+    rows, gaps = walls
+    bound = np.full(gradient.size, STEP_RAD * length)
+    bound[shifts] = STEP_SHARE * length
+    each = price * (np.abs(gradient).max() / scale + bound.max())
+    program = QuadraticProgram(
+        hessian / scale, gradient / scale, -np.minimum(bound, reach), np.minimum(bound, reach), rows, -gaps,
+        np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
+    )  # fmt: skip
+    return solve_quadratic(program)
+
 
 MOST_STEPS = 60
 RENEWED_SHARE = 0.003  # of the length: after longer steps the stiffness of the ends is measured anew
@@ -24,14 +151,6 @@ DEAREST = 1e6  # a tab that pays this does not fit
 OVERLAP_SHARE = 1e-7  # of the length: overlaps below it are rounding
 SEATING_STEPS = 3
 SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
-
-
-@dataclass(frozen=True)
-class EndPose:
-    """Where an end comes to rest: `shift` mm to the left of the design, `turn` rad anticlockwise."""
-
-    shift: float = 0.0
-    turn: float = 0.0
 
 
 def rest_in_seats(
@@ -212,7 +331,7 @@ class _Held:
         for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
             tab = self._tab(at, one)
             g[tab] = H[tab, tab] @ part[2:]
-        return step_within(
+        return _step_within(
             H, g, self.walls(q), self.design.length, poses[::2], scale=scale, price=price, reach=reach
         )
 
@@ -245,3 +364,96 @@ def _made_definite(stiffness: FloatArray) -> FloatArray:
     values, vectors = np.linalg.eigh(stiffness)
     values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
     return np.asarray(vectors @ np.diag(values) @ vectors.T)
+
+
+SHORTENING = (1.0, 0.1, 0.01)
+"""Stiffness of an end over its load / length in the first steps: what is stiff in its place keeps them short."""
+
+FREE = 1e-4
+"""The same in all others, which end where it is of no account: each leaves this share of what it moved."""
+
+MOST_LEANS = 36
+"""Half a dozen are usual."""
+
+LEANED_SHARE = 1e-7
+"""Of the length: what a step moves when the contacts have been found."""
+
+
+@dataclass(frozen=True)
+class Lean:
+    """How a holder is shifted, mm, and turned, rad, to the left.
+
+    `slopes` are those of the tab's pieces at rest, each `piece` mm long, to its left.
+    """
+
+    shift: float
+    turn: float
+    slopes: FloatArray
+    piece: float
+
+    def touched(self, wall: FloatArray) -> tuple[float, float]:
+        """How far into the tab at rest a wall of the moved holder comes nearest to it, mm, and its slope there.
+
+        Parameters
+        ----------
+        wall : (n, 2) array
+            Places of the wall before it is moved, into the tab and to its left, mm.
+        """
+        (into, left), (slopes, places, bent) = wall.T, self._at_rest
+        gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
+        place = float(into[np.abs(gaps).argmin()])
+        return place, float(slopes[min(int(place / self.piece), slopes.size - 1)])
+
+    @cached_property
+    def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """The tab's slopes (k,), and where its pieces begin and end (k + 1,): into it and to its left, mm."""
+        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # stiff tabs are one straight piece
+        bent = np.append(0.0, np.cumsum(slopes)) * self.piece
+        return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
+
+
+def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf) -> Lean:
+    """How a holder is shifted and turned so that the loaded tab lies as designed.
+
+    The strip's force and moment press the tab against some edges of the holder: moved by this, those edges are
+    where the tab is meant to be, and all play lies on the other sides. The load stays what it is, so an end that
+    were free to move would be thrown as far as a step may go: it is held by a spring that is softened.
+
+    Parameters
+    ----------
+    design : Rod
+    index : int
+        0 for the start, 1 for the end.
+    seat : TabSeat
+        The holder where it was designed.
+    tab_stiffness : float
+        E I of the tab over the rod's B; a stiff tab unless given.
+    """
+    end, length = SeatedEnd(index, seat, tab_stiffness), design.length
+    load, piece, way, n = _load(end, design), end.piece, end.way, 2 + end.pieces
+    shift = turn = 0.0
+    pressed = max(map(abs, load))
+    if pressed == 0:
+        return Lean(shift, turn, np.zeros(end.pieces), piece)
+    H, g, q = np.zeros((n, n)), np.zeros(n), np.zeros(n)
+    g[:2] = load
+    springs = chain(SHORTENING, repeat(FREE))
+    for spring, _ in zip(springs, range(MOST_LEANS), strict=False):
+        H[0, 0] = H[1, 1] = spring * pressed / length
+        if n > 2:
+            H[2:, 2:] = end.bending / length**2
+            g[2:] = H[2:, 2:] @ q[2:]
+        step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
+        q[2:] += step[2:]
+        # the holder is moved against the tab, which stays where it is
+        shift, turn = shift - float(step[0]), turn - way * float(step[1]) / length
+        if np.abs(step).max() <= LEANED_SHARE * length:
+            break
+        end = SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
+    return Lean(shift, turn, q[2:] * way / length, piece)
+
+
+def _load(end: SeatedEnd, design: Rod) -> tuple[float, float]:
+    """What the holder does to the end of the design, along its shift and turn."""
+    angle = float(design.angle[-end.index])
+    return end.load(design, np.array([-np.sin(angle), np.cos(angle)]), design.length)

@@ -19,6 +19,14 @@ WALL_PLACES = 17
 """Places at which a wall along the tab is felt: a tab bends in its pocket and may lie against the middle."""
 
 
+@dataclass(frozen=True)
+class EndPose:
+    """Where an end comes to rest: `shift` mm to the left of the design, `turn` rad anticlockwise."""
+
+    shift: float = 0.0
+    turn: float = 0.0
+
+
 @dataclass(frozen=True, eq=False)
 class TabSeat:
     """The edges of a holder on both sides of a tab, in the plane of the strip's curve.

@@ -14,6 +14,7 @@ import numpy as np
 
 from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.fabrication.interlocking.crossings import strip_crossings
 from elastica_cad.fabrication.interlocking.interlock import (
     SHALLOW_RAD,
     TOUCHING_RAD,
@@ -22,7 +23,6 @@ from elastica_cad.fabrication.interlocking.interlock import (
     strip_thickness,
 )
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
-from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.slots.slot import slot_cut
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -108,9 +108,8 @@ class Body:
         widest = self.ruled.width.extremes[1]
         along, ends = _steps(first, last, EDGE_PITCH_MM), _steps(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest)
         rows, inner = _steps(first, last, FACE_PITCH_MM), _steps(-1.0, 1.0, 2 * FACE_PITCH_MM / widest)
-        sides, tips = np.array([-1.0, 1.0]), np.array([first, last])
-        grids = [(along, sides), (tips, ends), (rows, inner)]
-        s, share = np.concatenate([np.reshape(np.meshgrid(*grid), (2, -1)) for grid in grids], axis=1)
+        grids = [(along, np.array([-1.0, 1.0])), (np.array([first, last]), ends), (rows, inner)]
+        s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
         return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0)
 
     @cached_property

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, product
 from typing import Literal, TypeVar
 
 import numpy as np
@@ -10,13 +10,71 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking.ruled_intersection import PARALLEL_RAD
+from elastica_cad.fabrication.interlocking.crossings import PARALLEL_RAD, Crossing, strip_crossings
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
-from elastica_cad.fabrication.interlocking.slot_room import bent_slot_width
-from elastica_cad.fabrication.interlocking.strip_crossings import Crossing, strip_crossings
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed, strip_names
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM, Relief, Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
+
+MOST_STEPS = 30
+"""Of Newton's method with the slopes at the centre line: each leaves what a strip turns over a slot's width."""
+
+CLOSE_MM = 1e-6
+"""The faces meet there: what files keep."""
+
+
+def _bent_slot_width(
+    own: RuledStrip, other: RuledStrip, rows: FloatArray, mates: FloatArray, *, thickness: tuple[float, float]
+) -> FloatArray:
+    """Widths (n,), mm, that let the faces of another strip through those of this one, half to either side.
+
+    Where flat sheets meet it is `slot_width` without clearance. Bent ones fall away from each other to the sides of
+    the line on which their middles meet, by (w / 2)^2 kappa / 2, and shift what goes through by cot(phi) of that.
+
+    Parameters
+    ----------
+    own, other : RuledStrip
+    rows, mates : (n, 2) array
+        The centre line of the slot in both flat patterns, mm.
+    thickness : (own, other)
+        mm.
+
+    Returns
+    -------
+    (n,) array
+        0 where the faces do not meet: strips that bend away from each other beside a shallow crossing.
+    """
+    along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
+    along /= np.hypot(*along.T)[:, None]
+    across = np.column_stack([-along[:, 1], along[:, 0]])
+    ways = across[:, :1] * own.motion(rows[:, 0])[1] + across[:, 1:] * own.axis
+    tangents = other.motion(mates[:, 0])[1]
+    slopes = np.stack([ways, -tangents, -np.broadcast_to(other.axis, tangents.shape)], axis=2)
+    inverse, rows, mates, across = (
+        np.tile(one, (4, *[1] * (one.ndim - 1))) for one in (np.linalg.inv(slopes), rows, mates, across)
+    )
+    z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
+    x = np.zeros((len(rows), 3))  # across the slot, and along and across the other strip
+    error = np.full(len(rows), np.inf)
+    farthest = own.length + other.length  # where faces do not meet, steps would grow beyond all numbers
+    for _ in range(MOST_STEPS):
+        here = _on_face(own, rows + x[:, :1] * across, z[:, :1])
+        there = _on_face(other, mates + x[:, 1:], z[:, 1:])
+        error = np.abs(here - there).max(axis=1)
+        if not (error > CLOSE_MM).any():
+            break
+        x -= (inverse @ (here - there)[:, :, None])[:, :, 0]
+        np.clip(x, -farthest, farthest, out=x)
+    reach = np.where(error <= CLOSE_MM, np.abs(x[:, 0]), 0.0)
+    return np.asarray(2 * reach.reshape(4, -1).max(axis=0), dtype=float)
+
+
+def _on_face(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
+    """Points (n, 3) at heights (n, 1) to the left of the curve over flat places (n, 2)."""
+    points, tangents = strip.in_plane(flat[:, 0])
+    left = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    return strip.frame.point(points + height * left) + flat[:, 1:] * strip.axis
+
 
 Fit = Literal["exact", "paper"]
 Member = TypeVar("Member")
@@ -198,7 +256,7 @@ class _Cutter:
             widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
             if self.fit == "exact":
                 sheets = _turned(crossing.strips, which)
-                bent = bent_slot_width(*sheets, rows, mates, thickness=(own, other))
+                bent = _bent_slot_width(*sheets, rows, mates, thickness=(own, other))
                 widths = np.maximum(widths, bent + self.clearance)
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):
@@ -218,16 +276,12 @@ class _Cutter:
         Each is cut from where it ends anyway; where both ways serve, the earlier strip of the model opens
         towards `above` (its own rulings' direction).
         """
-        costs: list[float] = []
-        room = crossing.room / crossing.length
+        costs = []
         for ends in ((0, 1), (1, 0)):
-            least = room[0, ends[0]] + room[1, ends[1]]
-            if least > FORCED_SHARE + min(costs, default=np.inf):
-                costs.append(least)
-                continue
             exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
-            beyond = [np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True)]
-            costs.append(float(sum(beyond)))
+            costs.append(
+                sum(np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True))
+            )
         if not np.isfinite(min(costs)):
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.names[i] for i in members]

@@ -1,16 +1,329 @@
-"""A strip as a workshop can make it: in pieces where it is long, its widths made up where they can still be cut."""
+"""A strip as a workshop can make it: in pieces joined by lap plates where it is long, its widths made up."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.slots.marks import Cuts, end_numbers, label_off_cuts, mating_marks
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_layers import Layer
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import clip_across, trim_across
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.running_sums import turns_along
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.strip.as_made import LapPlates
 from contextlib import suppress
-from dataclasses import replace
 
 from elastica_cad._values import require_flag
-from elastica_cad.errors import Change, InputError, StrainError
+from elastica_cad.errors import Change, StrainError
 from elastica_cad.fabrication.compensation import compensate_widths
-from elastica_cad.fabrication.makeability.shop import Shop
-from elastica_cad.fabrication.makeability.splices import joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.mechanics.material.strain_rule import thinner_for
+
+PLACES = 400
+"""Places along a strip where a joint is tried."""
+
+SPLICED = "cut in"
+"""How the sentence about a strip in pieces begins."""
+
+APART_MM = 5.0
+"""Between the pieces in one drawing."""
+
+
+@dataclass(frozen=True, eq=False)
+class Splice:
+    """A strip in pieces, butt to butt, with a plate of the same sheet glued over each joint on one side.
+
+    Plates are solid and as wide as the strip; holes that would come to lie under one are not cut. Each layer of a
+    laminate has joints of its own, staggered, with plates on its free face.
+
+    Attributes
+    ----------
+    strip : Strip
+    joints : tuple of float
+        Where it is cut, mm along it; of a laminate its base.
+    lap : float
+        Length of the plates, half of it on either piece, mm.
+    backing_joints : tuple of float
+        Where the backing of a laminate is cut, mm along it.
+    ends : (str, str)
+        What is engraved at the start and at the end of the strip's base, empty for nothing.
+    """
+
+    strip: Strip
+    joints: tuple[float, ...]
+    lap: float
+    backing_joints: tuple[float, ...] = ()
+    ends: tuple[str, str] = ("", "")
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The pieces of every layer in order, where the plates come to lie marked on them, each with its plates."""
+        return tuple(piece for layer in self.layer_pieces.values() for piece in layer)
+
+    @cached_property
+    def layer_pieces(self) -> dict[str, tuple[Piece, ...]]:
+        """The pieces by the name of the layer that they are cut of, the base first."""
+        strip, layout = self.strip, self.strip.layout
+        name, base = strip.label or "strip", strip.layers[0]
+        marks = [drawing.on(MARK) for drawing in strip.drawings()]
+        cut = replace(base, holes=self._holes)
+        whole = [_Whole(name, cut, strip.width, marks[0], self.joints, strip.slots, self.ends)]
+        if layout.backing is not None:
+            glued = strip.layers[1]
+            whole.append(
+                _Whole(f"{name}-backing", glued, layout.backing.width, marks[1], self.backing_joints)
+            )
+        return {one.name: self._cut(one) for one in whole}
+
+    @cached_property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """Of each layer one with all its pieces and plates, one above the other."""
+        drawn = []
+        for name, pieces in self.layer_pieces.items():
+            placed, y = [], 0.0
+            for piece in pieces:
+                (x0, y0), (_, y1) = piece.bounds
+                placed.append(piece.drawing.transformed([[1, 0, -x0], [0, 1, y - y0], [0, 0, 1]]))
+                y += float(y1 - y0) + APART_MM
+            drawn.append(Drawing.merged(name, placed))
+        return tuple(drawn)
+
+    @cached_property
+    def deviation(self) -> float:
+        """How far the plates move the shape, bent and held as designed, mm; their weight is left out.
+
+        Of a strip whose widths make up for them, what is left.
+        """
+        held = replace(self.strip, plates=self.plates).held()
+        return held.deviation if held.corrected else held.parts["plates"]
+
+    def __str__(self) -> str:
+        """One sentence."""
+        if len(self.strip.layers) > 1:
+            joints = zip(self.layer_pieces, (self.joints, self.backing_joints), strict=True)
+            where = " and ".join(f"{name} at {_tell_places(places)} mm" for name, places in joints if places)
+            return (
+                f"{SPLICED} pieces: {where}, joined by plates of {self.lap:g} mm on the free face of each layer, "
+                f"which are stiffer and move the shape by {self.deviation:.2g} mm"
+            )
+        count, places = len(self.joints) + 1, _tell_places(self.joints)
+        lost = len(self.strip.holes) - len(self._holes)
+        if lost:
+            return (
+                f"{SPLICED} {count} pieces at {places} mm, joined by plates of {self.lap:g} mm, without the {lost} "
+                f"holes that lie under them; they are stiffer and move the shape by {self.deviation:.2g} mm"
+            )
+        return (
+            f"{SPLICED} {count} pieces at {places} mm, joined by plates of {self.lap:g} mm, which are stiffer and "
+            f"move the shape by {self.deviation:.2g} mm"
+        )
+
+    @property
+    def plates(self) -> "LapPlates":
+        """What joins the pieces."""
+        from elastica_cad.fabrication.strip.as_made import LapPlates
+
+        return LapPlates(self.joints, self.lap, self.backing_joints)
+
+    @cached_property
+    def _holes(self) -> tuple[Path, ...]:
+        """Holes of the base that are cut: those clear of the plates."""
+        return self.plates.clear_holes(self.strip.holes)
+
+    def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
+        """The pieces of one layer in order, then its plates."""
+        (first, _), (last, _) = whole.layer.outline.bounds
+        ends = [float(first), *whole.joints, float(last)]
+        pieces = [
+            self._piece(whole, f"{whole.name}-{k}", low, high)
+            for k, (low, high) in enumerate(pairwise(ends), start=1)
+        ]
+        plates = [
+            self._piece(whole, f"{whole.name}-lap-{k}", at - self.lap / 2, at + self.lap / 2, plate=True)
+            for k, at in enumerate(whole.joints, start=1)
+        ]
+        return (*pieces, *plates)
+
+    def _piece(self, whole: "_Whole", name: str, low: float, high: float, *, plate: bool = False) -> Piece:
+        layer = whole.layer
+        outline = clip_across(layer.outline, low, high)
+        marks: list[Path] = []
+        holes: list[Path] = []
+        slots: list[Slot] = []
+        if not plate:
+            edges = [at + side * self.lap / 2 for at in whole.joints for side in (-1, 1)]
+            marks = [_tick(whole, x) for x in edges if low < x < high]
+            marks += [part for mark in whole.marks for part in trim_across(mark, low, high)]
+            holes = [hole for hole in layer.holes if low < float(hole.bounds.mean(axis=0)[0]) < high]
+            slots = [slot for slot in whole.slots if low < slot.at < high]
+        span = max(low, 0.0), min(high, self.strip.rod.length)
+        if isinstance(self.strip.style, Perforated) and not plate:
+            span = self._clear_of_holes(whole, low, high)
+        cuts = Cuts(holes, marks, outline=outline)
+        label = label_off_cuts(name, whole.width, cuts, span)
+        ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
+        mates = mating_marks(slots, whole.width, holes, (*marks, *ends), (label,))
+        known = whole.ends[0] if low <= 0.0 else "", whole.ends[1] if high >= self.strip.rod.length else ""
+        numbers = end_numbers(whole.width, cuts, (label, *mates), known)
+        paths = (
+            *(LayeredPath(MARK, mark) for mark in marks),
+            *(LayeredPath(CUT_INNER, hole) for hole in holes),
+            LayeredPath(CUT_OUTER, outline),
+        )
+        return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
+
+    def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
+        """The part of a perforated piece that comes to lie under a plate, where no hole is."""
+        joint = next(at for at in whole.joints if at in (low, high))
+        return (joint, joint + self.lap / 2) if joint == low else (joint - self.lap / 2, joint)
+
+
+@dataclass(frozen=True, eq=False)
+class _Whole:
+    """A layer before it is cut: its name, width, lines marked on it, joints, mm along it, slots, names of ends."""
+
+    name: str
+    layer: Layer
+    width: Profile
+    marks: tuple[Path, ...]
+    joints: tuple[float, ...]
+    slots: tuple[Slot, ...] = ()
+    ends: tuple[str, str] = ("", "")
+
+
+def _tick(whole: _Whole, x: float) -> Path:
+    half = 0.4 * float(whole.width(x))
+    return Path.polyline([(x, -half), (x, half)])
+
+
+def _tell_places(joints: Sequence[float]) -> str:
+    return " and ".join(f"{at:.1f}" for at in joints)
+
+
+def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | None = None) -> Splice:
+    """Cut a strip into as few pieces as the stock allows, where plates change its shape least.
+
+    Joints keep off slots, tabs and each other, those of a backing off those of its base; of the places left those
+    are taken where the strip turns least under the plates, in the sum of squares (dynamic programming).
+
+    Parameters
+    ----------
+    strip : Strip
+    stock : float
+        Length of the longest piece, mm.
+    lap : float
+        Length of the plates, mm.
+    backing_stock : float, optional
+        Length of the longest piece of a laminate's backing, mm; that of the base where not given.
+
+    Raises
+    ------
+    InputError
+        A strip of varying thickness, a lap that is not possible, or no places for the joints.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.material.sheet import Sheet
+    >>> from elastica_cad.mechanics.rod.rod_record import Rod
+    >>> long = Strip(Rod.straight(1000), Sheet.named("birch-plywood-3"), max_width=40, label="A")
+    >>> [piece.name for piece in splice(long, 600, 60).pieces]
+    ['A-1', 'A-2', 'A-lap-1']
+    """
+    name = strip.label or "strip"
+    if strip.layout.size is not None:
+        raise InputError(
+            f"{name}: strips of a law are not cut in pieces, for their plates would have to taper too: take a "
+            "larger stock, or a strip of one sheet"
+        )
+    longest = (stock, backing_stock or stock)[: len(strip.layers)]
+    if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
+        raise InputError(
+            f"{name}: a lap of {lap:g} mm: give a length above 0 and below a third of {min(longest):g} mm"
+        )
+    s = np.linspace(lap / 2, strip.rod.length - lap / 2, PLACES)
+    clear = np.ones(PLACES, dtype=bool)
+    for slot in strip.slots:
+        clear &= _keeps_off(slot, strip.width, s, lap)
+    rod = strip.rod
+    turned = turns_along(rod.angle)
+    turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
+    found: list[tuple[float, ...]] = []
+    for layer, most in zip(strip.layers, longest, strict=True):
+        for taken in (at for joints in found for at in joints):
+            clear &= np.abs(s - taken) >= lap
+        (first, _), (last, _) = layer.outline.bounds
+        count = int(np.ceil(float(last - first) / most * (1 - 1e-12))) - 1
+        joints = _placed(s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap)
+        if joints is None:
+            raise InputError(
+                f"{name}: there is no room for {count} joints of {lap:g} mm between its slots: take a shorter "
+                "lap or a larger stock"
+            )
+        found.append(joints)
+    return Splice(strip, found[0], lap, found[1] if len(found) > 1 else ())
+
+
+def spliced(strip: Strip, shop: Shop) -> Splice | None:
+    """The strip in pieces, where the shop joins pieces and the strip is longer than its stock."""
+    if shop.lap is None:
+        return None
+    stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
+    lengths = [float(np.ptp(layer.outline.bounds, axis=0)[0]) for layer in strip.layers]
+    if all(length <= stock for length, stock in zip(lengths, stocks, strict=True)):
+        return None
+    return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
+
+
+def joined_within(strip: Strip, shop: Shop) -> Strip:
+    """The strip with the plates that join its pieces, where the shop cuts it in pieces; else without any."""
+    joined = spliced(strip, shop)
+    plates = None if joined is None else joined.plates
+    return strip if strip.plates == plates else replace(strip, plates=plates)
+
+
+def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
+    """Does a plate at these places along the strip leave the slot free, and half its width beside it?"""
+    low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
+    middle, reach = (high + low) / 2, (high - low) / 2
+    return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
+
+
+def _placed(
+    s: FloatArray, cost: FloatArray, count: int, first: float, last: float, stock: float, lap: float
+) -> tuple[float, ...] | None:
+    """Places of the joints with the least sum of costs, no piece longer than the stock or shorter than two laps."""
+    if count < 1:
+        return ()
+    gap = s[:, None] - s[None, :]
+    allowed = (gap <= stock) & (gap >= 2 * lap)
+    best = np.where(s - first <= stock, cost, np.inf)
+    came: list[FloatArray] = []
+    for _ in range(count - 1):
+        total = np.where(allowed, best[None, :], np.inf)
+        came.append(np.argmin(total, axis=1))
+        best = cost + total.min(axis=1)
+    best = np.where(last - s <= stock, best, np.inf)
+    at = int(np.argmin(best))
+    if not np.isfinite(best[at]):
+        return None
+    chosen = [at]
+    for back in reversed(came):
+        chosen.append(int(back[chosen[-1]]))
+    return tuple(float(s[k]) for k in reversed(chosen))
 
 
 def make_within(strip: Strip, shop: Shop, *, compensate: bool, ignore_limits: bool) -> Strip:

@@ -6,7 +6,7 @@ from typing import Any
 
 from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.sheets.equal_strips import cut_key
+from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.strip.strip_record import Strip
 
 LARGEST = 0.15

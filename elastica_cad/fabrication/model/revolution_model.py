@@ -8,17 +8,16 @@ import numpy as np
 from elastica_cad._types import ArrayLike
 from elastica_cad._values import is_whole, require_number, require_record, several
 from elastica_cad.errors import InputError, refusing_old_names
-from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
-from elastica_cad.fabrication.holders.plate_pair import ring_pair
-from elastica_cad.fabrication.holders.ring_plate import PLAY_MM, Ring, ring_plate, slot_reach
+from elastica_cad.fabrication.holders.plate_pairs import ring_pair
+from elastica_cad.fabrication.holders.plates import FLATTEST_RAD, PLAY_MM, Ring, ring_plate, slot_reach
 from elastica_cad.fabrication.makeability.makeable_strip import refuse_broken
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.outline import ENDS, Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import ENDS, Tab
 from elastica_cad.forming.revolution.meridian import Meridian, meridian
 from elastica_cad.mechanics.material.sheet import Sheet
 

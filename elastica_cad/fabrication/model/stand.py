@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import InputError, refusing_old_names
-from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
-from elastica_cad.fabrication.holders.end_plates import end_plates, facing_plates
+from elastica_cad.fabrication.holders.plate_pairs import end_plates, facing_plates
+from elastica_cad.fabrication.holders.plates import BasePlate
 from elastica_cad.fabrication.holders.slotted_frame import Rib, slotted_frame
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed

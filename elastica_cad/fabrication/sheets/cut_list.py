@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 
 from elastica_cad._values import require_record, several
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
-from elastica_cad.fabrication.sheets.equal_strips import FlatShape
-from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.sheets.pieces import FlatShape, Piece
 from elastica_cad.fabrication.strip.strip_layers import Layer
 
 

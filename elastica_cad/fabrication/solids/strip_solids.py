@@ -1,4 +1,4 @@
-"""Solid records that a CAD kernel only translates: flat parts, and strips bent into their curves."""
+"""Solid records that a CAD kernel only translates: flat parts, bent strips, and blocks made of prisms."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -8,19 +8,15 @@ from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, require_positive, require_record, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.bent_boundary import BoundaryMaker, Map
-from elastica_cad.fabrication.solids.bent_map import BentMap, bent_maps
+from elastica_cad.fabrication.solids.bent_boundary import BentMap, BoundaryMaker, Map, bent_maps
 from elastica_cad.fabrication.solids.boundary_records import Boundary
-from elastica_cad.fabrication.solids.joint_places import centred_thickness, joint_places, turned, with_faces
-from elastica_cad.fabrication.solids.pattern_strips import CutPattern, cut_across
-from elastica_cad.fabrication.solids.round_solids import RoundSolid
-from elastica_cad.fabrication.solids.side_views import side_view
-from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
-from elastica_cad.fabrication.strip.flat_outline import close_chain, fix_tab_widths
+from elastica_cad.fabrication.solids.flat_pattern import CutPattern, cut_across, in_smooth_pieces
+from elastica_cad.fabrication.solids.tapered_solids import RoundSolid, side_view
+from elastica_cad.fabrication.strip.outline import Tab, close_chain, fix_tab_widths
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.path import Path
@@ -30,6 +26,37 @@ from elastica_cad.geometry.polynomials.splines import knot_runs
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
+
+
+def centred_thickness(strip: Strip) -> float:
+    """Thickness, mm, of the layers that are centred on the curve: all, but of glued leaves the through one."""
+    return strip.layers[-1 if strip.layout.stack is None else 0].high
+
+
+def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
+    """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
+    places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
+    for number, hole in enumerate(strip.holes, start=1):
+        x, y = map(float, hole.bounds.mean(axis=0))
+        places[f"hole{number}"] = (x, y, 1)
+    return places
+
+
+def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
+    """The joints, and of every hole one on each face of the strip: "hole1:top", "hole1:bottom", z outward."""
+    found = dict(joints)
+    for name, frame in joints.items():
+        if name.startswith("hole"):
+            found[f"{name}:top"] = frame.shifted(z=thickness / 2)
+            below = frame.shifted(z=-thickness / 2)
+            found[f"{name}:bottom"] = Frame(below.origin, below.x_axis, -below.y_axis)
+    return found
+
+
+def turned(frame: Frame, way: int) -> Frame:
+    """The frame, half a turn about its z axis where `way` is -1."""
+    return frame if way == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
+
 
 JOINT_GAP_MM = 0.01
 """Between the ends of a closed strip: far above the tolerance of kernels, far below what a saw takes."""
@@ -104,9 +131,9 @@ class FlatSolid:
             return (_tapered_solid(strip, frame, bent=False),)
         thick = centred_thickness(strip)
         middle = frame.shifted(z=thick / 2)
-        places = joint_places(strip).items()
+        places = _joint_places(strip).items()
         on_middle = {name: turned(middle.shifted(x, y), way) for name, (x, y, way) in places}
-        joints = with_faces(on_middle, thick)
+        joints = _with_faces(on_middle, thick)
         return tuple(
             cls(
                 in_smooth_pieces(layer.outline),
@@ -235,7 +262,7 @@ class BentSolid:
             shape = self.maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
             found[name] = turned(tangent.shifted(x, y), way)
-        return with_faces(found, self.between) if self.between else found
+        return _with_faces(found, self.between) if self.between else found
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -283,7 +310,7 @@ class BentSolid:
             if strip.ends[1].length:
                 yield cls._lap(strip, frame)
             return
-        joints: Mapping[str, tuple[float, float, int]] = joint_places(strip)
+        joints: Mapping[str, tuple[float, float, int]] = _joint_places(strip)
         thick = centred_thickness(strip)
         for layer in strip.layers:
             faces = (layer.low - thick / 2, layer.high - thick / 2)
@@ -309,7 +336,7 @@ class BentSolid:
             layer.holes,
             heights=(-half, half),
             frame=frame,
-            joints=joint_places(strip),
+            joints=_joint_places(strip),
             between=2 * half,
         )
 
@@ -394,3 +421,46 @@ def frame_beside(strip: Strip, frame: Frame) -> Frame:
     corners = product((low[0], high[0]), (low[1], high[1]), outline[:, 1])
     lowest = float(frame.point(np.array(list(corners)))[:, 1].min())
     return Frame((0.0, lowest - BESIDE_MM - float(outline[1, 1]), 0.0))
+
+
+@dataclass(frozen=True, eq=False)
+class PrismSolid:
+    """The union of the prisms `added`, less the prisms `removed`.
+
+    Attributes
+    ----------
+    added, removed : tuple of FlatSolid
+        Closed outlines with holes and thickness, each in its own frame.
+    joints : mapping of str to Frame
+        Places to join other parts to.
+
+    Raises
+    ------
+    InputError
+        Nothing added.
+    """
+
+    added: tuple[FlatSolid, ...]
+    removed: tuple[FlatSolid, ...] = ()
+    joints: Mapping[str, Frame] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("added", "removed"):
+            found = several(f"the {name} prisms", getattr(self, name), FlatSolid, "FlatSolid")
+            object.__setattr__(self, name, found)
+        if not self.added:
+            raise InputError("a body of prisms needs at least one prism")
+
+
+def convex_corners(points: FloatArray) -> FloatArray:
+    """Corners (n, 2), anticlockwise from the leftmost, of the least convex polygon around points (m, 2) of an area.
+
+    Examples
+    --------
+    >>> convex_corners(np.array([[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [1.0, 0.0], [1.0, 2.0]])).tolist()
+    [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
+    """
+    from scipy.spatial import ConvexHull
+
+    corners = np.asarray(points, dtype=float)[ConvexHull(points).vertices]
+    return np.roll(corners, -int(np.lexsort(corners.T[::-1])[0]), axis=0)

@@ -10,11 +10,11 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.holding.lap_joint import closes
-from elastica_cad.fabrication.holding.reactions import Reactions
+from elastica_cad.fabrication.holding.held_shape import Reactions, closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.as_built import rod_as_built
+from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
+from elastica_cad.fabrication.strip.perforation import DiamondPattern
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.strip_sentences import (
     backing_mark,
@@ -26,7 +26,6 @@ from elastica_cad.fabrication.strip.strip_sentences import (
     warn_of_strains,
     warn_of_width,
 )
-from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.fabrication.strip.styles import (
     PLAIN,
     Bends,
@@ -37,28 +36,57 @@ from elastica_cad.fabrication.strip.styles import (
     require_style,
     stations_of,
 )
-from elastica_cad.fabrication.strip.tabs import Tab, pair_of_tabs
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import require_printable
 from elastica_cad.mechanics.material.strain_rule import StrainVerdict
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.resampling import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways import SidewaysStability
+from elastica_cad.mechanics.stability.sideways import (
+    SidewaysStability,
+    sideways_stability,
+    sideways_stability_of,
+    stations_of_sideways,
+)
+from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
-# what holds strips, and leaves, are imported when they are asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holding.held_shape import HeldShape
-    from elastica_cad.fabrication.strip.made_stiffness import LapPlates
-    from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
+    from elastica_cad.fabrication.strip.as_made import LapPlates, StripAsMade
+
+
+def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
+    """The verdict on a rod that is made by a layout; its slots are left out."""
+    sheet, ratio = layout.sheet, layout.sheet.shear_ratio
+    s = stations_of_sideways(rod)
+    K, width = np.interp(s, rod.s, rod.flat_stiffness), layout.width(s)
+    if isinstance(layout.section, RoundLaw):
+        thickest = float(layout.width.extremes[1])
+        return sideways_stability_of(rod, SidewaysSection.round(K, thickest, ratio))
+    if isinstance(layout.pattern, DiamondPattern):
+        between = SidewaysSection.perforated(
+            K, width, layout.material(s), layout.pattern.slopes(s), ligaments=layout.pattern.ligaments,
+            thickness=sheet.thickness, shear_ratio=ratio,
+        )  # fmt: skip
+        return sideways_stability_of(rod, *between)
+    if layout.backing is not None:
+        section = LaminatedSection(sheet, layout.backing.sheet)
+        backing = np.clip(layout.backing.width(s), 0.0, width)
+        laminate = SidewaysSection.laminated(K, layout.bending_stiffness, width, backing, section)
+        return sideways_stability_of(rod, laminate)
+    thickness = sheet.thickness if layout.size is None else layout.size
+    return sideways_stability(rod, layout.width, thickness, shear_ratio=ratio)
+
 
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""
@@ -366,6 +394,8 @@ class Strip:
     @cached_property
     def as_built(self) -> Rod:
         """The rod with the stiffness and weight of what is really cut, to be bent: see `rod_as_built`."""
+        from elastica_cad.fabrication.strip.as_made import rod_as_built
+
         return rod_as_built(self.rod, self.layout, [layer.material for layer in self.layers])
 
     @cached_property
@@ -376,7 +406,7 @@ class Strip:
         """
         edges = self.rod.s.size - 1
         finer = -(-FINE_EDGES // edges)
-        from elastica_cad.fabrication.strip.made_stiffness import curling_by_design
+        from elastica_cad.fabrication.strip.as_made import curling_by_design
 
         built, design = (resample(rod, finer * edges + 1) for rod in (self.as_built, self.rod))
         bent = bend(curling_by_design(built, design, self.layout), end=self.rod.position[-1])
@@ -385,14 +415,14 @@ class Strip:
     @cached_property
     def rod_to_bend(self) -> Rod:
         """The rod to be led elsewhere, where what is cut curls as its bend there makes it: see `bend_strip`."""
-        from elastica_cad.fabrication.strip.made_stiffness import rod_to_bend
+        from elastica_cad.fabrication.strip.as_made import rod_to_bend
 
         return rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
 
     @cached_property
     def as_made(self) -> "StripAsMade":
         """The strip with all that changes its stiffness, to be held: see `held`."""
-        from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
+        from elastica_cad.fabrication.strip.as_made import StripAsMade
 
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 

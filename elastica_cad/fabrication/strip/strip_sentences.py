@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._counts import told_apart, told_range
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holding.reactions import Reactions
+from elastica_cad.fabrication.holding.held_shape import Reactions
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.geometry.paths.profile import Profile

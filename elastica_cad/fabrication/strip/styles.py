@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_number, require_positive, require_record
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.flat_outline import Ends, long_sides
+from elastica_cad.fabrication.strip.outline import Ends, long_sides
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile

@@ -39,7 +39,7 @@ from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_fro
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.holders.ring_plate import Ring
+    from elastica_cad.fabrication.holders.plates import Ring
     from elastica_cad.formats.design_files.revolution_table import RevolutionEntry
     from elastica_cad.formats.surface_files.mesh_files import SurfaceReader
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve

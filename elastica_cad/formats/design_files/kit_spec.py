@@ -12,8 +12,8 @@ from elastica_cad.fabrication.placed_strip import strip_names
 from elastica_cad.mechanics.material.sheet import Sheet
 
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.holders.base_plate import BasePlate
     from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+    from elastica_cad.fabrication.holders.plates import BasePlate
     from elastica_cad.fabrication.holders.slotted_frame import Rib
     from elastica_cad.fabrication.model.strip_model import Model
     from elastica_cad.fabrication.sheets.pieces import Piece
@@ -98,12 +98,10 @@ class HolderSpec:
         InputError
             No such strips, or what these cannot be held by.
         """
-        from elastica_cad.fabrication.holders.base_plate import base_plate
         from elastica_cad.fabrication.holders.end_fixtures import end_fixtures
-        from elastica_cad.fabrication.holders.end_plates import end_plates
-        from elastica_cad.fabrication.holders.feet import add_feet
-        from elastica_cad.fabrication.holders.plate_pair import plate_pair
-        from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
+        from elastica_cad.fabrication.holders.plate_pairs import end_plates, plate_pair
+        from elastica_cad.fabrication.holders.plates import base_plate
+        from elastica_cad.fabrication.holders.slotted_frame import add_feet, slotted_frame
         from elastica_cad.fabrication.model.stand import stand
 
         named = zip(model.placed, strip_names(model.placed), strict=True)

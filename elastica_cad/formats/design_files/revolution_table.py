@@ -8,7 +8,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES
 from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop, read_tabs
 from elastica_cad.formats.design_files.strip_table import CurveReader, read_drawn_curve

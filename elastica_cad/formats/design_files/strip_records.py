@@ -6,9 +6,9 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import Plain, Style
-from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
 from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.keys.values import COUNT, NUMBER
 from elastica_cad.formats.design_files.tables import Table

@@ -4,7 +4,7 @@ import build123d as bd
 
 from elastica_cad.build123d import BentStrip, Elastica, EndFixture, FlatStrip, StripOutline, elastic_strip
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.outline import Tab
 
 
 def mistakes() -> None:

@@ -12,8 +12,7 @@ from scipy.special import ellipk
 
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
+from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.plain_section import areal_weight

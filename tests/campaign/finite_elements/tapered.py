@@ -12,9 +12,9 @@ import ezdxf
 import numpy as np
 
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, Drawing, LayeredPath
-from elastica_cad.fabrication.solids.side_views import side_view
+from elastica_cad.fabrication.solids.tapered_solids import side_view
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.mechanics.material.sheet import Sheet

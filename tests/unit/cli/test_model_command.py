@@ -13,7 +13,7 @@ import elastica_cad as ec
 from elastica_cad.cli import model_command
 from elastica_cad.cli.commands import elastica
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
-from elastica_cad.fabrication.model.assembly_steps import list_assembly_steps
+from elastica_cad.fabrication.model.assembly import list_assembly_steps
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.kit.kit_contents import kit_of

@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.collisions import self_contact
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.limits import Limits

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from elastica_cad.fabrication.holders.crowded_blocks import crowded_blocks
-from elastica_cad.fabrication.holders.end_fixtures import end_fixtures
+from elastica_cad.fabrication.holders.end_fixtures import crowded_blocks, end_fixtures
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -6,15 +6,14 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.holders.plates import BasePlate, TabSlot, base_plate
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.prisms import convex_corners
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid, convex_corners
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

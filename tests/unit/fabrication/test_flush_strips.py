@@ -9,8 +9,8 @@ from scipy.spatial import cKDTree
 from elastica_cad.fabrication.interlocking.collisions import missing_slots, tell_missing_slots
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet

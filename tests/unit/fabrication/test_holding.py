@@ -9,25 +9,21 @@ from scipy.optimize import nnls
 
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.compensation import compensate_widths
-from elastica_cad.fabrication.holders.base_plate import base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.end_plates import end_plates
-from elastica_cad.fabrication.holders.feet import add_feet
+from elastica_cad.fabrication.holders.held_tabs import held_shapes, holder_plays, rocking_tabs, tab_seats
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.plate_pair import plate_pair
-from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
-from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
-from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_seats
-from elastica_cad.fabrication.holding.lean import lean_against
-from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holders.plate_pairs import end_plates, plate_pair
+from elastica_cad.fabrication.holders.plates import base_plate
+from elastica_cad.fabrication.holders.slotted_frame import add_feet, slotted_frame
+from elastica_cad.fabrication.holding.rest_in_seats import lean_against, rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.made_stiffness import stiffness_shares
+from elastica_cad.fabrication.strip.as_made import stiffness_shares
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.revolution.meridian import meridian, meridian_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend

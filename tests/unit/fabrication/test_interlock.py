@@ -8,12 +8,12 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.collisions import missing_slots, tell_missing_slots
+from elastica_cad.fabrication.interlocking.crossings import strip_crossings
 from elastica_cad.fabrication.interlocking.interlock import slot_width
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
-from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.equal_strips import cut_key
+from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip

@@ -11,8 +11,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Hole
 from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.tabs import Hole
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection

@@ -7,7 +7,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Keep
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -8,16 +8,16 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.shop import Shop
-from elastica_cad.fabrication.makeability.thin_places import find_thin_places
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     find_plate_faults,
     find_slot_faults,
     find_strip_faults,
+    find_thin_places,
 )
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path

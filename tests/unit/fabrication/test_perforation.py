@@ -12,8 +12,8 @@ from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.outline import Hole
 from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.tabs import Hole
 from elastica_cad.mechanics.material.plain_section import PerforatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 

@@ -10,7 +10,7 @@ import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.strip.tabs import ENDS
+from elastica_cad.fabrication.strip.outline import ENDS
 
 CARD = ec.Sheet.named("card-200gsm")
 MDF = ec.Sheet.named("mdf-3")

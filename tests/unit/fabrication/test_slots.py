@@ -8,12 +8,12 @@ from shapely.ops import unary_union
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.drawings.lettering import text_strokes
+from elastica_cad.fabrication.slots.marks import CLEARANCE_MM
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.slots.text_room import CLEARANCE_MM
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.segments import Line, Spline
 from elastica_cad.mechanics.material.sheet import Sheet

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.solids import smooth_pieces
-from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.solids import flat_pattern
+from elastica_cad.fabrication.solids.flat_pattern import in_smooth_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -64,7 +64,7 @@ def test_sides_without_slight_jumps_are_cut_and_not_fitted_anew(monkeypatch):
     def fitted(*_):
         raise AssertionError("a side is fitted anew")
 
-    monkeypatch.setattr(smooth_pieces, "interpolated", fitted)
+    monkeypatch.setattr(flat_pattern, "interpolated", fitted)
     assert len(in_smooth_pieces(strip.outline).segments) > len(strip.outline.segments)
 
 

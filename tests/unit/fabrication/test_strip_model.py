@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.plate_pair import plate_pair, ring_pair
+from elastica_cad.fabrication.holders.plate_pairs import plate_pair, ring_pair
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.equal_strips import count_shapes
+from elastica_cad.fabrication.sheets.pieces import count_shapes
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.bent_map import bent_maps
+from elastica_cad.fabrication.solids.bent_boundary import bent_maps
 from elastica_cad.fabrication.solids.boundary_records import (
     CylinderSurface,
     ExtrudedSurface,
@@ -12,11 +12,10 @@ from elastica_cad.fabrication.solids.boundary_records import (
     PlaneSurface,
     StraightTrace,
 )
-from elastica_cad.fabrication.solids.pattern_strips import cut_across, on_segment
+from elastica_cad.fabrication.solids.flat_pattern import cut_across, on_segment
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.flat_outline import long_sides
+from elastica_cad.fabrication.strip.outline import Hole, Tab, long_sides
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path

@@ -8,8 +8,8 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.forming.limits import HalfPlane, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -12,7 +12,7 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -20,9 +20,9 @@ from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves

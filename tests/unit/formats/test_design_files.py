@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.rocking_tabs import rocking_tabs
+from elastica_cad.fabrication.holders.held_tabs import rocking_tabs
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.files import read_curves

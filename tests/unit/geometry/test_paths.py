@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.flat_outline import graph
+from elastica_cad.fabrication.strip.outline import graph
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import clip_across, self_crossing, trim_across

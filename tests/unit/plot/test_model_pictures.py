@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 
 from elastica_cad import plot
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.ring_plate import ring_plate
+from elastica_cad.fabrication.holders.plates import ring_plate
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path

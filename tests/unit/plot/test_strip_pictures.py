@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.makeability.shop import Shop
-from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path

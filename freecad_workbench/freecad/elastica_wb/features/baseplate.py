@@ -12,7 +12,7 @@ from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
-from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.holders.plates import BasePlate
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
 

@@ -18,7 +18,7 @@ from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.rocking_tabs import holder_plays
+from elastica_cad.fabrication.holders.held_tabs import holder_plays
 from elastica_cad.fabrication.model.strip_model import Model
 
 PLAYS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)

@@ -15,7 +15,7 @@ from freecad.elastica_wb.preview.preview_lines import Preview
 from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
+from elastica_cad.fabrication.strip.strip_record import strip_sideways
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 

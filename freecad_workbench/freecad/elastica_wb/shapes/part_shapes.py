@@ -14,8 +14,7 @@ import numpy as np
 import Part
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.placed_curve import placed_curve

@@ -1,18 +1,104 @@
-"""Mating marks: beside every slot the name of the strip that goes in, at the ends their numbers; the label."""
+"""Engraved texts where there is room: labels, the names of mates beside slots, the numbers of ends."""
 
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from itertools import product
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import ENGRAVE, MARK
-from elastica_cad.fabrication.drawings.lettering import LABEL_MM, LABEL_SHARE, Text, fit_label, text_width
-from elastica_cad.fabrication.slots.slot import Slot, slot_rim
-from elastica_cad.fabrication.slots.text_room import CLEARANCE_MM, Cuts, on_free_part, text_box
+from elastica_cad.fabrication.drawings.lettering import (
+    LABEL_MM,
+    LABEL_SHARE,
+    Text,
+    fit_label,
+    text_span,
+    text_width,
+)
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
 from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
+
+CLEARANCE_MM = 0.5
+"""Letters keep this far from every cut, so that no stroke is a notch."""
+
+FLAT_MM = 0.02
+"""Flatness of the cuts as letters see them: little beside their clearance."""
+
+
+def _text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
+    """Corners (4, 2) of all strokes of a text with a clearance about them, anticlockwise."""
+    long = text.length
+    low, high = text_span(text.text, text.height)
+    flat = np.array([[0, low], [long, low], [long, high], [0, high]])
+    flat = flat + clearance * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    c, s = np.cos(text.angle), np.sin(text.angle)
+    return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
+
+
+def _on_free_part(box: FloatArray, width: Profile) -> bool:
+    """Does a box lie on the free part of a strip?"""
+    x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
+    if x[0] < 0 or x[-1] > width.length:
+        return False
+    return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
+
+
+class _Cut:
+    """A line that letters keep off; of a loop also the side where no material is, "inside" or "outside"."""
+
+    def __init__(self, line: Path, gone: str = "") -> None:
+        self.line, self.gone = line, gone
+
+    @cached_property
+    def points(self) -> FloatArray:
+        """Along the line, of a loop back to the first."""
+        points = self.line.points(FLAT_MM)
+        return _around(points) if self.gone or self.line.closed else points
+
+    def reaches(self, box: FloatArray, rim: FloatArray) -> bool:
+        """Does it run through a box, or leave it no material?"""
+        low, high = box_about(box)
+        if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
+            return True
+        if polylines_cross(rim, self.points) is not None:
+            return True
+        return bool(self.gone) and encloses(self.points, box[0]) == (self.gone == "inside")
+
+
+class Cuts:
+    """What letters keep off: loops and slots whose inside is cut out, lines, and all that is beyond the outline."""
+
+    def __init__(
+        self,
+        holes: Sequence[Path] = (),
+        lines: Sequence[Path] = (),
+        *,
+        outline: Path | None = None,
+        slots: Sequence[Path] = (),
+    ) -> None:
+        self._outline = None if outline is None else _Cut(outline, "outside")
+        self._cuts = [] if self._outline is None else [self._outline]
+        self._cuts += [_Cut(hole, "inside") for hole in (*holes, *slots)]
+        self._cuts += [_Cut(line) for line in lines]
+        self._bounds = np.array([cut.line.bounds for cut in self._cuts]).reshape(-1, 2, 2)
+
+    def clear_of(self, box: FloatArray) -> bool:
+        """Does a box lie off all of them?"""
+        bounds = box_about(box)
+        if self._outline and not boxes_meet(self._outline.line.bounds, bounds):
+            return False
+        rim = _around(box)
+        met = np.flatnonzero(boxes_meet(self._bounds, bounds)).tolist()
+        return not any(self._cuts[k].reaches(box, rim) for k in met)
+
+
+def _around(points: FloatArray) -> FloatArray:
+    return np.concatenate([points, points[:1]])
+
 
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
 """Tried in turn; below 1 mm engraved letters run together."""
@@ -42,13 +128,13 @@ def mating_marks(
     Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
     slot stays without.
     """
-    rims = [slot_rim(slot, width, beyond=slot.width) for slot in slots]
+    rims = [slot_cut(slot, width, beyond=slot.width) for slot in slots]
     cuts = Cuts(holes, marks, slots=rims)
-    boxes = [box_about(text_box(text)) for text in taken]
+    boxes = [box_about(_text_box(text)) for text in taken]
     found = []
     for slot, rim in zip(slots, rims, strict=True):
-        for text in _choices(slot, rim, width) if slot.mate else ():
-            box = text_box(text)
+        for text in _choices(slot, rim.points(FLAT_MM), width) if slot.mate else ():
+            box = _text_box(text)
             if _clear(box, width, boxes, cuts):
                 found.append(text)
                 boxes.append(box_about(box))
@@ -63,13 +149,13 @@ def end_numbers(
 
     Other `names` stand for joints; an empty one, or one that finds no room, is left out.
     """
-    boxes, numbers = [box_about(text_box(text)) for text in taken], []
+    boxes, numbers = [box_about(_text_box(text)) for text in taken], []
     for number, end, way in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
         for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
             long = text_width(number, height)
             x = end + way * (off + max(height, long) / 2) - long / 2
             text = Text((float(x), -height / 2), number, height, layer=ENGRAVE)
-            if _clear(text_box(text), width, boxes, cuts):
+            if _clear(_text_box(text), width, boxes, cuts):
                 numbers.append(text)
                 break
     return tuple(numbers)
@@ -95,7 +181,7 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
     tried = (
         (text(off, share), near) for near in LABEL_CLEARANCES_MM for share in LABEL_SHARES for off in ways
     )
-    clear = (one for one, near in tried if _clear(text_box(one, near), width, (), cuts))
+    clear = (one for one, near in tried if _clear(_text_box(one, near), width, (), cuts))
     return next(clear, text(0.0, 1.0))
 
 
@@ -120,13 +206,13 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
         for tab in tabs
         for at in places
     )
-    clear = (one for one, near in tried if cuts.clear_of(text_box(one, near)))
+    clear = (one for one, near in tried if cuts.clear_of(_text_box(one, near)))
     return next(clear, text(tabs[0], 1.0, 0.5, 0.0))
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
     """Does a box, by its corners, lie on the free part, off what is taken by others (2, 2), and off cuts?"""
-    if not on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
+    if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
         return False
     return cuts.clear_of(box)
 
@@ -136,8 +222,6 @@ def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()
-    if slot.relief == "round":
-        end += inward * slot.width / 2
     inside = np.abs(cut[:, 1]) < float(width(np.clip(slot.at, 0.0, width.length))) / 2
     low, high = cut[inside, 0].min(), cut[inside, 0].max()
     middle = points[:, 1].mean()

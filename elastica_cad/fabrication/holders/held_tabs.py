@@ -1,22 +1,22 @@
-"""What the holders of a model leave free, and the shapes that its strips take in them."""
+"""What holders leave free: the seats of tabs, strips' shapes in them, their play, and tabs that rock."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TypeAlias
+from typing import TypeAlias, TypeGuard
 
 import numpy as np
 
+from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, NotConvergedError, quoted
-from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import Key, PlacedTab
-from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.plates import GAP_MM, BasePlate, Ring, needed_length
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
-from elastica_cad.fabrication.placed_strip import Placed, require_placed
-from elastica_cad.fabrication.sheets.equal_strips import cut_key
-from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed
+from elastica_cad.fabrication.sheets.pieces import cut_key
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 
 Slotted: TypeAlias = BasePlate | Ring
 
@@ -69,16 +69,16 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
 
 
 def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
-    holders = require_holders(holders)
+    holders = _require_holders(holders)
     for holder in holders:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
-    for plate in plates_of(holders):
+    for plate in _plates_of(holders):
         for _, tab, walls in slot_walls(plate):
             yield tab, _seat_between(walls, tab, plate)
 
 
-def require_holders(holders: object) -> tuple[object, ...]:
+def _require_holders(holders: object) -> tuple[object, ...]:
     """Holders as a tuple; refuses what cannot be gone through."""
     if not is_series(holders):
         raise InputError(
@@ -87,7 +87,7 @@ def require_holders(holders: object) -> tuple[object, ...]:
     return tuple(holders)
 
 
-def plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
+def _plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
     """The plates among holders whose slots leave tabs their play: of frames too, none whose tabs are glued."""
     for holder in holders:
         # a slotted frame is told by its rails: it is made by means of this module
@@ -119,7 +119,7 @@ def hold_each(
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
-        start, end = (seat_of(seats, one, k) for k in ENDS)
+        start, end = (_seat_of(seats, one, k) for k in ENDS)
         alike = cut_key(one.strip), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
@@ -129,6 +129,96 @@ def hold_each(
         yield known[alike]
 
 
-def seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
+def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
     """What holds an end of a placed strip."""
     return seats.get(PlacedTab.of(one.strip, end, one.frame).key)
+
+
+ROCKING_RAD = np.radians(3.0)
+"""A tab that turns farther in its holder rocks: at the mouth of a strip it moves the shape by percents."""
+
+NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
+"""What is told as no play."""
+
+
+def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
+    """A sentence for every holder: how far its tabs shift across and turn in it at most, before they jam."""
+    placed, holders, told = require_placed(placed), _require_holders(holders), []
+    for name, held in _by_holder(placed, holders).items():
+        low, high = np.degrees(np.array([seat.turning for _, _, seat in held]).T)
+        room = max(seat.room for _, _, seat in held)
+        if room < NO_PLAY_MM and high.max() - low.min() < NO_PLAY_DEGREES:
+            told.append(f"{name} leaves its tabs no play: they bend a little between its edges")
+        else:
+            across = 0.0 if room < NO_PLAY_MM else room
+            least, most = _turn(low.min()), _turn(high.max())
+            told.append(f"{name} leaves its tabs {across:.2g} mm across and {least} to {most} degrees")
+    glued = (one for one in holders if (isinstance(one, BasePlate) and one.glued) or _lies_on(one))
+    return (*told, *(f"{one.name} leaves its tabs no play: they are glued at their angle" for one in glued))
+
+
+def _lies_on(holder: object) -> TypeGuard[Ring]:
+    """Is this a ring on which tabs lie?"""
+    return isinstance(holder, Ring) and bool(holder.seats)
+
+
+def _turn(degrees: float) -> str:
+    """With its sign; 0 for a turn too small to be seen."""
+    return "0" if abs(degrees) < NO_PLAY_DEGREES else f"{degrees:+.2g}"
+
+
+def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
+    """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure."""
+    placed, holders, told = require_placed(placed), _require_holders(holders), []
+    names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
+    for holder, held in _by_holder(placed, holders).items():
+        rocking = [one for one in held if np.ptp(one[2].turning) > 2 * ROCKING_RAD]
+        if rocking:
+            one, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
+            low, high = np.degrees(seat.turning)
+            told.append(
+                f"{names[id(one)]}{and_more(rocking)}: in the {holder} the tab at its {end} rocks by "
+                f"{low:+.0f} to {high:+.0f} degrees and does not hold the drawn angle; "
+                f"{_shape(one, tab_seats(holders))}; {_cure(one, end, holders)}"
+            )
+    return tuple(told)
+
+
+def _by_holder(
+    placed: Sequence[Placed], holders: Iterable[object]
+) -> dict[str, list[tuple[Placed, StripEnd, TabSeat]]]:
+    """Strips, ends and seats by what holds them."""
+    seats, found = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
+    for one in placed:
+        for end in ENDS:
+            seat = _seat_of(seats, one, end)
+            if seat is not None:
+                found.setdefault(seat.name, []).append((one, end, seat))
+    return found
+
+
+def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
+    """What becomes of a strip in its seats."""
+    try:
+        strayed = one.strip.held(*(_seat_of(seats, one, end) for end in ENDS)).deviation
+    except NotConvergedError:
+        return "the strip finds no rest in it"
+    return f"the strip strays {strayed:.2g} mm so, {100 * strayed / one.strip.rod.length:.2g} % of its length"
+
+
+def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
+    """What would hold a tab: two plates in place of the one that does, or what else there is."""
+    key, others = (
+        PlacedTab.of(one.strip, end, one.frame).key,
+        "end fixtures or feet (feet = 10) glued at its angle",
+    )
+    lengths = [
+        needed_length(slot.tab, plate, GAP_MM)
+        for plate in _plates_of(holders)
+        for slot in plate.slots
+        if slot.tab is not None and slot.tab.key == key
+    ]
+    if len(lengths) != 1:
+        return f"use {others}"
+    long = max(*lengths, *(tab.length for tab in one.strip.ends))
+    return f"use two plates (gap = {GAP_MM:g}) and tabs of {long:.0f} mm, or {others}"

@@ -1,15 +1,27 @@
-"""The stiffness of a strip as it is made, where it differs from the design's, and whose doing it is."""
+"""A strip as it is made: what changes its stiffness, and the shape that it takes in its holders."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.holding.held_shape import ANTICLASTIC
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.holding.held_shape import (
+    ANTICLASTIC,
+    HeldShape,
+    LapJoint,
+    Seats,
+    closes,
+    shape_responses,
+    strayed,
+)
+from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.tab_seat import EndPose
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.as_built import cell_means, cell_stations
-from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
+from elastica_cad.fabrication.strip.outline import Ends, fix_tab_widths
+from elastica_cad.fabrication.strip.perforation import DiamondPattern
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.path import Path
@@ -22,8 +34,85 @@ from elastica_cad.mechanics.material.laminated_section import LaminatedSection, 
 from elastica_cad.mechanics.material.notches import dead_zone_slope
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
+from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
+from elastica_cad.mechanics.rod.resampling import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
+
+CUTS = 8
+"""Stations at which the material of each cell of the rod is measured."""
+
+
+def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray], FloatArray]]) -> Rod:
+    """The rod with the stiffness and weight of what is really cut: slots, solid ends, rounded tips.
+
+    Each node is softer than designed by as much as the mean compliance of its cell, which is what the angle across
+    the cell feels. Weight follows; a rod whose own weight is in newtons has it scaled with the material, hung
+    masses stay.
+
+    Parameters
+    ----------
+    rod : Rod
+        The design.
+    layout : Layout
+        What the style made of it.
+    widths : sequence of callables
+        Of each layer, the width (n,), mm, left at stations (n,), mm.
+
+    Returns
+    -------
+    Rod
+        The design's shape, supports and gravity: out of balance until bent.
+    """
+    if layout.size is not None:  # tapered: nothing is cut out of it
+        return replace(rod, bending_stiffness=layout.bending_stiffness)
+    n, s = rod.s.size, _cell_stations(rod)
+    left = [width(s) for width in widths]
+    material = left[0]
+    # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
+    backing = np.minimum(left[1], material) if len(left) > 1 else None
+    law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
+    has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
+    asked = rod.profile(s)
+    softer = layout.bending_stiffness * asked / has
+    EI = layout.bending_stiffness * _stiffness_of_cells(rod, asked) / _cell_means(softer, n)
+    least = float(EI.min())
+    made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
+    if rod.gravity is None:
+        return made
+    weight = rod.weight or Weight()
+    newtons = layout.weight_per_length(material, backing) if law is None else law.weight_per_length(material)
+    if newtons is not None:
+        along = Profile.interpolate(rod.s, _cell_means(newtons, n))
+        return replace(made, weight=replace(weight, alpha=along, beta=0.0))
+    if rod.weight is None:
+        return made
+    return replace(made, weight=weight.scaled(beta=least / layout.bending_stiffness))
+
+
+def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:
+    """K (n,) at the nodes; where it jumps inside a cell, that of the cell's mean compliance."""
+    K = rod.stiffness.copy()
+    half = rod.length / (rod.s.size - 1) / 2
+    if rod.profile.steps:
+        jumps = np.array([start for start, _ in rod.profile.steps])
+        near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
+        K[near] = 1 / _cell_means(1 / asked, rod.s.size)[near]
+    return K
+
+
+def _cell_stations(rod: Rod) -> FloatArray:
+    """Stations, mm, at the middle of `CUTS` even parts of every edge of a rod."""
+    ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
+    return np.asarray((ends[1:] + ends[:-1]) / 2)
+
+
+def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
+    """Mean (n,) over the cell of each node of values at uniform stations, `CUTS` between neighbouring nodes."""
+    halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
+    inner = (halves[1:-1:2] + halves[2::2]) / 2
+    return np.concatenate([halves[:1], inner, halves[-1:]])
+
 
 DEPTHS = 64
 """Depths of a slot at which its idle width is summed: right to a sixty-fourth of its depth."""
@@ -103,7 +192,7 @@ def stiffness_shares(
     tab_widths : pair of float or None
         mm; None for a tab as wide as the strip's end.
     """
-    s, n = cell_stations(rod), rod.s.size
+    s, n = _cell_stations(rod), rod.s.size
     width = layout.width(s)
     slope = dead_zone_slope(min(layout.sheet.poisson_ratio, 0.5))
     found = {
@@ -116,7 +205,7 @@ def stiffness_shares(
     }
     # a cell's angle feels the mean compliance
     return {
-        cause: 1 / cell_means(1 / np.maximum(share, LEAST_SHARE), n)
+        cause: 1 / _cell_means(1 / np.maximum(share, LEAST_SHARE), n)
         for cause, share in found.items()
         if share is not None
     }
@@ -144,7 +233,7 @@ class Curl:
         return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
 
 
-def curl_of(rod: Rod, layout: Layout) -> Curl | None:
+def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
     """How a strip curls about its design; None where that changes nothing or a section knows its own.
 
     Where plates lie over joints it curls as without them.
@@ -163,7 +252,7 @@ def curl_of(rod: Rod, layout: Layout) -> Curl | None:
 
 def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
     """A rod that follows its bend as its design counts on; where it does not, the rod itself."""
-    curl = curl_of(design, layout) if design.follows_bend else None
+    curl = _curl_of(design, layout) if design.follows_bend else None
     return made if curl is None else curl.on(made)
 
 
@@ -256,7 +345,7 @@ class LapPlates:
         return under / np.diff(ends)
 
 
-def with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
+def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
     """A rod whose stiffness is changed by factors (n,) while its weight stays: out of balance until bent."""
     B, K = built.bending_stiffness or 1.0, built.stiffness
     changed = K * np.prod([np.ones(K.size), *shares], axis=0)
@@ -329,3 +418,160 @@ def _breadth(layout: Layout, s: FloatArray) -> FloatArray:
     """Width (n,), mm, of each of the parts side by side that curl on their own."""
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
     return np.asarray(layout.material(s) / pieces)
+
+
+HELD_NODES = 241
+"""Of the rod that is bent in its holders: its own error is some millionths of the length."""
+
+
+@dataclass(frozen=True, eq=False)
+class StripAsMade:
+    """What is bent when a strip is held.
+
+    Attributes
+    ----------
+    design : Rod
+        In the shape that is wanted, on nodes enough to be bent.
+    bending_stiffness : float
+        B of the design, N mm2.
+    tab_stiffness : pair of float
+        E I of the tabs at start and end, N mm2.
+    cut : Rod
+        With the stiffness and weight of what is cut, slots apart.
+    shares : mapping of str to (n,) array
+        Factors on that stiffness at the nodes by cause, bent as designed: see `stiffness_shares`; "plates" over
+        joints of pieces.
+    approximated : bool
+        Does the drawing only come near to the stiffness, as holes and backings do?
+    lap : LapJoint, optional
+        The joint of a closed strip.
+    curl : Curl, optional
+        How the stiffness of the nodes follows their curvature.
+    """
+
+    design: Rod
+    bending_stiffness: float
+    tab_stiffness: tuple[float, float]
+    cut: Rod
+    shares: Mapping[str, FloatArray]
+    approximated: bool
+    lap: LapJoint | None = None
+    curl: Curl | None = None
+
+    @classmethod
+    def of(
+        cls,
+        rod: Rod,
+        layout: Layout,
+        ends: Ends,
+        slots: Sequence[Slot],
+        plates: LapPlates | None,
+        whole: Callable[[], Sequence[Layer]],
+    ) -> "StripAsMade":
+        """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates.
+
+        `whole` gives its layers without slots, where they are needed.
+        """
+        design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
+        widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
+        first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
+        if layout.section is not None and layout.size is not None:
+            first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
+        shares = stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width))
+        if plates is not None:
+            shares[PLATES] = plates.stiffening(design.s, layout, whole())
+        return cls(
+            design,
+            layout.bending_stiffness,
+            (first, last),
+            rod_as_built(design, layout, [layer.material for layer in whole()]),
+            shares,
+            layout.pattern is not None or layout.backing is not None,
+            LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
+            if ends[1].length and closes(rod)
+            else None,
+            _curl_of(design, layout),
+        )
+
+    @cached_property
+    def rod(self) -> Rod:
+        """The rod with all causes together, whose stiffness follows its bend: out of balance until bent."""
+        made = _with_shares(self.cut, list(self.shares.values()))
+        made = made if self.lap is None else _lapped(made, self.lap)
+        return made if self.curl is None else self.curl.on(made)
+
+    @property
+    def as_plate(self) -> bool:
+        """Are its widths made by how the strip curls across?"""
+        return self.design.follows_bend
+
+    def tab_ratios(self, rod: Rod) -> tuple[float, float]:
+        """E I of the tabs at start and end over the B of a rod made of the design."""
+        B = rod.bending_stiffness or self.bending_stiffness
+        return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
+
+    def rest(self, seats: Seats = (None, None)) -> Rod:
+        """The shape that the strip takes, with a law of its nodes where their stiffness follows the bend.
+
+        Raises
+        ------
+        NotConvergedError
+            No rest shape was found.
+        """
+        return rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))[0]
+
+    @cached_property
+    def loaded(self) -> Rod:
+        """Its shape with both ends held as designed, with what it does to its holders; the design where none.
+
+        As `rest` has it: stiffness and law are those of the strip before it is bent.
+        """
+        try:
+            return self.rest()
+        except NotConvergedError:
+            return self.design
+
+    def held(self, seats: Seats, asked: "StripAsMade") -> HeldShape:
+        """The same with what each cause does alone to the strip as it was asked for, before any correction."""
+        rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
+        return HeldShape(
+            as_bent(rod),
+            strayed(self.design, rod.position),
+            asked.parts(seats, poses),
+            *poses,
+            corrected=asked is not self,
+            as_plate=self.as_plate,
+        )
+
+    def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
+        """How far, mm, each cause alone takes the strip from its design, to first order about the strip as made.
+
+        A cause bends each node by more or less under the designed moment, or moves and turns an end.
+        """
+        design, made = self.design, self.loaded
+        K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
+        bends = {cause: elastic * (1 / share - 1) for cause, share in self.shares.items()}
+        if self.approximated:
+            share = self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.bending_stiffness)
+            bends["fit of the drawing"] = elastic * (1 / share - 1)
+        if self.lap is not None:
+            bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)
+        shifts = {cause: np.zeros((2, 2)) for cause in bends}  # of the start and the end
+        cells = design.discrete.node_lengths
+        for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
+            if seat is not None:
+                cause, angle = f"{('start', 'end')[k]}: {seat.name}", float(design.angle[-k])
+                bends[cause], shifts[cause] = np.zeros(n), np.zeros((2, 2))
+                bends[cause][-k] = (-pose.turn if k else pose.turn) / cells[-k]
+                shifts[cause][k] = pose.shift * np.array([-np.sin(angle), np.cos(angle)])
+        if not bends:
+            return {}
+        moments = -made.stiffness[:, None] * np.column_stack([*bends.values()])
+        ends = np.array([*shifts.values()])
+        moved = ends[None, :, 0] + shape_responses(made, moments, apart=ends[:, 1] - ends[:, 0])
+        return {cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)}
+
+
+def _lapped(made: Rod, lap: LapJoint) -> Rod:
+    """The rod with its joint: stiffer there, and glued in a shape that it keeps in part."""
+    return replace(_with_shares(made, [lap.share]), natural_curvature=lap.rest)
