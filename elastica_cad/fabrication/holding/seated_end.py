@@ -138,4 +138,4 @@ def step_within(
         hessian / scale, gradient / scale, -np.minimum(bound, reach), np.minimum(bound, reach), rows, -gaps,
         np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
     )  # fmt: skip
-    return solve_quadratic(program, near=near)
+    return solve_quadratic(program)

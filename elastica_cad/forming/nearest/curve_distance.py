@@ -12,7 +12,6 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.nearest.constraints.constraint import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps, hermite
-from elastica_cad.forming.optimizer.dense_solves import gram, weighted_gram
 from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
 
 _MOST_EXACT = 8  # points whose distance is computed from all chords before a search tree is cheaper
@@ -116,7 +115,9 @@ class LargestDistance:
         at = signed[far] + slopes[:, p]  # a node near the target may change sides
         rows = np.sign(at)[:, None] * slopes[:, :p]
         # the mean-square curvature only decides what the peaks leave open
-        return LocalModel(0.0, 1e-3 / signed.size * gram(across[:, :p]), np.zeros(p), np.abs(at), rows)
+        return LocalModel(
+            0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
+        )
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
         """Signed distances (n+1,) and the nodes that count."""
@@ -157,7 +158,9 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
     """Model of half the mean square of r + J d, weighted by `shares` (k,); the closing column of J belongs to r."""
     p = J.shape[1] - 1
-    product = weighted_gram(J, r, shares)
+    A = J.copy()
+    A[:, -1] += r
+    product = (A * shares[:, None]).T @ A
     return LocalModel(
         0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
     )

@@ -10,7 +10,6 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.forming.nearest.constraints.constraint import Constraint
 from elastica_cad.forming.nearest.curve_distance import Distance
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, StripGrid
-from elastica_cad.forming.optimizer.dense_solves import matvec
 from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, Linearization, NonlinearProgram
 
 _TOO_SENSITIVE = 1e50  # rad per unknown: squares of such derivatives overflow
@@ -58,7 +57,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
             return None
         return Linearization(
             point, point.z, _stack_rows(self.constraints, sensitivities),
-            partial(self.distance.model, point, sensitivities), sensitivities.angles,
+            self.distance.model(point, sensitivities), sensitivities.angles,
             partial(self._moved, sensitivities),
         )  # fmt: skip
 
@@ -90,7 +89,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
         """The rod after a change (p + 1,), to first order."""
         z = self._inside(d.rod.z + change[:-1])
-        angles, moments = matvec(d.angles, change), matvec(d.moments, change)
+        angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
 
     def _inside(self, z: FloatArray) -> FloatArray:

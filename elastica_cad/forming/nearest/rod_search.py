@@ -18,8 +18,8 @@ from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, Sear
 from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.rod_program import RodOutcome, Search, pose_problem
-from elastica_cad.forming.optimizer.exact_point import worst_broken
-from elastica_cad.forming.optimizer.sqp import LIFTS, STEPS, lift, minimize
+from elastica_cad.forming.optimizer.sqp import SETTINGS as SQP
+from elastica_cad.forming.optimizer.sqp import lift, minimize, worst_broken
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
@@ -28,33 +28,70 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
-_RESCALINGS = 8  # searches more, at most, until a section weighs what it is made of
-_NARROWER = (1.0, 0.9, 0.75)  # times a scale, where a margin is sought that hangs on it
-_EASED = 0.8  # of such a margin, which is kept first where all of it is not found at once
-_MARGIN_SCALES = 8  # that are tried in turn from there
-_MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
-_MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
-_BENT_STARTS, _FIRST_BENT_STARTS = 20, 4
-_BENT_RAD = 0.4  # typical size of the waves by which such a start is bent off the target
-_EVEN_RATIO = 1.4  # of a rod that is nearly even
-_NEAR = 0.015  # mean distance, in diagonals, up to which a like search that goes on is believed
-_FOLLOWS = 0.009  # the same, above which a longer rod may be nearer: it waves more often
-_LONGER = 1.03  # lengths of such a rod to start from
-_FAR = 0.03  # the same, above which other valleys are looked for
-_BENT_ENOUGH = 0.02  # the same of the first bent starts
-_WEIGHTS = (0.0, 0.25, 0.5)  # shares of the weight on the way from the weightless rod
-_AS_NEAR = 1.1  # times the distance from all starts: a search that goes on may come to that
-_FOLLOWED = 1e-3  # mean distance, in diagonals, below which a rod follows its target
-_LEAN = 1e-4  # the same, that a lesser ratio may cost
-_SPLINE_STIFFNESS = 1.005  # of the least ratio: K is a spline of few coefficients
-_TIE = 1.02  # times the least distance: as near
-_APART = 0.02  # distance of two rods, in diagonals, from which on they are two answers
-_TENSIONS = (0.6, 0.0)  # shares of the tension that alone keeps the margin in a straight rod
-_CLOSED = 1e-3  # lengths between the ends of a curve that nothing pulls straight
-_AGREED = 14  # starts that came to rest at the same rod, which breaks its limits: there is no better one near
-_SAME = 2e-3  # distance of two rods, in diagonals, up to which they are the same
-_FEW_LIFTS = 3  # after which a start from a hard target is still open to several valleys
-_CONTINUATION_STEPS = 40  # of one part of a continuation, which need not settle
+
+class SearchSettings(NamedTuple):
+    """Settings of the search; distances are mean ones in diagonals of the target unless told.
+
+    Attributes
+    ----------
+    steps, unmet_steps : int
+        In all, after which no new start is tried, and the same where no start has met the limits so far.
+    tensions : tuple of float
+        Starts under a share of the tension that alone keeps the margin in a straight rod: taut ones are stable,
+        unloaded ones do not buckle.
+    follows, longer : float
+        Above this distance a longer rod may be nearer, as it waves more often; and how many times as long.
+    bent : int
+        Starts bent off the target by waves, for other valleys.
+    bent_rad : float
+        Typical size of these waves.
+    far : float
+        Distance above which other valleys are looked for.
+    bent_lifts : int
+        Lifted steps of such a start, which is then still open to several valleys.
+    near, as_near : float
+        Distance up to which a like search that goes on is believed, and times the distance that all starts came to.
+    followed : float
+        Distance below which a rod follows its target.
+    lean : float
+        Distance that a lesser ratio may cost.
+    spline : float
+        Of the least ratio: K is a spline of few coefficients.
+    tie, apart : float
+        Times the least distance: as near; and the distance of two rods from which on they are two answers.
+    closed : float
+        Lengths between the ends of a curve that nothing pulls straight.
+    rescalings : int
+        Searches more, at most, until a section weighs what it is made of.
+    narrower : tuple of float
+        Times a scale, where a margin is sought that depends on it.
+    eased : float
+        Of such a margin, which is kept first where all of it is not found at once.
+    """
+
+    steps: int = 600
+    unmet_steps: int = 250
+    tensions: tuple[float, float] = (0.6, 0.0)
+    follows: float = 0.009
+    longer: float = 1.03
+    bent: int = 12
+    bent_rad: float = 0.4
+    far: float = 0.02
+    bent_lifts: int = 3
+    near: float = 0.015
+    as_near: float = 1.1
+    followed: float = 1e-3
+    lean: float = 1e-4
+    spline: float = 1.005
+    tie: float = 1.02
+    apart: float = 0.02
+    closed: float = 1e-3
+    rescalings: int = 8
+    narrower: tuple[float, ...] = (1.0, 0.9, 0.75)
+    eased: float = 0.8
+
+
+SETTINGS = SearchSettings()
 
 
 def find_rod(
@@ -88,7 +125,7 @@ def find_rod(
     task = task if grown else replace(task, grows=False)
     found = _search(task.without_followed_margin, measure, None if start is None else start.ended)
     smaller = task.in_smaller_sections
-    if smaller is not None and (found.best.violation > MET or found.off > _FOLLOWED):
+    if smaller is not None and (found.best.violation > MET or found.off > SETTINGS.followed):
         other, steps = _search(smaller, measure), found.steps
         found = min(found, other, key=lambda search: _rank(search.best))._replace(steps=steps + other.steps)
     found = _rescaled(found, measure, task.limits.margin)
@@ -127,32 +164,22 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     problem = pose_problem(task, measure)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
-    first = _start(task, problem)
-    best = minimize(problem, first)
-    steps, spent, off = best.iterations, best.spent, task.off(best.point) / task.target.diagonal
-    found, broken = [best], best.violation > MET and task.limits.margin is not None
-    for attempt in _attempts(task, measure, problem, first):
+    found = [minimize(problem, _start(task, problem))]
+    for enough, start in _starts(task, problem):
+        best = min(found, key=_rank)
+        off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
         done = best.settled and best.violation <= MET
-        # what breaks its limits from all starts, or a margin from the first, is refused sooner than what is far
-        most = _MOST_STEPS if broken or not done else attempt.most_steps
-        if spent > most or (done and off < attempt.enough) or _is_refused(task, problem, best, found):
-            continue
-        known = [one for one in found if one.settled and one.violation > MET]
-        if done and attempt.most_steps == _MOST_STEPS:
-            known.append(best)
-        if measure == "max":  # which tells nothing of the distance of two rods
-            known = []
-        outcome = minimize(problem, attempt.route().end(), radius=attempt.radius, known=known)
-        steps, spent = steps + outcome.iterations, spent + outcome.spent
-        found.append(outcome)
-        best = min(best, outcome, key=_rank)
-        off = task.off(best.point) / task.target.diagonal
+        most = SETTINGS.steps if best.violation <= MET else SETTINGS.unmet_steps
+        if steps < most and not (done and off < enough):
+            found.append(minimize(problem, start()))
+    best = min(found, key=_rank)
+    off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
     return _concluded(measure, Search(task, problem, best, (), steps, off), found)
 
 
 def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
     """The search of sections that are as large as the limits let the rod found be."""
-    for _ in range(_RESCALINGS):
+    for _ in range(SETTINGS.rescalings):
         settled = found.task.settled(found.best.point)
         if settled is found.task or settled.gravity is None:  # without weight nothing hangs on the scale
             found = found._replace(task=settled)
@@ -167,7 +194,7 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
         ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
         return found._replace(task=task, ties=ties)
     kept = _narrowed(found, task, measure)
-    for _ in range(_MARGIN_SCALES):
+    for _ in range(SETTINGS.rescalings):
         other = kept.task.rescaled(kept.best.point)
         if other is None or kept.best.violation > MET:
             break
@@ -181,7 +208,7 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
 
 def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
     """From where a search ended, at a scale or at smaller ones, where narrower strips keep what is asked."""
-    for share in _NARROWER:
+    for share in SETTINGS.narrower:
         tried = _eased_on(found, task.scaled_by(share), measure)
         if tried.best.violation <= MET:
             break
@@ -194,7 +221,7 @@ def _eased_on(found: Search, task: NearestTask, measure: Measure) -> Search:
     straight, margin = _go_on(found, task, measure), task.limits.margin
     if straight.best.violation <= MET or margin is None or margin <= 0:
         return straight
-    eased = _go_on(straight, task.with_margin(_EASED * margin), measure)
+    eased = _go_on(straight, task.with_margin(SETTINGS.eased * margin), measure)
     if eased.best.violation > MET:
         return straight._replace(steps=eased.steps)
     again = _go_on(eased, task, measure)
@@ -207,17 +234,6 @@ def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
     return more._replace(steps=found.steps + more.steps)
 
 
-def _is_refused(
-    task: NearestTask, problem: RodProblem, best: RodOutcome, found: Sequence[RodOutcome]
-) -> bool:
-    """Have enough starts come to rest where the best rod breaks its limits?"""
-    same = (_SAME * task.target.diagonal) ** 2
-    return (
-        best.violation > MET
-        and sum(other.settled and problem.apart(other.point, best.point) < same for other in found) >= _AGREED
-    )
-
-
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
     """What is found from there, where that meets the limits and is about as near as what all starts found."""
     z = before.seen_from(task.target, problem.grid.unknowns)
@@ -225,7 +241,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
     if rod is None or not np.isfinite(rod.moments[-1]):
         return None
     found = minimize(problem, rod)
-    enough = max(_NEAR, _AS_NEAR * before.off)
+    enough = max(SETTINGS.near, SETTINGS.as_near * before.off)
     near = task.off(found.point) < enough * task.target.diagonal
     return found if near and found.settled and found.violation <= MET else None
 
@@ -234,7 +250,7 @@ def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) ->
     """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
     task, problem, best, _, steps, _ = so_far
     free = task.is_scaled_freely or task.is_light
-    if free and task.off(best.point) < _FOLLOWED * task.target.diagonal:
+    if free and task.off(best.point) < SETTINGS.followed * task.target.diagonal:
         lean = _leaner(task, measure, best)
         if lean is not None:
             tight, problem, best = lean
@@ -255,7 +271,7 @@ def _leaner(
         rod = optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature, section=law)
     except ElasticaError:
         return None
-    least = rod.ratio * _SPLINE_STIFFNESS
+    least = rod.ratio * SETTINGS.spline
     if best.violation > MET or least >= float(K.max() / K.min()):
         return None
     try:
@@ -264,7 +280,7 @@ def _leaner(
     except InputError:  # the stiffness is bounded elsewhere too
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
-    near = max(task.off(best.point), _LEAN * task.target.diagonal)
+    near = max(task.off(best.point), SETTINGS.lean * task.target.diagonal)
     good = outcome.violation <= MET and task.off(outcome.point) <= near
     return (tight, problem, outcome) if good else None
 
@@ -273,8 +289,8 @@ def _ties(
     task: NearestTask, problem: RodProblem, measure: Measure, best: RodOutcome, found: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
     """Outcomes of another shape than the best one and each other that are as near as it, but for 2 %."""
-    allowed = best.objective * (_TIE if measure == "max" else _TIE**2)
-    apart = (_APART * task.target.diagonal) ** 2
+    allowed = best.objective * (SETTINGS.tie if measure == "max" else SETTINGS.tie**2)
+    apart = (SETTINGS.apart * task.target.diagonal) ** 2
     told = [best]
     for outcome in sorted(found, key=lambda one: one.objective):
         if not outcome.settled or outcome.violation > MET or outcome.objective > allowed:
@@ -290,84 +306,25 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
 
-class _Route(NamedTuple):
-    """A rod to start from, and easier problems whose answers lead on, each searched from that before."""
-
-    rod: MappedRod
-    through: Sequence[RodProblem] = ()
-    steps: int = STEPS
-
-    def end(self) -> MappedRod:
-        """Where it leads."""
-        rod = self.rod
-        for problem in self.through:
-            rod = minimize(problem, rod, steps=self.steps).point
-        return rod
-
-
-class _Attempt(NamedTuple):
-    """Where to start from, unless the mean distance found is small `enough`, in diagonals of the target."""
-
-    enough: float
-    route: Callable[[], _Route]
-    radius: float = 1.0
-    most_steps: int = _MOST_STEPS
-
-
-def _attempts(
-    task: NearestTask, measure: Measure, problem: RodProblem, first: MappedRod
-) -> Iterator[_Attempt]:
-    """Further attempts."""
-    for tension in _TENSIONS if task.limits.margin is not None else _TENSIONS[-1:]:
-        yield _Attempt(np.inf, partial(_from_pulled, task, problem, tension))
+def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
+    """Further rods to start from, each unless the mean distance found is small enough, in diagonals."""
+    chord = task.target.position[-1] - task.target.position[0]
+    chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed)
+    pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
+    for tension in SETTINGS.tensions if pull else SETTINGS.tensions[-1:]:
+        yield np.inf, partial(_start, task, problem, force=-tension * pull * chord)
     length = problem.grid.unknowns.length
     if problem.lower[length] < problem.upper[length]:
-        yield _Attempt(_FOLLOWS, lambda: _Route(_start(task, problem, length=_LONGER)))
-    if measure != "mean":
-        yield _Attempt(_FAR, lambda: _Route(first, [pose_problem(task, "mean")]))
-    if task.limits.margin is not None:
-        yield _Attempt(_FAR, lambda: _Route(first, [pose_problem(task, measure, with_margin=False)]))
-    if task.gravity is not None:
-        yield _Attempt(_FAR, lambda: _in_steps_of_weight(task, measure))
-    yield _Attempt(_FAR, lambda: _Route(_start(task, problem, stiffness=1.0)), 0.3)
-    if task.limits.largest_ratio > _EVEN_RATIO and task.limits.stiffness_bounds is None:
-        yield _Attempt(_FAR, lambda: _nearly_even(task, measure))
-    yield _Attempt(_FAR, lambda: _Route(problem.grid.shoot(_start(task, problem, lifts=_FEW_LIFTS).z)))
-    for seed in range(_BENT_STARTS):
-        enough = _BENT_ENOUGH if seed < _FIRST_BENT_STARTS else _FAR
-        yield _Attempt(enough, partial(_from_bent, task, problem, seed), most_steps=_MOST_STEPS_ELSEWHERE)
-
-
-def _from_pulled(task: NearestTask, problem: RodProblem, tension: float) -> _Route:
-    """From the nearest rod under a force along the chord: taut ones are stable, unloaded ones do not buckle."""
-    chord = task.target.position[-1] - task.target.position[0]
-    pull = tension * max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
-    return _Route(_start(task, problem, force=-pull * chord / max(float(np.hypot(*chord)), _CLOSED)))
-
-
-def _from_bent(task: NearestTask, problem: RodProblem, seed: int) -> _Route:
-    """From the target bent by waves."""
-    return _Route(_start(task, problem, lifts=_FEW_LIFTS, seed=seed))
-
-
-def _nearly_even(task: NearestTask, measure: Measure) -> _Route:
-    """By the nearest rod of small stiffness ratio, which leaves out what only a large one can follow."""
-    even = replace(task, limits=replace(task.limits, ratio=_EVEN_RATIO))
-    problem = pose_problem(even, measure)
-    return _Route(_start(even, problem), [problem], _CONTINUATION_STEPS)
-
-
-def _in_steps_of_weight(task: NearestTask, measure: Measure) -> _Route:
-    """From the weightless rod in steps of weight."""
-    problems = [pose_problem(task, measure, weight=share) for share in _WEIGHTS]
-    return _Route(_start(task, problems[0]), problems, _CONTINUATION_STEPS)
+        yield SETTINGS.follows, partial(_start, task, problem, length=SETTINGS.longer)
+    for seed in range(SETTINGS.bent):
+        yield SETTINGS.far, partial(_start, task, problem, lifts=SETTINGS.bent_lifts, seed=seed)
 
 
 def _start(
     task: NearestTask,
     problem: RodProblem,
     *,
-    lifts: int = LIFTS,
+    lifts: int = SQP.lifts,
     length: float | None = None,
     stiffness: float | None = None,
     seed: int | None = None,
@@ -389,7 +346,9 @@ def _start(
         rng = np.random.default_rng(seed)
         z[u.stiffness] *= rng.uniform(0.5, 2.0, u.coefficients)
         for k in range(1, 6):
-            angles += rng.normal(scale=_BENT_RAD / k) * np.sin(np.pi * k * places + rng.uniform(0, 2 * np.pi))
+            angles += rng.normal(scale=SETTINGS.bent_rad / k) * np.sin(
+                np.pi * k * places + rng.uniform(0, 2 * np.pi)
+            )
     z[u.position], z[u.angle], z[u.length] = target.position[0], angles[0], 1.0
     if length is not None:
         z[u.length] = length

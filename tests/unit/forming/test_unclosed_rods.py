@@ -11,7 +11,7 @@ from elastica_cad.forming.nearest.rod_map import StripGrid
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.stiffness_basis import spline_basis
 from elastica_cad.forming.nearest.target_curve import TargetCurve
-from elastica_cad.forming.optimizer.iterate import (
+from elastica_cad.forming.optimizer.nonlinear_program import (
     all_equalities,
     close_iterate,
     follow_step,
