@@ -1,11 +1,18 @@
 /* Small convex quadratic programs by interior points with Mehrotra's predictor and corrector.
 
-   The twin of `_by_interior_points` in forming/optimizer/quadratic_program.py, where the method is explained. */
-#include "kernels.h"
+   The same as in forming/optimizer/quadratic_program.py, where the method is explained. */
+#include "loops.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define MOST_FACTORISATIONS 60 /* a dozen is usual */
+#define FEASIBLE 1e-10         /* of rows */
+#define BACKOFF 0.995          /* of the way to the nearest bound, which interior points do not touch */
+#define CYCLING 20             /* factorisations after which the corrector may go round in circles */
+#define CENTERED 0.3           /* of mu: what steps aim at from there on, without a corrector */
+#define SINGULAR_SHARE 1e-15   /* added to a diagonal, so that rows that say nearly the same do not make it singular */
 
 /* L of L L^T in the lower triangle of `matrix`; 0 where it is not positive definite. */
 WIDE static int cholesky(Py_ssize_t n, double *matrix)
@@ -51,7 +58,7 @@ typedef struct {
 } Factors;
 
 WIDE static int factorise(const Factors *f, const double *H, double scale, const double *diagonal, const double *A,
-                     const double *D, double rounding)
+                          const double *D)
 {
     const Py_ssize_t n = f->n, m = f->m;
     for (Py_ssize_t i = 0; i < n; i++) {
@@ -73,7 +80,7 @@ WIDE static int factorise(const Factors *f, const double *H, double scale, const
                 largest = k == j && sum > largest ? sum : largest;
             }
         for (Py_ssize_t k = 0; lifted && k < m; k++)
-            f->C[k * m + k] += rounding * largest;
+            f->C[k * m + k] += SINGULAR_SHARE * largest;
         if (cholesky(m, f->C))
             return 1;
     }
@@ -103,45 +110,27 @@ static double largest_of(Py_ssize_t n, const double *values)
     return largest;
 }
 
-/* The exact minimum where what the pairs tell to bind is what binds. */
-static int guess(const Quadratic *q, const InteriorSettings *set, const double *u, const double *v, double *taken,
-                 double *x, double *y, double *low, double *high)
-{
-    const Py_ssize_t n = q->unknowns, m = q->rows;
-    double *at_low = taken, *at_high = at_low + n, *met = at_high + n, *broken = met + m;
-    for (Py_ssize_t i = 0; i < n; i++) {
-        at_low[i] = u[i] < v[i];
-        at_high[i] = u[n + i] < v[n + i];
-    }
-    for (Py_ssize_t k = 0; k < m; k++) {
-        const int near_low = u[2 * n + k] < v[2 * n + k], near_high = u[2 * n + m + k] < v[2 * n + m + k];
-        met[k] = !(near_low || near_high);
-        broken[k] = near_high ? 1.0 : (near_low && q->one_sided[k] == 0.0 ? -1.0 : 0.0);
-    }
-    return active_sets(q, at_low, at_high, met, broken, set->most_guesses, set->patience, x, y, low, high);
-}
-
-WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double *x, double *y, double *low, double *high,
-                    int *iterations)
+WIDE int interior_points(const Quadratic *q, double accuracy, double *x, double *y, double *low, double *high,
+                         int *iterations)
 {
     const Py_ssize_t n = q->unknowns, m = q->rows, half = n + m, count = 2 * half;
     const double *H = q->hessian, *A = q->A;
-    const Py_ssize_t room = n * n + m * n + m * m + 7 * count + 6 * half;
-    double *work = malloc((size_t)room * sizeof(double));
+    const Py_ssize_t room = n * n + m * n + m * m + 7 * count + 3 * half;
+    double *work = calloc((size_t)room, sizeof(double));
     if (work == NULL)
         return -1;
     const Factors f = {n, m, work, work + n * n, work + n * n + m * n};
     double *u = f.C + m * m, *v = u + count, *du = v + count, *dv = du + count, *product = dv + count;
-    double *aim = product + count, *change = aim + count, *taken = change + count, *diagonal = taken + 2 * half;
-    double *dual = diagonal + half, *dx = dual + half, *kept = dx + half;
+    double *aim = product + count, *change = aim + count, *diagonal = change + count;
+    double *dual = diagonal + half, *dx = dual + half;
     double *primal = dual + n, *dy = dx + n, *D = diagonal + n;
 
     double largest = 1e-30;
     for (Py_ssize_t i = 0; i < n; i++)
         largest = fmax(largest, fmax(fabs(q->gradient[i]), fabs(H[i * n + i])));
     const double scale = 1.0 / largest;
-    const double tolerance = set->accuracy * fmin(fmax(scale * largest_of(n, q->gradient), 1e-6), 1.0);
-    double guess_at = set->guess_at * tolerance / set->accuracy, mu = 0.0;
+    const double tolerance = accuracy * fmin(fmax(scale * largest_of(n, q->gradient), 1e-6), 1.0);
+    double mu = 0.0;
     for (Py_ssize_t i = 0; i < n; i++) {
         const double inner = 0.1 * (q->upper[i] - q->lower[i]);
         x[i] = fmin(fmax(0.0, q->lower[i] + inner), q->upper[i] - inner);
@@ -165,8 +154,8 @@ WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double
         v[2 * n + m + k] = fmax(v[2 * n + k] - gap, mu);
     }
 
-    int status = 0, iteration = 0;
-    while (iteration < set->most_factorisations) {
+    int converged = 0, iteration = 0;
+    while (iteration < MOST_FACTORISATIONS) {
         for (Py_ssize_t i = 0; i < n; i++) {
             dual[i] = scale * (q->gradient[i] + dot(n, H + i * n, x)) - v[i] + v[n + i];
         }
@@ -181,22 +170,9 @@ WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double
             mu += product[i];
         }
         mu /= (double)count;
-        if (mu < tolerance && largest_of(n, dual) < 10.0 * tolerance && largest_of(m, primal) < 10.0 * set->feasible) {
-            status = 1;
+        if (mu < tolerance && largest_of(n, dual) < 10.0 * tolerance && largest_of(m, primal) < 10.0 * FEASIBLE) {
+            converged = 1;
             break;
-        }
-        if (mu < guess_at) {
-            memcpy(kept, x, (size_t)n * sizeof(double));
-            memcpy(kept + n, y, (size_t)m * sizeof(double));
-            status = guess(q, set, u, v, taken, x, y, low, high);
-            if (status != 0) {
-                *iterations = status;
-                free(work);
-                return status < 0 ? -1 : 2;
-            }
-            memcpy(x, kept, (size_t)n * sizeof(double));
-            memcpy(y, kept + n, (size_t)m * sizeof(double));
-            guess_at = 0.0;
         }
         iteration++;
         double least = INFINITY;
@@ -206,7 +182,7 @@ WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double
             diagonal[i] = v[i] / u[i] + v[n + i] / u[n + i];
         for (Py_ssize_t k = 0; k < m; k++)
             D[k] = v[2 * n + k] / u[2 * n + k] + v[2 * n + m + k] / u[2 * n + m + k];
-        if (!factorise(&f, H, scale, diagonal, A, D, set->rounding) || !(least > 0.0))
+        if (!factorise(&f, H, scale, diagonal, A, D) || !(least > 0.0))
             break;
         /* straight to mu = 0, then towards the centre that this leaves room for */
         double step = 0.0;
@@ -233,17 +209,17 @@ WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double
                 dv[i] = change[i] - v[i] / u[i] * du[i];
                 worst = fmax(worst, fmax(-du[i] / u[i], -dv[i] / v[i]));
             }
-            step = worst > 0.0 ? fmin(1.0 / set->backoff, 1.0 / worst) : 1.0 / set->backoff;
+            step = worst > 0.0 ? fmin(1.0 / BACKOFF, 1.0 / worst) : 1.0 / BACKOFF;
             if (corrector)
                 continue;
             for (Py_ssize_t i = 0; i < count; i++)
                 after += (u[i] + step * du[i]) * (v[i] + step * dv[i]);
             const double share = after / (double)count / mu;
             for (Py_ssize_t i = 0; i < count; i++)
-                aim[i] = iteration > set->cycling ? set->centered * mu - product[i]
+                aim[i] = iteration > CYCLING ? CENTERED * mu - product[i]
                                                   : mu * share * share * share - product[i] - du[i] * dv[i];
         }
-        step *= set->backoff;
+        step *= BACKOFF;
         for (Py_ssize_t i = 0; i < n; i++)
             x[i] += step * dx[i];
         for (Py_ssize_t k = 0; k < m; k++)
@@ -261,5 +237,5 @@ WIDE int interior_points(const Quadratic *q, const InteriorSettings *set, double
     }
     *iterations = iteration;
     free(work);
-    return status;
+    return converged;
 }

@@ -1,15 +1,18 @@
 /* The stability margin of a discrete rod: the lowest mode of its second variation on the end constraints.
 
    The twin of `_smooth_mode` in mechanics/rod/banded_matrices.py and of `DiscreteRod.margin`, where it is explained. */
-#include "kernels.h"
+#include "loops.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_ROWS 2
-#define MOST_SMOOTH 16
-#define SWEEPS 30
+#define SWEEPS 30               /* of Jacobi's rotations, which take six to ten */
+#define ROUNDING 2.220446049250313e-16
+#define RANK_TOLERANCE 1e-9     /* rows closer to dependent than this are one */
+#define REFINEMENTS 8           /* Rayleigh quotients: each triples the digits */
+#define SETTLED 1e-5            /* of a mode's size: a quotient that changes by less has all its digits */
+#define SINGULAR (16 * ROUNDING) /* of a matrix: an eigenvalue that is rounding */
 
 static void subtract(Py_ssize_t n, double factor, const double *restrict a, double *restrict from)
 {
@@ -89,7 +92,7 @@ static int count_below(Py_ssize_t n, const double *diagonal, const double *off, 
 /* The lowest eigenvalue of a small symmetric matrix, with its eigenvector, by Jacobi's rotations. */
 static double lowest_of_small(int n, double *matrix, double *vector)
 {
-    double turned[MOST_SMOOTH * MOST_SMOOTH] = {0.0};
+    double turned[MOST_POLYNOMIALS * MOST_POLYNOMIALS] = {0.0};
     for (int i = 0; i < n; i++)
         turned[i * n + i] = 1.0;
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
@@ -154,10 +157,10 @@ WIDE static double best_polynomial(const SecondVariation *v, const double *diago
                               double *x)
 {
     const Py_ssize_t n = v->edges;
-    const int s = v->smooth, k = v->rows;
-    double energy[MOST_SMOOTH * MOST_SMOOTH] = {0.0}, held[MOST_ROWS * MOST_SMOOTH] = {0.0};
-    double mixed[MOST_SMOOTH * MOST_SMOOTH] = {0.0}, mode[MOST_SMOOTH];
-    double wide[MOST_SMOOTH][MOST_SMOOTH] = {{0.0}}, here[MOST_SMOOTH] = {0.0}; /* loops of one length are fast */
+    const int s = v->polynomial_count, k = v->rows;
+    double energy[MOST_POLYNOMIALS * MOST_POLYNOMIALS] = {0.0}, held[MOST_ROWS * MOST_POLYNOMIALS] = {0.0};
+    double mixed[MOST_POLYNOMIALS * MOST_POLYNOMIALS] = {0.0}, mode[MOST_POLYNOMIALS];
+    double wide[MOST_POLYNOMIALS][MOST_POLYNOMIALS] = {{0.0}}, here[MOST_POLYNOMIALS] = {0.0}; /* loops of one length are fast */
     for (Py_ssize_t i = 0; i < n; i++) {
         const double *restrict row = v->polynomials + i * s;
         memcpy(here, row, (size_t)s * sizeof(double));
@@ -167,7 +170,7 @@ WIDE static double best_polynomial(const SecondVariation *v, const double *diago
                 turned += off[i - 1] * row[a - s];
             if (i + 1 < n)
                 turned += off[i] * row[a + s];
-            for (int b = 0; b < MOST_SMOOTH; b++)
+            for (int b = 0; b < MOST_POLYNOMIALS; b++)
                 wide[a][b] += here[b] * turned;
         }
         for (int j = 0; j < k; j++)
@@ -177,7 +180,7 @@ WIDE static double best_polynomial(const SecondVariation *v, const double *diago
     for (int a = 0; a < s; a++)
         for (int b = 0; b < s; b++)
             energy[b * s + a] = wide[a][b];
-    if (!orthonormalise(k, s, held, v->rank_tolerance))
+    if (!orthonormalise(k, s, held, RANK_TOLERANCE))
         return NAN;
     /* P E P + lift (1 - P): what the rows hold is lifted above all else */
     double lift = 0.0;
@@ -246,7 +249,7 @@ static int none_below(const SecondVariation *v, const double *diagonal, const do
         return 0;
     for (Py_ssize_t i = 0; i < n * k; i++)
         largest = fmax(largest, fabs(right[i]));
-    if (!(largest * v->singular * reach < 1.0))
+    if (!(largest * SINGULAR * reach < 1.0))
         return 0;
     for (int a = 0; a < k; a++)
         for (int b = 0; b < k; b++)
@@ -267,7 +270,7 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
 {
     const Py_ssize_t n = v->edges;
     const int k = v->rows, columns = k + 1;
-    double *work = malloc((size_t)(n * (8 + 3 * MOST_ROWS + columns)) * sizeof(double));
+    double *work = calloc((size_t)n, (size_t)(8 + 3 * MOST_ROWS + columns) * sizeof(double));
     if (work == NULL)
         return -1;
     double *diagonal = work, *off = diagonal + n, *basis = off + n, *right = basis + n * MOST_ROWS;
@@ -289,13 +292,13 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
             basis[j * n + i] = v->constraints[j * n + i] / root[i];
     }
     const double reach = largest + 2.0 * aside;
-    if (!isfinite(reach) || !orthonormalise(k, n, basis, v->rank_tolerance))
+    if (!isfinite(reach) || !orthonormalise(k, n, basis, RANK_TOLERANCE))
         goto done;
     double mu = best_polynomial(v, diagonal, off, basis, mode);
     if (!isfinite(mu))
         goto done;
     const double scale = fabs(mu) + reach / ((double)n * (double)n);
-    for (int step = 0; step < v->refinements && !found; step++) {
+    for (int step = 0; step < REFINEMENTS && !found; step++) {
         for (Py_ssize_t i = 0; i < n; i++) {
             right[i * columns] = mode[i];
             for (int j = 0; j < k; j++)
@@ -326,12 +329,12 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
         for (Py_ssize_t i = 0; i < n; i++)
             mode[i] = x[i] / size;
         mu += change;
-        found = fabs(change) < v->settled * scale;
+        found = fabs(change) < SETTLED * scale;
     }
     if (!found)
         goto done;
     found = 0;
-    const double below = mu - fmax(1e-9 / ((double)n * (double)n), 64.0 * v->rounding) * reach;
+    const double below = mu - fmax(1e-9 / ((double)n * (double)n), 64.0 * ROUNDING) * reach;
     if (!none_below(v, diagonal, off, basis, below, reach, &bands, right))
         goto done;
     /* back from unit weights, the largest entry upwards; then what the constraints do to it */
@@ -344,7 +347,8 @@ int lowest_mode(const SecondVariation *v, double *mode, double *multipliers, dou
         for (Py_ssize_t i = 0; i < n; i++)
             mode[i] = -mode[i];
     double G[MOST_ROWS * MOST_ROWS] = {0.0};
-    multipliers[0] = multipliers[1] = 0.0;
+    for (int a = 0; a < k; a++)
+        multipliers[a] = 0.0;
     for (Py_ssize_t i = 0; i < n; i++) {
         double left = (v->diagonal[i] - mu * v->lengths[i]) * mode[i];
         if (i > 0)

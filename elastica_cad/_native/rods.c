@@ -1,21 +1,22 @@
 /* The discrete rod (paper, section 7.1) from its start: shooting, and the derivatives of all it reaches.
 
    The same recursions as mechanics/rod/shooting.py and forming/nearest/rod_map.py, where they are explained. */
-#include "kernels.h"
+#include "loops.h"
 
 #include <math.h>
 
 #define MOST_WALKS 8 /* from chord to chord towards the foot of a point, which takes two or three */
 
-void shoot(Py_ssize_t n, const double *bend, const double *rest, const double *pull_x, const double *pull_y,
-           double moment, double angle, double wound_up, double *angles, double *moments)
+void shoot(Py_ssize_t nodes, const double *bend, const double *rest, const double *pull_x, const double *pull_y,
+           double moment, double angle, double most_angle, double *angles, double *moments)
 {
+    const Py_ssize_t n = nodes - 1;
     double alpha = angle, M = moment;
     angles[0] = alpha;
     moments[0] = M;
     for (Py_ssize_t i = 0; i < n; i++) {
         alpha += bend[i] * M + rest[i];
-        if (!(-wound_up < alpha && alpha < wound_up))
+        if (!(-most_angle < alpha && alpha < most_angle))
             alpha = M = NAN;
         M += pull_x[i] * cos(alpha) + pull_y[i] * sin(alpha);
         angles[i + 1] = alpha;
@@ -68,9 +69,9 @@ WIDE void second_variation(Py_ssize_t n, const double *stiffness, const double *
     }
 }
 
-WIDE void sensitivities(const RodAt *rod, double *angles, double *moments, double *position)
+WIDE void sensitivities(const RodAt *rod, Py_ssize_t columns, double *angles, double *moments, double *position)
 {
-    const Py_ssize_t n = rod->edges, m = rod->coefficients, c = rod->columns;
+    const Py_ssize_t n = rod->nodes - 1, m = rod->coefficients, c = columns;
     const Py_ssize_t at_moment = m, at_force = m + 1, at_position = m + 3, at_angle = m + 5, at_length = m + 6;
     const double edge = rod->length / (double)n;
 
@@ -205,7 +206,7 @@ double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes
         if (isnan(bounds[i])) /* no comparison would ever choose it */
             return NAN;
     }
-    for (;;) { /* a bound that no chord lowers is the largest distance */
+    for (Py_ssize_t round = 0; round < count; round++) { /* a bound that no chord lowers is the largest distance */
         Py_ssize_t farthest = 0;
         for (Py_ssize_t i = 1; i < count; i++)
             farthest = bounds[i] > bounds[farthest] ? i : farthest;
@@ -216,6 +217,10 @@ double largest_distance(Py_ssize_t count, const double *points, Py_ssize_t nodes
             return sqrt(exact);
         bounds[farthest] = exact;
     }
+    double largest = 0.0; /* by now every bound is exact */
+    for (Py_ssize_t i = 0; i < count; i++)
+        largest = bounds[i] > largest ? bounds[i] : largest;
+    return sqrt(largest);
 }
 
 WIDE void hermite(Py_ssize_t nodes, const double *position, const double *slopes, Py_ssize_t count, const double *s,

@@ -8,26 +8,12 @@ import pytest
 
 from elastica_cad import _native
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest import curve_distance, rod_map, target_curve
 from elastica_cad.forming.nearest.nearest_record import Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.optimizer import dense_solves, quadratic_program
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.rod import banded_matrices, discrete_rod, shooting
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
-
-WITH_KERNELS = (
-    curve_distance,
-    rod_map,
-    target_curve,
-    dense_solves,
-    quadratic_program,
-    banded_matrices,
-    discrete_rod,
-    shooting,
-)
 
 
 def unclamped(control_points):
@@ -89,8 +75,8 @@ def test_second_solves_after_a_small_move(benchmark, flower_pot):
 
 
 def test_compiled_beside_python(benchmark, flower_pot, monkeypatch):
-    """The kernels against their twins, on the heavy curves."""
-    assert _native.kernels is not None
+    """The compiled loops against Python, on the heavy curves."""
+    assert _native.compiled is not None
     points, gravity = flower_pot
     limits = Limits(ratio=3.3, margin=5.0)
 
@@ -107,8 +93,7 @@ def test_compiled_beside_python(benchmark, flower_pot, monkeypatch):
     for _ in range(5):
         compiled.append(seconds())
         with monkeypatch.context() as patch:
-            for room in WITH_KERNELS:
-                patch.setattr(room, "kernels", None)
+            patch.setattr(_native, "compiled", None)
             plain.append(seconds())
     ratio = min(compiled) / min(plain)
     benchmark.extra_info["ratio"] = ratio

@@ -75,14 +75,14 @@ def built(project_root, folder, **environment):
     return wheel
 
 
-def kernels_of(wheel, folder):
-    """What the package says of its kernels where it is unpacked from a wheel, with no compiler on the path."""
+def compiled_of(wheel, folder):
+    """Whether the package finds its compiled loops where it is unpacked, with no compiler on the path."""
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder)
     code = (
-        "import elastica_cad as ec; from elastica_cad._native import kernels; "
+        "import elastica_cad as ec; from elastica_cad._native import compiled; "
         "arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3); "
-        "print(kernels is not None, ec.nearest_rod(arch, ec.Limits(ratio=1.5)).met, ec.__file__)"
+        "print(compiled is not None, ec.nearest_rod(arch, ec.Limits(ratio=1.5)).met, ec.__file__)"
     )
     result = run("-c", code, cwd=folder, PYTHONPATH=str(folder), PATH="")
     assert result.returncode == 0, result.stderr
@@ -102,10 +102,10 @@ def test_wheel_holds_the_package_only(project_root, tmp_path):
 
 @pytest.mark.campaign
 def test_wheel_needs_no_compiler_where_it_is_installed(project_root, tmp_path):
-    """One wheel for Python 3.11 and later holds the kernels, compiled."""
+    """One wheel for Python 3.11 and later holds the compiled loops."""
     wheel = built(project_root, tmp_path)
     assert "-cp311-abi3-" in wheel.name
-    assert kernels_of(wheel, tmp_path / "installed") == ("True", "True")
+    assert compiled_of(wheel, tmp_path / "installed") == ("True", "True")
 
 
 @pytest.mark.campaign
@@ -113,4 +113,4 @@ def test_wheel_is_built_without_a_compiler(project_root, tmp_path):
     """What Python does more slowly is left to it."""
     wheel = built(project_root, tmp_path, CC="/no/compiler/here")
     assert wheel.name.endswith("-py3-none-any.whl")
-    assert kernels_of(wheel, tmp_path / "installed") == ("False", "True")
+    assert compiled_of(wheel, tmp_path / "installed") == ("False", "True")

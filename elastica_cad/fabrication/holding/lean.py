@@ -103,7 +103,7 @@ def lean_against(
         if n > 2:
             H[2:, 2:] = end.bending / length**2
             g[2:] = H[2:, 2:] @ q[2:]
-        touching = step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0], near=touching)
+        touching = step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0])
         q[2:] += touching.x[2:]
         # the holder is moved against the tab, which stays where it is
         shift, turn = shift - float(touching.x[0]), turn - way * float(touching.x[1]) / length

@@ -107,7 +107,6 @@ def step_within(
     scale: float,
     price: float = PRICE,
     reach: float = np.inf,
-    near: QuadraticSolution | None = None,
 ) -> QuadraticSolution:
     """The next step of sequential quadratic programming, mm.
 
@@ -127,8 +126,6 @@ def step_within(
         Of a mm of overlap.
     reach : float
         Farthest step of any unknown, mm.
-    near : QuadraticSolution, optional
-        The step before, for what touches.
     """
     rows, gaps = walls
     bound = np.full(gradient.size, STEP_RAD * length)

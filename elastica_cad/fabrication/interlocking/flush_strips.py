@@ -5,7 +5,6 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.fabrication.interlocking.interlock import SHALLOW_RAD, strip_thickness
 from elastica_cad.fabrication.interlocking.ruled_strip import InPlane, RuledStrip
@@ -109,11 +108,6 @@ def nearest_places(
     Steps begin at the nearest of `rows`: stations and the places of the curve there.
     """
     stations, curve = rows
-    if kernels is not None:
-        points, settings = np.ascontiguousarray(points), (strip.length, FOOT_STEPS)
-        s, (place, tangent) = np.empty(len(points)), np.empty((2, len(points), 2))
-        kernels.nearest_on_quintics(*strip.quintics, rows, settings, points, s, place, tangent)
-        return s, (place, tangent)
     s = stations[((curve**2).sum(axis=1) - 2 * points @ curve.T).argmin(axis=1)]
     for _ in range(FOOT_STEPS):
         place, tangent = strip.in_plane(s)

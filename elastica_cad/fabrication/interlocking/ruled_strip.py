@@ -6,7 +6,6 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -80,10 +79,6 @@ class RuledStrip:
     def in_plane(self, s: FloatArray) -> InPlane:
         """Points and tangents at arc lengths (n,)."""
         nodes, c = self.quintics
-        if kernels is not None:
-            point, slope = np.empty((2, s.size, 2))
-            kernels.quintics_at(nodes, c, np.ascontiguousarray(s, dtype=float), point, slope)
-            return point, slope
         k = nodes[1:-1].searchsorted(s, side="right")
         # as wide as the rows: twice as fast as to stretch it
         u = np.repeat(s - nodes.take(k), 2).reshape(-1, 2)

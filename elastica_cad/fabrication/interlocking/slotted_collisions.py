@@ -10,7 +10,6 @@ from itertools import product
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.interlocking.flush_strips import Slab, nearest_places
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
@@ -97,11 +96,6 @@ class SlotRims:
         if not self.slots:
             return np.full(s.size, np.inf)
         start, end = self._rims
-        if kernels is not None:
-            away = np.empty(s.size)
-            s, across = np.ascontiguousarray(s), np.ascontiguousarray(across)
-            kernels.away_from_rims((start, end), s, across, away)
-            return away
         (x, y), (dx, dy) = start.T, (end - start).T
         left, down = s[:, None] - x, across[:, None] - y
         where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)

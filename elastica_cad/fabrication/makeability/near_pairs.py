@@ -1,15 +1,9 @@
 """Pairs of points that lie near each other."""
 
-from functools import partial
-
 import numpy as np
 
-from elastica_cad._native import kernels, pairs_of
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.running_sums import numbers_in_groups
-
-ROOM = 8
-"""Pairs for each point that there is room for at first."""
 
 
 def near_pairs(points: FloatArray, reach: float) -> IntArray:
@@ -32,10 +26,6 @@ def near_pairs(points: FloatArray, reach: float) -> IntArray:
     found = []
     for first, last in ((each + 1, cell + 1), (cell.searchsorted(cell + tall - 1), cell + tall + 1)):
         end = cell.searchsorted(last, side="right")
-        if kernels is not None:
-            ask = partial(kernels.near_pairs, (x, y, order), (first, end), reach)
-            found.append(pairs_of(ask, ROOM * each.size))
-            continue
         count = end - first
         i = np.repeat(each, count)
         j = numbers_in_groups(count) + np.repeat(first, count)

@@ -6,15 +6,11 @@ from typing import Protocol
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import lapack
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.nearest.constraints.constraint import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
-from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps, hermite
+from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps
 from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
-
-_MOST_EXACT = 8  # points whose distance is computed from all chords before a search tree is cheaper
 
 
 class Distance(Protocol):
@@ -173,55 +169,22 @@ def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
 
 
 def _through(nodes: FloatArray, count: int) -> FloatArray:
-    """Points (count, 2) at equal steps along the cubic spline through `nodes` (n, 2).
+    """Points (count, 2) at equal steps along the cubic spline through `nodes` (n, 2)."""
+    from scipy.interpolate import CubicSpline
 
-    It has no knots next to its ends.
-    """
-    n = nodes.shape[0]
-    right = np.empty_like(nodes)
-    right[1:-1] = 3 * (nodes[2:] - nodes[:-2])
-    steps = nodes[[1, 2, -2, -1]] - nodes[[0, 1, -3, -2]]
-    right[0], right[-1] = (5 * steps[0] + steps[1]) / 2, (5 * steps[3] + steps[2]) / 2
-    diagonal, above = np.full(n, 4.0), np.ones(n - 1)
-    diagonal[[0, -1]] = 1.0
-    above[0] = 2.0
-    *_, slopes, _ = lapack().dgtsv(above[::-1], diagonal, above, right)
-    return hermite(nodes, slopes, even_steps(count))[0]
+    return np.asarray(CubicSpline(even_steps(nodes.shape[0]), nodes)(even_steps(count)))
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """The largest distance of `points` from the nearest chord of a fine chain of points.
-
-    Where the chain runs beside them, distances from chords near by are upper bounds, and the largest is exact if
-    no chord at all is nearer.
-    """
-    if kernels is not None:
-        return kernels.largest_distance(
-            np.ascontiguousarray(points), np.ascontiguousarray(chain), np.empty(len(points))
-        )
-    last = chain.shape[0] - 2
-    chords = np.diff(chain, axis=0)
-    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
-    k = np.minimum(np.arange(points.shape[0]), last)
-    for _ in range(3):
-        ahead = ((points - chain[k]) * chords[k]).sum(axis=1) / squares[k]
-        k = np.clip(k + np.floor(ahead).astype(int), 0, last)
-
-    def beside(points: FloatArray, k: IntArray | slice) -> FloatArray:
-        off, chord = points - chain[:-1][k], chords[k]
-        off = off - np.clip((off * chord).sum(axis=1) / squares[k], 0, 1)[:, None] * chord
-        return np.asarray(np.hypot(off[:, 0], off[:, 1]))
-
-    bounds = beside(points, k)
-    for _ in range(_MOST_EXACT):
-        farthest = int(np.argmax(bounds))
-        exact = float(beside(points[farthest], slice(None)).min())
-        if exact >= bounds[farthest] * (1 - 1e-12):
-            return exact
-        bounds[farthest] = exact
+    """The largest distance of `points` from a fine chain: from the chords on both sides of its nearest point."""
     from scipy.spatial import cKDTree
 
+    chords = np.diff(chain, axis=0)
+    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
     _, nearest = cKDTree(chain).query(points)
-    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, last)):
-        bounds = np.minimum(bounds, beside(points, k))
-    return float(bounds.max())
+    least = np.full(len(points), np.inf)
+    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, len(chords) - 1)):
+        off = points - chain[k]
+        off = off - np.clip((off * chords[k]).sum(axis=1) / squares[k], 0, 1)[:, None] * chords[k]
+        least = np.minimum(least, np.hypot(off[:, 0], off[:, 1]))
+    return float(least.max())

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 
+from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
@@ -221,17 +221,15 @@ class StripGrid:
         for all columns. With `closing`, a last column p tells what brings the rod into balance to first order.
         """
         columns = self.unknowns.count + closing
-        if kernels is None:
+        if _native.compiled is None:
             return self._sensitivities_in_python(rod, columns, closing)
-        sums, slopes = self.carried(rod) if self.heavy else (None, None)
-        angles, moments = np.empty((self.edges + 2, columns)), np.empty((self.edges + 1, columns))
-        position = np.empty((self.edges + 1, 2, columns))
-        kernels.sensitivities(
-            rod.stiffness, rod.moments, rod.all_angles, rod.tangents, rod.pull, rod.shear, self.shares,
-            self._rest, self.basis, self.e, sums, slopes, rod.length, rod.z[self.unknowns.moment],
-            rod.z[self.unknowns.angle], self.heavy, closing, angles, moments, position,
+        derivatives = _native.sensitivities(
+            stiffness=rod.stiffness, moments=rod.moments, all_angles=rod.all_angles, tangents=rod.tangents,
+            pull=rod.pull, shear=rod.shear, shares=self.shares, rest=self._rest, basis=self.basis, e=self.e,
+            carried=self.carried(rod) if self.heavy else None, length=rod.length,
+            start_moment=rod.z[self.unknowns.moment], start_angle=rod.z[self.unknowns.angle], closing=closing,
         )  # fmt: skip
-        return Sensitivities(self, rod, angles, moments, position)
+        return Sensitivities(self, rod, *derivatives)
 
     @cached_property
     def _rest(self) -> FloatArray:
@@ -326,9 +324,7 @@ class StripGrid:
             K, angles[1:-1], force[1:-1], length / self.edges, self.supports, z[self.unknowns.position],
             z=z, moments=moments, all_angles=angles, all_forces=force, length=length,
         )  # fmt: skip
-        if kernels is not None:
-            n = self.edges
-            shape = np.empty((n, 2)), np.empty((n + 1, 2)), np.empty(n), np.empty(n)
-            kernels.shape(rod.angles, rod.force, rod.start, length / n, *shape)
+        if _native.compiled is not None:
+            shape = _native.shape(rod.angles, rod.force, rod.start, length / self.edges)
             rod.__dict__.update(zip(_SHAPE, shape, strict=True))
         return rod

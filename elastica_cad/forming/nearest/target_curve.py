@@ -1,16 +1,19 @@
 """The drawn curve as a table in units of its own length, fast to look up and to drop perpendiculars on."""
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from math import hypot
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Symmetry
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicHermiteSpline
 
 SPANS = 1000  # of the table: its cubics are off a drawn curve by less than 1e-9 lengths
 _WINDOW_LENGTHS = 0.08  # how far along the curve a foot may lie from its node's arc length
@@ -48,7 +51,8 @@ class TargetCurve:
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Positions and unit-speed derivatives, each (n, 2), at arc lengths s (n,) in 0..1."""
-        return hermite(self.position, self._directions / (self.position.shape[0] - 1), s)
+        spline = self._spline
+        return spline(s), spline(s, 1)
 
     def angles(self, s: FloatArray) -> FloatArray:
         """Angles (n,) at arc lengths s (n,) in 0..1."""
@@ -77,6 +81,12 @@ class TargetCurve:
         return np.asarray(np.maximum(1 - bend, 0.3))
 
     @cached_property
+    def _spline(self) -> "CubicHermiteSpline":
+        from scipy.interpolate import CubicHermiteSpline
+
+        return CubicHermiteSpline(even_steps(self.angle.size), self.position, self._directions)
+
+    @cached_property
     def _directions(self) -> FloatArray:
         return np.column_stack([np.cos(self.angle), np.sin(self.angle)])
 
@@ -87,31 +97,9 @@ class TargetCurve:
         return hypot(x.max() - x.min(), y.max() - y.min())
 
 
-@lru_cache(maxsize=16)
 def even_steps(count: int) -> FloatArray:
-    """0..1 in equal steps (count,), read-only: every search asks for the same few."""
-    steps = np.linspace(0, 1, count)
-    steps.flags.writeable = False
-    return steps
-
-
-def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Places, and their derivatives by s, each (k, 2), on the cubics through nodes (n, 2) at equal steps of 0..1.
-
-    `slopes` (n, 2) are the derivatives at the nodes, per step.
-    """
-    if kernels is not None:
-        places, directions = np.empty((2, s.size, 2))
-        x, d, at = map(np.ascontiguousarray, (position, slopes, s))
-        kernels.hermite(x, d, at, places, directions)
-        return places, directions
-    spans = position.shape[0] - 1
-    i = np.minimum(np.maximum((s * spans).astype(int), 0), spans - 1)
-    u = (s * spans - i)[:, None]
-    start, d0, d1 = position[i], slopes[i], slopes[i + 1]
-    chord = position[i + 1] - start
-    a, b = 3 * chord - 2 * d0 - d1, d0 + d1 - 2 * chord
-    return start + u * (d0 + u * (a + u * b)), (d0 + u * (2 * a + 3 * u * b)) * spans
+    """0..1 in equal steps (count,)."""
+    return np.linspace(0, 1, count)
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:

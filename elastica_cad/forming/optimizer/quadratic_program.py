@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray
 
 
@@ -26,8 +26,6 @@ class InteriorPoints(NamedTuple):
         thousand; steps then aim at this share of the complementarity, without a corrector.
     most : int
         Factorisations.
-    singular : float
-        Share of a diagonal that compiled code adds where rows say nearly the same.
     """
 
     accuracy: float = 1e-10
@@ -35,7 +33,6 @@ class InteriorPoints(NamedTuple):
     cycling: int = 20
     centered: float = 0.3
     most: int = 60
-    singular: float = 1e-15
 
 
 METHOD = InteriorPoints()
@@ -88,8 +85,9 @@ class QuadraticSolution:
 def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accuracy) -> QuadraticSolution:
     """The minimum by interior points with Mehrotra's predictor and corrector.
 
-    `accuracy` is relative to the largest number in the gradient or on the Hessian's diagonal. The price of a row bounds its multiplier y: the row is the pairs p (y - y_low) = 0, q (y_high - y) = 0 with
-    A x - r = p - q, so that equalities, inequalities and their elastic forms are one case.
+    `accuracy` is relative to the largest number in the gradient or on the Hessian's diagonal. The price of a row
+    bounds its multiplier y: the row is the pairs p (y - y_low) = 0, q (y_high - y) = 0 with A x - r = p - q, so
+    that equalities, inequalities and their elastic forms are one case.
 
     Examples
     --------
@@ -108,7 +106,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
             p.hessian[np.ix_(free, free)], pull[free], p.lower[free], p.upper[free], p.rows[:, free], gap,
             p.price, p.one_sided,
         )  # fmt: skip
-        solve = _in_python if kernels is None else _compiled
+        solve = _in_python if _native.compiled is None else _compiled
         x[free], y, converged, iterations = solve(inner, accuracy)
     else:
         y, converged, iterations = p.price * np.where(p.one_sided, gap > 0, np.sign(gap)), True, 0
@@ -118,17 +116,10 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
 
 def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
     """x, y, whether the tolerance was reached, and the factorisations, by compiled code."""
-    assert kernels is not None
-    x, low, high = np.empty((3, p.gradient.size))
-    y = np.empty(p.right.size)
-    numbers = p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.price, p.one_sided, 0 * p.gradient
-    settings = (
-        accuracy, METHOD.accuracy, 0.0, METHOD.backoff, METHOD.centered, METHOD.singular,
-        METHOD.cycling, METHOD.most, 0, 0,
-    )  # fmt: skip
-    plain = tuple(np.ascontiguousarray(values, dtype=float) for values in numbers)
-    status, steps = kernels.interior_points(*plain, settings, x, y, low, high)
-    return x, y, status > 0, steps
+    (x, y, _, _), converged, iterations = _native.interior_points(
+        p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.price, p.one_sided, accuracy
+    )
+    return x, y, converged, iterations
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:

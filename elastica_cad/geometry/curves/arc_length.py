@@ -6,7 +6,6 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev, series_at
 from elastica_cad.geometry.running_sums import numbers_in_groups
@@ -29,8 +28,6 @@ _NOISE_SHARE = 1e-8
 _SHORT_SHARE = 1e-15
 """Of the whole length: what the last coefficients of a panel leave out at most, where they are no rounding."""
 
-_ROOM = 64  # panels of a span, on the average, up to which the compiled search has room
-
 _CELLS = 32
 _STEPS = np.linspace(-1.0, 1.0, _CELLS + 1)
 _AT_STEPS = chebyshev(_STEPS, _DEGREE + 2)
@@ -38,8 +35,6 @@ _AT_STEPS = chebyshev(_STEPS, _DEGREE + 2)
 
 _PACE_AT_STEPS = _DERIVED @ _AT_STEPS[:-1]
 """Slopes (17, 33) of the polynomials there."""
-
-_IN_ROWS = np.ascontiguousarray(_AT_STEPS.T), np.ascontiguousarray(_PACE_AT_STEPS.T)
 
 _LAST_NEWTON_STEP, _STEP_FROM_CUBIC = 1e-8, 2e-8
 """In a panel from -1 to 1: the next step would be its square, or from a cubic, whose slope is as exact as it, as
@@ -68,10 +63,6 @@ class ArcLength:
         """Arc lengths (n,) of parameters (n,)."""
         if not t.size:
             return np.zeros(0)
-        if kernels is not None:
-            s = np.empty(t.size)
-            kernels.arc_lengths_at(self.t, self.s, self.series, np.ascontiguousarray(t), s)
-            return s
         panel = np.searchsorted(self.t[1:-1], t, side="right")
         x = np.minimum(np.maximum(2 * (t - self.t[panel]) / self._widths[panel] - 1, -1.0), 1.0)
         s = self.s[panel] + series_at(self.series, panel, chebyshev(x, self.series.shape[1]))
@@ -80,11 +71,6 @@ class ArcLength:
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Parameters (n,) of arc lengths (n,)."""
         meets, cubics = self._inverse
-        if kernels is not None:
-            t = np.empty(s.size)
-            table = (self.t, self.s, self.series, meets, cubics)
-            kernels.parameters_at(*table, _STEP_FROM_CUBIC, _LAST_NEWTON_STEP, np.ascontiguousarray(s), t)
-            return t
         cell = meets.searchsorted(s, side="right")
         panel = cell // _CELLS
         start, pace, c0, c1, c2, c3 = cubics.take(cell, axis=0).T
@@ -140,11 +126,6 @@ class ArcLength:
 
         These are the cell's start, shares of it a mm, and the place x as a cubic in the share that is behind.
         """
-        cells = len(self.series) * _CELLS
-        if kernels is not None:
-            meets, rows = np.empty(cells - 1), np.empty((cells, 6))
-            kernels.inverse_cells(self.t, self.s, self.series, *_IN_ROWS, meets, rows)
-            return meets, rows
         reached = self.series @ _AT_STEPS + self.s[:-1, None]
         reached[:, 0], reached[:, -1] = self.s[:-1], self.s[1:]
         size = np.maximum(reached[:, 1:] - reached[:, :-1], np.finfo(float).tiny)
@@ -170,23 +151,6 @@ def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges:
     spans, owner = np.arange(edges.size - 1), np.zeros(edges.size - 1, dtype=int)
     _, t, _, series = _panels(speed, spans, owner, edges[:-1], edges[1:] - edges[:-1], edges[-1:] - edges[:1])
     return _tabulated(t, series, edges[-1:])
-
-
-def compiled_arc_length(
-    velocity: FloatArray, sizes: tuple[int, int, int, int], edges: FloatArray
-) -> ArcLength | None:
-    """The same of a curve without weights, from a kernel; None where it takes more panels than that has room for.
-
-    Parameters
-    ----------
-    velocity, sizes
-        Scaled Bernstein coefficients and which of them are those of d/dt, see `BernsteinSeries.from_derivative`.
-    """
-    assert kernels is not None
-    starts, series = np.empty(_ROOM * sizes[0]), np.empty((_ROOM * sizes[0], _DEGREE + 2))
-    settings = (_FINE, _NOISE_SHARE, _NARROWEST, _SHORT_SHARE)
-    count = kernels.speed_panels(velocity, sizes, edges, *_chebyshev(), settings, starts, series)
-    return None if count < 0 else _tabulated(starts[:count], series[:count], edges[-1:])
 
 
 def _tabulated(t: FloatArray, series: FloatArray, end: FloatArray) -> ArcLength:

@@ -6,10 +6,9 @@ from math import comb
 
 import numpy as np
 
-from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table, compiled_arc_length
+from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.curves.tangent_angle import TangentCones, cut_into_tangent_cones, hodograph
 from elastica_cad.geometry.polynomials.bernstein import (
     binomials,
@@ -18,27 +17,6 @@ from elastica_cad.geometry.polynomials.bernstein import (
     sums_in_pieces,
 )
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans
-
-
-@dataclass(frozen=True, eq=False)
-class BernsteinSeries:
-    """A curve without weights as the kernels take it.
-
-    Attributes
-    ----------
-    edges : (p + 1,) array
-        Parameters at which the pieces meet.
-    numbers : (p, degree + 1, 8) array
-        Scaled Bernstein coefficients of x, y and their first three derivatives d/dt.
-    """
-
-    edges: FloatArray
-    numbers: FloatArray
-
-    def from_derivative(self, order: int) -> tuple[FloatArray, tuple[int, int, int, int], FloatArray]:
-        """The numbers, the sizes that tell a kernel to begin at this derivative, and the edges."""
-        pieces, terms, width = self.numbers.shape
-        return self.numbers, (pieces, terms - 1, width, 2 * order), self.edges
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,11 +62,6 @@ class RationalPieces:
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
         """Position and derivatives d/dt up to `order`, each (n, 2)."""
-        if kernels is not None and not self.rational and self.spans.degree <= MOST_DEGREE:
-            series, t = self._series, np.ascontiguousarray(self.inside(t))
-            values = np.empty((t.size, 2 * (order + 1)))
-            kernels.curve_at(series, series.shape, self.edges, left, self._origins, t, values)
-            return [values[:, k : k + 2] for k in range(0, values.shape[1], 2)]
         return self.within(*self.spans.locate(self.inside(t), left=left), order)
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
@@ -138,16 +111,7 @@ class RationalPieces:
     @cached_property
     def arc_length(self) -> ArcLength:
         """By the parameter."""
-        series = self.compiled_series
-        table = None if series is None else compiled_arc_length(*series.from_derivative(1))
-        return arc_length_table(self.speed, self.edges) if table is None else table
-
-    @property
-    def compiled_series(self) -> BernsteinSeries | None:
-        """What kernels evaluate, None where there are none, weights differ or the degree is beyond their room."""
-        if kernels is None or self.rational or self.spans.degree > MOST_DEGREE:
-            return None
-        return BernsteinSeries(self.edges, self._series)
+        return arc_length_table(self.speed, self.edges)
 
     @cached_property
     def tangent_cones(self) -> TangentCones:
@@ -168,12 +132,6 @@ class RationalPieces:
         carry that of their coordinates.
         """
         spans, degree = self.spans, self.spans.degree
-        if kernels is not None and degree <= MOST_DEGREE:
-            series = np.empty((len(spans.first), degree + 1, _ORDERS * self._dimension))
-            first = np.ascontiguousarray(spans.first, dtype=np.intp)
-            pieces = first, self.control_points, spans.matrix, spans.widths, self._origins
-            kernels.derivative_series((degree, self._dimension), pieces, _all_raised(degree), series)
-            return series
         near = self.control_points[self._acting]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
         difference = spans.matrix @ near[..., : self._dimension]
@@ -210,12 +168,6 @@ def _raised(degree: int, times: int) -> FloatArray:
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
     return np.ascontiguousarray((c * binomials(degree)).T)
-
-
-@lru_cache(maxsize=64)
-def _all_raised(degree: int) -> FloatArray:
-    """Those for all derivatives that there are, one behind the other."""
-    return np.concatenate([_raised(degree, k).ravel() for k in range(min(degree + 1, _ORDERS))])
 
 
 def quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:

@@ -19,7 +19,7 @@ from elastica_cad.geometry.curves.continuity import (
     agreeing_orders,
     knot_orders,
 )
-from elastica_cad.geometry.curves.curve_derivatives import BernsteinSeries, curvature, curvature_slope, norm
+from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope, norm
 from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections
@@ -255,11 +255,6 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def _turning(self) -> TangentAngle:
         return tabulate_tangent_angle(self._pieces.tangent_cones)
-
-    @property
-    def compiled_series(self) -> BernsteinSeries | None:
-        """What kernels evaluate of the curve, None where they cannot."""
-        return self._pieces.compiled_series
 
     @cached_property
     def _continuity(self) -> IntArray:

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bernstein import product, subdivide
 
@@ -37,12 +36,6 @@ class TangentAngle:
 
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
         """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
-        if kernels is not None:
-            angles, tabulated = np.empty(t.size), (self.edges, self.axis, self.angle)
-            kernels.angles_at(
-                tabulated, left, np.ascontiguousarray(t), np.ascontiguousarray(velocity), angles
-            )
-            return angles
         cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
 
@@ -81,11 +74,6 @@ class TangentCones:
 
 def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
-    if kernels is not None:
-        count = len(cones.hodographs)
-        axis, angle = np.empty((count, 2)), np.empty(count)
-        spread = kernels.tangent_angles(np.ascontiguousarray(cones.hodographs), axis, angle)
-        return TangentAngle(cones.edges, axis, angle, spread)
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
     # the velocity runs between its coefficients
@@ -102,10 +90,6 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
     """The tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
-    if kernels is not None:
-        limits = (_STILL_SPAN, _STANDSTILL_SHARE, _ALONG_SHARE)
-        if kernels.are_cones(np.ascontiguousarray(hodographs), len(hodographs), limits):
-            return TangentCones(edges, hodographs)
     part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
     size = np.hypot(part[..., 0], part[..., 1])
     largest = size.max(axis=1)

@@ -1,14 +1,12 @@
 """Where segments and paths cross."""
 
 from dataclasses import dataclass
-from functools import partial
 from math import hypot
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from elastica_cad._native import kernels, pairs_of
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.paths.chords import chords
@@ -99,10 +97,6 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
     """Index pairs (i, j) of chords of p and q whose bounding boxes overlap."""
-    if kernels is not None:
-        ask = partial(kernels.chord_pairs, np.ascontiguousarray(p), np.ascontiguousarray(q))
-        first, second = pairs_of(ask, len(p) + len(q))
-        return first, second
     plow, phigh = np.minimum(p[:-1], p[1:]), np.maximum(p[:-1], p[1:])
     qlow, qhigh = np.minimum(q[:-1], q[1:]), np.maximum(q[:-1], q[1:])
     (near_p,) = ((plow <= q.max(axis=0)) & (phigh >= q.min(axis=0))).all(axis=1).nonzero()

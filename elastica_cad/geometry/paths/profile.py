@@ -6,7 +6,6 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import is_number, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
@@ -154,8 +153,6 @@ class Profile:
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         spans, pieces = self._function.spans, self._function.pieces
-        if kernels is not None and self.degree == 3:
-            return kernels.cubic_extremes(pieces, spans.edges)
         at_knots = pieces[:, [0, -1]]
         # a piece whose coefficients do not pass the extremes of the knots has none beyond them
         passing = np.flatnonzero(

@@ -6,7 +6,6 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.curves.arc_length import arc_lengths
 from elastica_cad.geometry.curves.curve_derivatives import cross, quotient
@@ -82,12 +81,6 @@ class SplineTable:
 
     def motion(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points and their derivatives by u (n, 2) at places u (n,) in [0, 1] of curves (n,)."""
-        if kernels is not None and self.degree <= MOST_DEGREE:
-            position, velocity = np.empty((which.size, 2)), np.empty((which.size, 2))
-            knots, points, domain, u = map(np.ascontiguousarray, (self.knots, self.points, self.domain, u))
-            which = np.ascontiguousarray(which)
-            kernels.spline_motion(self.degree, (knots, points, domain), which, u, position, velocity)
-            return position, velocity
         p, (first, last) = self.degree, self.domain[which].T
         t = first * (1 - u) + last * u
         last_span = (self.knots < self.domain[:, 1:]).sum(axis=1)[which]

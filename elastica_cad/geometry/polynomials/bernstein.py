@@ -7,7 +7,6 @@ from math import comb
 
 import numpy as np
 
-from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 
@@ -50,13 +49,6 @@ def sums_in_pieces(
 ) -> FloatArray:
     """Columns (n, ...) of polynomials by `scaled_bernstein` (p, degree + 1, ...) at u (n,) of pieces (n,)."""
     degree = series.shape[1] - 1
-    if kernels is not None and degree <= MOST_DEGREE:
-        values = np.empty((u.size, (series.shape[2] if end is None else end) - first))
-        sizes = (len(series), degree, series.shape[2], first)
-        kernels.bernstein_sums(
-            series, sizes, np.ascontiguousarray(piece, dtype=np.intp), np.ascontiguousarray(u), values
-        )
-        return values
     basis = scaled_bernstein(degree, u)
     if len(series) == 1:
         return np.asarray(basis @ series[0, :, first:end])
@@ -150,8 +142,6 @@ _GENTLE, _BLUR = 10.0, 4.0
 """A sign change is a multiple zero where the slope is what rounding makes of that of a triple one, that lies within
 these third roots of the noise: its own value does not place it, a derivative does."""
 
-_ROOM = 2  # events a coefficient, on the average, up to which the compiled search has room
-
 _EPS = float(np.finfo(float).eps)
 
 
@@ -163,24 +153,7 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     rounding cannot separate count as one: a crossing when the sign differs on its two sides, else a touch.
     The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
     """
-    events = _compiled_events(c, noise) if c.size and kernels is not None else None
-    return _classified(c, _merged(sorted(_events(c, noise) if events is None else events)))
-
-
-def _compiled_events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]] | None:
-    """Those of `_events`, None where a kernel has no room for them."""
-    assert kernels is not None
-    if c.shape[1] > MOST_DEGREE + 1:
-        return None
-    room = _ROOM * c.size
-    piece, sharp = np.empty((2, room), dtype=np.intp)
-    places = np.empty((room, 2))
-    settings = _MOST_HALVINGS, _GENTLE, _BLUR, *_SPLITS
-    found = kernels.bernstein_roots(np.ascontiguousarray(c), noise, settings, piece, sharp, places)
-    if found < 0:
-        return None
-    rows = zip(piece[:found].tolist(), places[:found].tolist(), sharp[:found].tolist(), strict=True)
-    return [(k, low, high, bool(is_sharp)) for k, (low, high), is_sharp in rows]
+    return _classified(c, _merged(sorted(_events(c, noise))))
 
 
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:

@@ -5,7 +5,6 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import FloatArray, IntArray
 
 _KEPT = 32  # knot vectors whose spans are kept: those of a curve, its stiffness, its widths and their copies
@@ -52,8 +51,6 @@ class Spans:
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
         """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
-        if kernels is not None:
-            return located(self.edges, t, low=0.0, left=left)
         index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         u = (t - self.edges[index]) / self.widths[index]
         return index, np.minimum(np.maximum(u, 0.0), 1.0)
@@ -72,16 +69,6 @@ class Spans:
         width = self.widths[index]
         bernstein = _bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
         return np.asarray(np.einsum("ni,nij->nj", bernstein, self.matrix[index])), index
-
-
-def located(
-    edges: FloatArray, places: FloatArray, *, low: float, left: bool = False
-) -> tuple[IntArray, FloatArray]:
-    """Between which edges (p + 1,) places (n,) lie, and where there, from `low` to 1, compiled."""
-    assert kernels is not None
-    piece, x = np.empty(places.shape, dtype=np.intp), np.empty(places.shape)
-    kernels.locate(np.ascontiguousarray(edges), left, low, np.ascontiguousarray(places), piece, x)
-    return piece, x
 
 
 def bezier_spans(knots: FloatArray, degree: int) -> Spans:
@@ -118,10 +105,6 @@ def extraction(near: FloatArray) -> FloatArray:
     """Of spans with 2 * degree knots about each, rows of (2 degree, p): see `Spans.matrix`, (p, ...)."""
     degree = len(near) // 2
     size = degree + 1
-    if kernels is not None and 0 < degree <= MOST_DEGREE:
-        matrix = np.empty((near.shape[1], size, size))
-        kernels.extraction(degree, np.ascontiguousarray(near), matrix)
-        return matrix
     # spans run along the last axis: numpy is slow where that is short
     ends = near[degree - 1 : degree + 1]
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))

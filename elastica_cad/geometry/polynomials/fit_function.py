@@ -6,7 +6,6 @@ from functools import lru_cache
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_whole, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError, quoted
@@ -204,19 +203,11 @@ def _places(degree: int) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 def _fitted(spans: SplineSpans, samples: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Coefficients (m, ...) of the splines nearest to samples (p, k, ...), and their errors (p,) at the probes."""
-    degree, count = spans.degree, spans.count
+    degree = spans.degree
     _, weight = gauss_rule(degree + 3)
     _, inner, probing = _places(degree)
-    if kernels is None or degree > MOST_DEGREE:
-        coefficients = _least_squares(spans, samples[:, : weight.size], inner, weight)
-        return coefficients, _largest_errors(spans, coefficients, samples[:, weight.size :], probing)
-    coefficients, error = np.empty((count, *samples.shape[2:])), np.empty(spans.low.size)
-    band = np.empty((count, degree + 1))
-    of_spans, rule = (spans.first, spans.widths, spans.matrix), (inner, weight, probing)
-    values = np.ascontiguousarray(samples)
-    if not kernels.fit_splines(degree, of_spans, rule, values, band, coefficients, error):
-        raise _no_site()
-    return coefficients, error
+    coefficients = _least_squares(spans, samples[:, : weight.size], inner, weight)
+    return coefficients, _largest_errors(spans, coefficients, samples[:, weight.size :], probing)
 
 
 def _least_squares(
@@ -239,12 +230,8 @@ def _least_squares(
             banded[degree - (j - i), acting[j]] += gram[:, i, j]
     _, solution, info = lapack().dpbsv(banded, total)
     if info != 0:
-        raise _no_site()
+        raise np.linalg.LinAlgError("a span of the spline holds no place of the fit")
     return np.asarray(solution, dtype=float).reshape(count, *values.shape[2:])
-
-
-def _no_site() -> np.linalg.LinAlgError:
-    return np.linalg.LinAlgError("a span of the spline holds no place of the fit")
 
 
 def _largest_errors(

@@ -6,9 +6,7 @@ from itertools import accumulate
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.geometry.polynomials.bezier_pieces import located
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev
 
 ORDER = 12  # Gauss nodes of a panel
@@ -50,8 +48,6 @@ SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
     """Between which edges (N + 1,) places (n,) lie, and where there, from -1 to 1."""
-    if kernels is not None:
-        return located(edges, places, low=-1.0)
     panel = np.searchsorted(edges[1:-1], places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
@@ -118,13 +114,6 @@ class PanelFunction:
         """Panels (n,) of the local extremes near the largest and least value, the samples of `dense_places` in
         them (n,) that each was found from, and the places x (n,), by Halley's method.
         """
-        if kernels is not None:
-            count = len(self.coefficients) * _DENSE.size
-            table, x, panel, sample = np.empty(count), np.empty(count), *np.empty((2, count), dtype=np.intp)
-            series = np.ascontiguousarray(self.coefficients)
-            searched = (EXTREME_STEPS, _NEAR_SHARE, _REACH)
-            found = kernels.extremes(series, _DENSE_BASIS, _DENSE, SLOPES, searched, table, panel, sample, x)
-            return panel[:found], sample[:found], x[:found]
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
@@ -155,8 +144,6 @@ class PanelFunction:
 
 def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
     """Values (n, ...) of each function at places x (n,) of panels (n,)."""
-    if kernels is not None:
-        return [_sums(one.coefficients, panel, x) for one in functions]
     columns = [f.coefficients.reshape(*f.coefficients.shape[:2], -1) for f in functions]
     whole = columns[0] if len(columns) == 1 else np.concatenate(columns, axis=2)
     if len(whole) < x.size:  # rather than every basis every panel is put into the other form
@@ -169,20 +156,6 @@ def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray
         values[:, end - one.shape[2] : end].reshape(x.size, *f.coefficients.shape[2:])
         for f, one, end in zip(functions, columns, ends, strict=True)
     ]
-
-
-def _sums(coefficients: FloatArray, panel: IntArray, x: FloatArray) -> FloatArray:
-    """Values (n, ...) of coefficients (N, p, ...), compiled."""
-    assert kernels is not None
-    values = np.empty((x.size, *coefficients.shape[2:]))
-    kernels.legendre_sums(
-        np.ascontiguousarray(coefficients),
-        coefficients.shape[:2],
-        np.ascontiguousarray(panel, dtype=np.intp),
-        np.ascontiguousarray(x),
-        values,
-    )
-    return values
 
 
 def legendre_basis(x: FloatArray) -> FloatArray:

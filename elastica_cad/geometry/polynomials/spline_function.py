@@ -6,7 +6,6 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._compiled_scipy import collocation, lapack
-from elastica_cad._native import MOST_DEGREE, kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.knot_runs import greville
@@ -52,10 +51,6 @@ class SplineFunction:
         spans, degree = self.spans, self.spans.degree
         if derivative > degree:
             return np.zeros((*x.shape, *self.pieces.shape[2:]))
-        if kernels is not None and not derivative and self.pieces.ndim == 2 and degree <= MOST_DEGREE:
-            values, x_row = np.empty(x.shape), np.ascontiguousarray(x, dtype=float)
-            kernels.spline_values(spans.edges, np.ascontiguousarray(self.pieces), x_row, values)
-            return values
         index = spans.edges[1:-1].searchsorted(x, side="right")
         width = spans.widths.take(index)
         u = (x - spans.edges.take(index)) / width

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
@@ -232,14 +232,10 @@ def lowest_weighted(
     v^t W v = 1, its largest entry positive.
     """
     rough = False
-    if kernels is not None and diagonal.size >= _ROUGH:
-        mode, nu = np.empty(diagonal.size), np.empty(2)
-        settings = _SMOOTH, _REFINEMENTS, RANK_TOLERANCE, _SINGULAR, _EPS, _SETTLED
-        value = kernels.lowest_mode(
-            diagonal, off, lengths, rows, _polynomials(diagonal.size), settings, mode, nu
-        )
-        if value is not None:
-            return ConstrainedMode(value, mode, nu[: len(rows)])
+    if _native.compiled is not None and diagonal.size >= _ROUGH:
+        found = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
+        if found is not None:
+            return ConstrainedMode(*found)
         rough = len(orthonormal_rows(rows / np.sqrt(lengths))) == len(
             rows
         )  # dependent rows are left to Python

@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._native import kernels
+from elastica_cad import _native
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import RANK_TOLERANCE, constrained_inertia, lowest_weighted
@@ -267,15 +267,13 @@ class DiscreteRod:
     @property
     def _second_variation(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """The Hessian's diagonal (n,) and off-diagonal (n-1,), and the constraints' rows (p, n)."""
-        if kernels is None:
+        if _native.compiled is None:
             return *self.hessian, self.constraint_rows
-        n, (start, end) = self.angles.size, self.held_angles
-        out = np.empty(n), np.empty(n - 1), np.empty((len(self.held), n))
-        kernels.second_variation(
-            np.ascontiguousarray(self.stiffness, dtype=float), self.node_lengths, self.edge_lengths, self.pull,
-            self.tangents, not start, not end, 0 in self.held, 1 in self.held, RANK_TOLERANCE, *out,
+        start, end = self.held_angles
+        return _native.second_variation(
+            self.stiffness, self.node_lengths, self.edge_lengths, self.pull, self.tangents,
+            free_ends=(not start, not end), held=(0 in self.held, 1 in self.held), straight=RANK_TOLERANCE,
         )  # fmt: skip
-        return out
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
         """M_{i-1} - M_i + l_i <b_i, T_i> of every edge (n,), 1/mm: the energy's gradient in the edge angles."""

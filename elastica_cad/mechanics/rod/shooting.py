@@ -4,7 +4,7 @@ from math import cos, nan, sin
 
 import numpy as np
 
-from elastica_cad._native import kernels
+from elastica_cad import _native
 from elastica_cad._types import FloatArray
 
 _WOUND_UP_RAD = 1e6  # no strip winds up so far, and cos and sin lose ten digits there
@@ -59,11 +59,9 @@ def shoot(
     """
     bends, rests = w / stiffness, np.ascontiguousarray(np.broadcast_to(w * natural_curvature, w.shape))
     across, along = edge_length * force[:, 1], -edge_length * force[:, 0]
-    if kernels is None:
+    if _native.compiled is None:
         return _shoot_in_python(bends, rests, across, along, float(moment), float(angle))
-    out = np.empty(w.size + 1), np.empty(w.size)
-    kernels.shoot(bends, rests, across, along, float(moment), float(angle), _WOUND_UP_RAD, *out)
-    return out
+    return _native.shoot(bends, rests, across, along, float(moment), float(angle), _WOUND_UP_RAD)
 
 
 def _shoot_in_python(

@@ -7,9 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.geometry.curves.curve_derivatives import BernsteinSeries, curvature, curvature_slope
+from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.panel_functions import (
     DENSE_PARTS,
@@ -25,7 +24,7 @@ from elastica_cad.geometry.polynomials.panel_functions import (
     locate_in_panels,
 )
 from elastica_cad.geometry.running_sums import numbers_in_groups
-from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature, RestCurvature
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 
 MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
@@ -40,8 +39,6 @@ NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 
 ROUGH_AT_ZERO = 2
 """Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
-
-_ROOM = 96  # panels up to which the kernel has room; more are many enough for numpy
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -144,11 +141,7 @@ def cut_into_panels(
     both = cut.zero_left & cut.zero_right
     if both.any():
         cut = cut.into(np.where(both, 2, 1))
-    poles, series = np.array(vanishing), curve.compiled_series
-    if series is not None and law is None and not isinstance(natural_curvature, RestCurvature):
-        resolved = _resolved(series, natural_curvature, cut, poles, narrow)
-        if resolved is not None:
-            return _panels(curve, [resolved])
+    poles = np.array(vanishing)
     done: list[_Nodes] = []
     count = 0
     while True:
@@ -304,30 +297,6 @@ def _evaluated(
         tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)
     nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa)
     return nodes, np.asarray(tails.max(axis=0))
-
-
-def _resolved(
-    series: BernsteinSeries, rest: float, cut: _Cut, zeros: FloatArray, narrow: float
-) -> _Nodes | None:
-    """The panels that those cut become, by a kernel, which knows curves without weights and one rest curvature.
-
-    None where they are more than it has room for.
-    """
-    assert kernels is not None
-    left, zero_left, zero_right = np.empty((3, _ROOM))
-    t, stretch, kappa = np.empty((3, _ROOM, ORDER))
-    velocity = np.empty((_ROOM, ORDER, 2))
-    flags = cut.zero_left.astype(float), cut.zero_right.astype(float)
-    count = kernels.resolve_panels(
-        *series.from_derivative(1), (NODES, LEFT, RIGHT, _LAST), (cut.left, cut.right, *flags, zeros), float(rest),
-        (RESOLVED, NOISE, narrow), (left, zero_left, zero_right, t, velocity, stretch, kappa),
-    )  # fmt: skip
-    if count < 0:
-        return None
-    t, velocity, stretch, kappa = (one[:count].copy() for one in (t, velocity, stretch, kappa))
-    return _Nodes(
-        left[:count].copy(), zero_left[:count] > 0, zero_right[:count] > 0, t, velocity, stretch, kappa
-    )
 
 
 def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:

@@ -4,7 +4,6 @@ from math import isfinite
 
 import numpy as np
 
-from elastica_cad._native import kernels
 from elastica_cad._types import FloatArray
 
 _BOX = 1e7
@@ -20,7 +19,6 @@ _CORRECTED = 1e-13
 """Share of the numbers at a vertex that its conditions may lack, after they have corrected it."""
 
 _MOST_EXCHANGES = 200  # several times what a program in four numbers takes
-_MOST_COMPILED = 16  # numbers, R among them, that the compiled exchanges have room for
 
 _NO_VERTEX, _FOUND, _WORN = 0, 1, 2
 """How exchanges end: with none, with the one that is sought, or with an inverse that has lost digits."""
@@ -74,14 +72,6 @@ class VertexExchange:
 
     def _exchanged(self) -> tuple[int, FloatArray]:
         """How the exchanges end from where they stand, and the vertex where they do."""
-        count = self.rows.shape[1]
-        if kernels is not None and count <= _MOST_COMPILED:
-            vertex = np.empty(count)
-            settings = (_MOST_EXCHANGES, _FEASIBLE, _PIVOT, _CORRECTED)
-            ended = kernels.vertex_exchange(
-                self.rows, self.limits, settings, self.active, self.inverse, vertex
-            )
-            return ended, vertex
         holds_largest = self.rows[:, -1]
         active = self.active
         rows, limits = self.rows[active], self.limits[active]
