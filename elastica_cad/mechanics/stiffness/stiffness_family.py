@@ -16,7 +16,7 @@ from elastica_cad.geometry.polynomials.panel_functions import (
     in_panels,
 )
 from elastica_cad.mechanics.stiffness.minimax_lp import (
-    MAX_ROUNDS,
+    METHOD,
     MinimaxProgram,
     MinimaxSolution,
     minimax_ratio,
@@ -123,7 +123,7 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
     tolerance = _SETTLED
     program.demand(rows, offset, rows, offset)
     before = np.full(family.freedom, np.nan)
-    for _ in range(MAX_ROUNDS):
+    for _ in range(METHOD.most_rounds):
         answer = program.solve()
         if answer is None:
             return None
@@ -188,7 +188,7 @@ def _bounded(
     rows, offset = family.dense
     first = start_rows(len(rows))
     rows, offset = rows[first], offset[first]
-    for _ in range(MAX_ROUNDS):
+    for _ in range(METHOD.most_rounds):
         y = best(rows, offset)
         more, more_offset = family.extremes(y)
         K = more @ y + more_offset
