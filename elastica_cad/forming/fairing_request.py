@@ -10,7 +10,7 @@ from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_toleranc
 from elastica_cad.geometry.curve_editing.slight_corners import round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 LARGEST_SMOOTH = 1000.0

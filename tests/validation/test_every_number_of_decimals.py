@@ -15,7 +15,7 @@ from elastica_cad.files import read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytest.importorskip("svgelements")

@@ -14,6 +14,7 @@ from elastica_cad.geometry.polynomials.panel_functions import values_at
 from elastica_cad.mechanics.loads.arguments import (
     require_gravity,
     require_supports,
+    require_tolerance,
     whole_number,
 )
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -29,10 +30,8 @@ from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight
 from elastica_cad.mechanics.stiffness.section_balance import balance_with_section
 from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
-from elastica_cad.mechanics.theorem1.unbent_ends import examine_unbent
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
+from elastica_cad.mechanics.theorem1.equilibrium_check import examine
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, InflectionLine, NotRealizable, figure
 
 TOLD_MOVE_MM = 1e-3
 """Least move of the curve that is worth a sentence: smaller ones are neither seen nor cut."""
@@ -128,12 +127,10 @@ def optimal_rod(
             "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: leave "
             "one of them out"
         )
-    if gravity is None:
-        check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
-    else:
-        check = examine_unbent(curve, supports, natural_curvature, tolerance)
-        if not check.any_stiffness:
-            _require_load_at_free_end(check, supports, weight)
+    require_tolerance(tolerance)
+    check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
+    if gravity is not None and not check.any_stiffness:
+        _require_load_at_free_end(check, supports, weight)
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:

@@ -8,7 +8,7 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves, read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytest.importorskip("svgelements")
