@@ -63,6 +63,9 @@ class SearchSettings(NamedTuple):
         Lengths between the ends of a curve that nothing pulls straight.
     rescalings : int
         Searches more, at most, until a section weighs what it is made of.
+    roomy, full : float
+        Times the scale of a rod as large as may be: one that is kept leaves so much room, and no scale larger than
+        this is sought.
     narrower : tuple of float
         Times a scale, where a margin is sought that depends on it.
     eased : float
@@ -87,6 +90,8 @@ class SearchSettings(NamedTuple):
     apart: float = 0.02
     closed: float = 1e-3
     rescalings: int = 8
+    roomy: float = 0.99
+    full: float = 1.03
     narrower: tuple[float, ...] = (1.0, 0.9, 0.75)
     eased: float = 0.8
 
@@ -193,39 +198,33 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
     if met[0] or found.best.violation > MET:
         ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
         return found._replace(task=task, ties=ties)
-    kept = _narrowed(found, task, measure)
+    task = replace(task.scaled_by(SETTINGS.roomy), keeps_scale=True)
     for _ in range(SETTINGS.rescalings):
-        other = kept.task.rescaled(kept.best.point)
-        if other is None or kept.best.violation > MET:
+        wider = _narrowed(found, task, measure)
+        if found.task.keeps_scale and wider.best.violation > MET:
+            return found._replace(steps=wider.steps)
+        found = wider
+        task = found.task.settled(found.best.point)
+        if found.best.violation > MET or task.scale < SETTINGS.full * found.task.scale:
             break
-        wider = _narrowed(kept, other, measure)
-        if kept.task.keeps_scale and wider.best.violation > MET:
-            kept = kept._replace(steps=wider.steps)
-            break
-        kept = wider
-    return kept
+        task = task.scaled_by(SETTINGS.roomy)
+    return found
 
 
 def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
-    """From where a search ended, at a scale or at smaller ones, where narrower strips keep what is asked."""
+    """From where a search ended, at a scale or at smaller ones, by way of most of the margin.
+
+    Narrower strips may keep a margin that wider ones lose.
+    """
+    margin = task.limits.margin or 0.0
     for share in SETTINGS.narrower:
-        tried = _eased_on(found, task.scaled_by(share), measure)
+        narrow = task.scaled_by(share)
+        eased = _go_on(found, narrow.with_margin(min(margin, SETTINGS.eased * margin)), measure)
+        tried = _go_on(eased, narrow, measure)
         if tried.best.violation <= MET:
             break
         found = found._replace(steps=tried.steps)
     return tried
-
-
-def _eased_on(found: Search, task: NearestTask, measure: Measure) -> Search:
-    """From where a search ended; where that does not keep the margin, by way of most of it."""
-    straight, margin = _go_on(found, task, measure), task.limits.margin
-    if straight.best.violation <= MET or margin is None or margin <= 0:
-        return straight
-    eased = _go_on(straight, task.with_margin(SETTINGS.eased * margin), measure)
-    if eased.best.violation > MET:
-        return straight._replace(steps=eased.steps)
-    again = _go_on(eased, task, measure)
-    return min(straight, again, key=lambda one: _rank(one.best))._replace(steps=again.steps)
 
 
 def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
