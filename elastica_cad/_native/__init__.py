@@ -104,7 +104,7 @@ def largest_distance(points: FloatArray, chain: FloatArray) -> float:
 
 
 def hermite(position: FloatArray, slopes: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The cubics of `forming.nearest.target_curve.hermite`: places and directions (n, 2)."""
+    """The cubics of `forming.nearest.curve_distance.hermite`: places and directions (n, 2)."""
     places, directions = np.empty((2, s.size, 2))
     given = map(_plain, (position, slopes, s))
     _loops().hermite(len(position), s.size, *given, places, directions)

@@ -193,7 +193,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     if made.backing_side:
         say(made.backing_side)
     if near is not None:
-        from elastica_cad.forming.nearest.advice import advise
+        from elastica_cad.forming.nearest.nearest_record import advise
 
         say(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
         for advice in islice(advise(near), MOST_ADVICE):

@@ -16,11 +16,10 @@ from elastica_cad.forming.nearest.curve_distance import (
     Distance,
     LargestDistance,
     MeanDistance,
+    TargetCurve,
+    even_steps,
 )
-from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
-from elastica_cad.forming.nearest.stiffness_basis import StiffnessBasis
-from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps
-from elastica_cad.forming.section_scale import SectionScale
+from elastica_cad.forming.nearest.rod_map import MappedRod, SectionScale, StiffnessBasis, Unknowns
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (

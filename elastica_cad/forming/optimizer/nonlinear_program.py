@@ -291,7 +291,7 @@ def all_equalities(at: Iterate[Point]) -> ActiveSet:
     return ActiveSet(keys, np.zeros(keys.size))
 
 
-def find_free(program: NonlinearProgram[Point], z: FloatArray) -> BoolArray:
+def _find_free(program: NonlinearProgram[Point], z: FloatArray) -> BoolArray:
     """Which unknowns (p,) have room on both sides."""
     return np.asarray(np.minimum(z - program.lower, program.upper - z) > CLOSING.room * program.scale)
 
@@ -309,10 +309,10 @@ def _with_active(
     if active.keys.size:
         rows = local.rows
         _, here, there = np.intersect1d(row_keys(rows), active.keys, assume_unique=True, return_indices=True)
-        free = find_free(program, local.z)
+        free = _find_free(program, local.z)
         s = program.scale[free]
         gap = active.aim[there] - rows.value[here]
-        change[:-1][free] = least_step(rows.jacobian[here][:, free] * s, gap) * s
+        change[:-1][free] = _least_step(rows.jacobian[here][:, free] * s, gap) * s
     return Iterate(program, local, change, local.state_jacobian @ change)
 
 
@@ -351,7 +351,7 @@ def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
     return start.program.close(point)
 
 
-def least_step(J: FloatArray, gap: FloatArray) -> FloatArray:
+def _least_step(J: FloatArray, gap: FloatArray) -> FloatArray:
     """The least x (p,) with J x = gap (k,), in the sense of least squares where rows of J (k, p) are dependent."""
     size = np.maximum(np.linalg.norm(J, axis=1), 1e-300)
     return np.asarray(np.linalg.lstsq(J / size[:, None], gap / size, rcond=1e-10)[0])
