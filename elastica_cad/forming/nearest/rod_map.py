@@ -24,7 +24,7 @@ from elastica_cad.mechanics.rod.curling_law import CurlingLaw
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.shooting import shoot
-from elastica_cad.mechanics.stiffness.section_balance import TangentWeight
+from elastica_cad.mechanics.stiffness.optimal_balance import TangentWeight
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,7 @@ import pytest
 from scipy.optimize import linprog
 
 from elastica_cad.mechanics.stiffness import minimax_lp
-from elastica_cad.mechanics.stiffness.minimax_lp import minimax_ratio
-from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
+from elastica_cad.mechanics.stiffness.minimax_lp import least_variation, minimax_ratio
 from elastica_cad.published.sampled_lp import sampled_stiffness
 
 pytestmark = pytest.mark.core
