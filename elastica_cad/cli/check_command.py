@@ -24,7 +24,6 @@ from elastica_cad.cli.running.voice import answer, say, voice, warn
 from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.formats.reports.strip_report import report_check
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -150,8 +149,4 @@ def _report(
     drawn = asked.bendable(smooth)
     smoothing = smooth_curve(drawn, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
-    doubt = "" if natural_curvature else undecided_by_rounding(drawn, found.realizable, smooth, supports)
-    report = report_check(found)
-    if doubt:
-        report["advice"] = f"{doubt} As it stands: {report['advice']}"
-    return report | {"undecided": bool(doubt), "notes": list(smoothing.notes)}
+    return report_check(found) | {"notes": list(smoothing.notes)}

@@ -22,17 +22,15 @@ from elastica_cad.cli.asking.strip_options import spec_from_options, strip_optio
 from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
 from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, option_words, typed_line
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
-from elastica_cad.errors import Change, ElasticaError, InputError, NotConvergedError, how_to_install
+from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.reports.strip_report import tell_blank
-from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 STRAYED_SHARE = 3e-4
 """Of the length: a strip that strays more as it is made is told what other widths would do."""
@@ -132,20 +130,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
 
 
 def _made(asked: AskedCurve, spec: StripSpec, files: StripFiles) -> StripKit:
-    """The strip of one curve; where the file's digits decide that there is none, that is said."""
+    """The strip of one curve."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
-    try:
-        if not spec.may_change:
-            _ = asked.bendable(spec.smooth)
-        found = spec.rod_spec.solve()
-        return StripKit(spec, found, spec.make(found), asked.name, asked.drawn.joints, files)
-    except NotRealizable as problem:
-        doubt = undecided_by_rounding(spec.curve, False, spec.smooth, spec.supports)
-        if not doubt:
-            raise
-        raise InputError(
-            "{doubt} As it stands: {problem}", doubt=doubt, problem=problem, changes=problem.refusal.changes
-        ) from problem
+    if not spec.may_change:
+        _ = asked.bendable(spec.smooth)
+    found = spec.rod_spec.solve()
+    return StripKit(spec, found, spec.make(found), asked.name, asked.drawn.joints, files)
 
 
 def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], problem: ElasticaError) -> str:
@@ -203,7 +193,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     if made.backing_side:
         say(made.backing_side)
     if near is not None:
-        from elastica_cad.forming.nearest.advice import advise
+        from elastica_cad.forming.nearest.nearest_record import advise
 
         say(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
         for advice in islice(advise(near), MOST_ADVICE):

@@ -44,7 +44,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
-from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
+from elastica_cad.mechanics.theorem1.curvature_conditions import begin_at, flattest_place
 
 SAME_LENGTH = 1e-9
 """Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""

@@ -9,7 +9,7 @@ from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_tolerance, fair_curve, round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 LARGEST_SMOOTH = 1000.0

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future
-from itertools import islice
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
@@ -21,9 +20,6 @@ AHEAD = 64
 
 LISTED = 1024
 """The same of a list, which is in memory anyway: several for each of hundreds of workers."""
-
-_AT_ONCE, _SHARES = 4, 16
-"""Curves that a worker gets together, at most, of so many shares of those ahead."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -151,62 +147,36 @@ def _in_order_of_completion(
     tasks: Iterable["_Task"], executor: Executor | None, ahead: int
 ) -> Iterator[tuple[int, NearestRod]]:
     """Answers with the numbers of their tasks, of which at most `ahead` are with the executor."""
-    waiting = enumerate(tasks)
-    if executor is None:
-        yield from ((i, _attempted(task)) for i, task in waiting)
-        return
-    shares = _Shares(executor, ahead)
-    try:
-        while True:
-            yield from shares.give_out(waiting)
-            if not shares.running:
-                return
-            yield from shares.next_answers()
-    finally:
-        for future in shares.running:
-            future.cancel()
+    running: dict[Future[NearestRod], tuple[int, _Task]] = {}
+    finished: SimpleQueue[Future[NearestRod]] = SimpleQueue()
 
-
-class _Shares:
-    """Tasks that are with an executor, several in one future, and the futures that are done."""
-
-    def __init__(self, executor: Executor, ahead: int) -> None:
-        self.executor, self.ahead = executor, ahead
-        self.running: dict[Future[list[NearestRod]], list[tuple[int, _Task]]] = {}
-        self.finished: SimpleQueue[Future[list[NearestRod]]] = SimpleQueue()
-        self.begun = self.away = 0
-
-    def give_out(self, waiting: Iterator[tuple[int, "_Task"]]) -> Iterator[tuple[int, NearestRod]]:
-        """Give the executor what it has room for; the answers are those of tasks that it did not take."""
-        while self.away + (size := _share(self.begun, self.ahead)) <= self.ahead:
-            share = list(islice(waiting, size))
-            if not share:
-                return
-            self.begun += len(share)
-            try:
-                future = self.executor.submit(_answers, [task for _, task in share])
-            except Exception as error:  # an executor that is shut down or broken may raise anything
-                yield from ((i, _lost(task, error)) for i, task in share)
-                continue
-            self.running[future] = share
-            self.away += len(share)
-            future.add_done_callback(self.finished.put)
-
-    def next_answers(self) -> Iterator[tuple[int, NearestRod]]:
-        """Wait for the next future that is done, and answer its tasks."""
-        future = self.finished.get()
-        share = self.running.pop(future)
-        self.away -= len(share)
+    def next_answer() -> tuple[int, NearestRod]:
+        future = finished.get()
+        i, task = running.pop(future)
         try:
-            answers = future.result()
-        except Exception as error:  # a worker that died raises anything too
-            answers = [_lost(task, error) for _, task in share]
-        yield from ((i, near) for (i, _), near in zip(share, answers, strict=True))
+            return i, future.result()
+        except Exception as error:  # a worker that died raises anything
+            return i, _lost(task, error)
 
-
-def _share(begun: int, ahead: int) -> int:
-    """Curves that a worker is given at once: one while there may be few, then several, as each way costs time."""
-    return 1 if begun < ahead else min(_AT_ONCE, max(1, ahead // _SHARES))
+    try:
+        for i, task in enumerate(tasks):
+            if executor is None:
+                yield i, _attempted(task)
+                continue
+            try:
+                future = executor.submit(_attempted, task)
+            except Exception as error:  # an executor that is shut down or broken may raise anything too
+                yield i, _lost(task, error)
+                continue
+            running[future] = i, task
+            future.add_done_callback(finished.put)
+            if len(running) >= ahead:
+                yield next_answer()
+        while running:
+            yield next_answer()
+    finally:
+        for future in running:
+            future.cancel()
 
 
 class _Task(NamedTuple):
@@ -218,11 +188,6 @@ class _Task(NamedTuple):
     gravity: Gravity | None
     supports: Supports | None
     options: dict[str, Any]
-
-
-def _answers(tasks: list[_Task]) -> list[NearestRod]:
-    """What a worker gives back."""
-    return [_attempted(task) for task in tasks]
 
 
 def _attempted(task: _Task) -> NearestRod:

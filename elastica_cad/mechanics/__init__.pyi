@@ -84,7 +84,7 @@ from elastica_cad.mechanics.studies.tolerance_study import (
     tolerance_study as tolerance_study,
 )
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium as check_equilibrium
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine as InflectionLine
+from elastica_cad.mechanics.theorem1.verdict import InflectionLine as InflectionLine
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,

@@ -15,7 +15,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_curve
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
+from elastica_cad.mechanics.theorem1.verdict import InflectionLine
 
 
 @dataclass(frozen=True, eq=False)

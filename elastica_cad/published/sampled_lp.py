@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.stiffness.minimax_lp import Solver, minimax_ratio
+from elastica_cad.mechanics.stiffness.minimax_lp import minimax_ratio
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +38,6 @@ def sampled_stiffness(
     weights: ArrayLike | None = None,
     *,
     gravity: Gravity | None = None,
-    solver: Solver = "auto",
 ) -> SampledStiffness | None:
     """The linear program of Eq. 4, or with gravity of Eq. 6, at exactly these samples.
 
@@ -96,7 +95,7 @@ def sampled_stiffness(
                 "with gravity the samples need weights: the length of curve (mm) that each stands for"
             )
         rows = sampled_rows(position - centre, curvature, np.asarray(weights, dtype=float), gravity.e)
-    solution = minimax_ratio(rows, solver=solver)
+    solution = minimax_ratio(rows)
     if solution is None:
         return None
     least = solution.values.min()

@@ -15,7 +15,7 @@ import pytest
 
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.nearest.stiffness_basis import spline_basis
+from elastica_cad.forming.nearest.rod_map import spline_basis
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 RATIO, NODES, COEFFICIENTS = 2.5, 201, 20

@@ -120,8 +120,7 @@ def test_unstable_s(benchmark, reference_data):
 
 
 def test_march_with_sensitivities(benchmark):
-    from elastica_cad.forming.nearest.rod_map import StripGrid
-    from elastica_cad.forming.nearest.stiffness_basis import spline_basis
+    from elastica_cad.forming.nearest.rod_map import StripGrid, spline_basis
 
     grid = StripGrid(spline_basis(np.linspace(0, 1, 201), 38), np.array([1.0, 2.0]))
     z = np.concatenate([np.full(38, 1.5), [4.0, 9.0, -7.0, 0.0, 0.0, 0.3, 1.0]])

@@ -9,7 +9,7 @@ import pytest
 
 from elastica_cad import _native
 from elastica_cad.forming.nearest import rod_map
-from elastica_cad.forming.nearest.stiffness_basis import spline_basis
+from elastica_cad.forming.nearest.rod_map import spline_basis
 from elastica_cad.forming.optimizer import quadratic_program
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
 from elastica_cad.mechanics.loads.supports import End, Supports

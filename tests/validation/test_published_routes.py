@@ -17,7 +17,7 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
+from elastica_cad.mechanics.theorem1.verdict import InflectionLine
 from elastica_cad.published.constraint_projection import enforce_constraints
 from elastica_cad.published.ratio_optimization import optimize_ratio
 from elastica_cad.published.stability_recovery import recover_stability

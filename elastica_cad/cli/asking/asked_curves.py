@@ -19,7 +19,7 @@ from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
 from elastica_cad.geometry.curve_editing.fairing import round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 
 F = TypeVar("F", bound=Callable[..., Any])
 

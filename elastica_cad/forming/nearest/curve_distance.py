@@ -1,20 +1,137 @@
-"""How far a rod is from the target curve: three measures and their local models for the optimiser."""
+"""The drawn curve as a table in units of its own length, and how far a rod is from it."""
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
+from math import hypot
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.forming.nearest.constraints.constraint import thin_rows
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import Symmetry
+from elastica_cad.forming.nearest.constraints import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
-from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps, hermite
-from elastica_cad.forming.optimizer.dense_solves import gram, weighted_gram
 from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-_MOST_EXACT = 8  # points whose distance is computed from all chords before a search tree is cheaper
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicHermiteSpline
+
+
+SPANS = 1000  # of the table: its cubics are off a drawn curve by less than 1e-9 lengths
+_WINDOW_LENGTHS = 0.08  # how far along the curve a foot may lie from its node's arc length
+_SYMMETRIC_LENGTHS = 1e-4  # a curve off its mirror image by less, in lengths, is symmetric
+
+
+@dataclass(frozen=True, eq=False)
+class TargetCurve:
+    """Points at equal distances along the curve, and cubic Hermite pieces between them.
+
+    Attributes
+    ----------
+    position : (spans + 1, 2) array
+        In lengths, from `origin`.
+    angle, curvature : (spans + 1,) arrays
+    size : float
+        The unit of length, mm.
+    origin : (2,) array
+        mm.
+    """
+
+    position: FloatArray
+    angle: FloatArray
+    curvature: FloatArray
+    size: float
+    origin: FloatArray
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "TargetCurve":
+        """The table of a curve."""
+        samples = curve.sample(SPANS + 1)
+        origin = samples.position.mean(axis=0)
+        size = curve.length
+        return cls((samples.position - origin) / size, samples.angle, samples.curvature * size, size, origin)
+
+    def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Positions and unit-speed derivatives, each (n, 2), at arc lengths s (n,) in 0..1."""
+        spline = self._spline
+        return spline(s), spline(s, 1)
+
+    def angles(self, s: FloatArray) -> FloatArray:
+        """Angles (n,) at arc lengths s (n,) in 0..1."""
+        return np.interp(s, even_steps(self.angle.size), self.angle)
+
+    def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:
+        """Arc lengths (n,) of the nearest points within a window about `near` (n,)."""
+        offsets = np.linspace(-_WINDOW_LENGTHS, _WINDOW_LENGTHS, 17)
+        tries = np.clip(near[:, None] + offsets, 0, 1)
+        spots = np.rint(tries * (self.position.shape[0] - 1)).astype(int)
+        off = self.position[spots] - points[:, None]
+        s = tries[np.arange(points.shape[0]), np.argmin((off**2).sum(axis=2), axis=1)]
+        for _ in range(4):
+            position, direction = self.at(s)
+            s = np.clip(
+                s + ((points - position) * direction).sum(axis=1) / self._stretch(s, points, position), 0, 1
+            )
+        return np.asarray(s)
+
+    def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
+        """1 - kappa d of Newton's method for feet, kept away from the evolute."""
+        i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
+        direction = self._directions[i]
+        off = points - position
+        bend = self.curvature[i] * (off[:, 1] * direction[:, 0] - off[:, 0] * direction[:, 1])
+        return np.asarray(np.maximum(1 - bend, 0.3))
+
+    @cached_property
+    def _spline(self) -> "CubicHermiteSpline":
+        from scipy.interpolate import CubicHermiteSpline
+
+        return CubicHermiteSpline(even_steps(self.angle.size), self.position, self._directions)
+
+    @cached_property
+    def _directions(self) -> FloatArray:
+        return np.column_stack([np.cos(self.angle), np.sin(self.angle)])
+
+    @cached_property
+    def diagonal(self) -> float:
+        """Diagonal of the bounding box, in lengths."""
+        x, y = self.position.T
+        return hypot(x.max() - x.min(), y.max() - y.min())
+
+
+def even_steps(count: int) -> FloatArray:
+    """0..1 in equal steps (count,)."""
+    return np.linspace(0, 1, count)
+
+
+def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
+    """Centre and axis direction (both (2,)) of the curve's mirror image or half turn, in the target's units.
+
+    Raises
+    ------
+    InputError
+        When the curve has no such symmetry.
+    """
+    p, q = target.position, target.position[::-1]
+    middles, across = (p + q) / 2, p - q
+    centre = middles.mean(axis=0)
+    if kind == "turn":
+        error = float(np.abs(middles - centre).max())
+        axis = np.array([1.0, 0.0])
+    else:
+        values, vectors = np.linalg.eigh(across.T @ across)
+        axis = vectors[:, int(np.argmin(values))]
+        normal = np.array([-axis[1], axis[0]])
+        error = float(max(np.abs(across @ axis).max(), np.abs((middles - centre) @ normal).max()))
+    if error > _SYMMETRIC_LENGTHS:
+        name = "mirror image" if kind == "mirror" else "half turn"
+        raise InputError(
+            f"the drawn curve is not its own {name}: it is {error * target.size:.3g} mm off; "
+            "draw it symmetric, or do without keep symmetry"
+        )
+    return centre, axis
 
 
 class Distance(Protocol):
@@ -115,7 +232,9 @@ class LargestDistance:
         at = signed[far] + slopes[:, p]  # a node near the target may change sides
         rows = np.sign(at)[:, None] * slopes[:, :p]
         # the mean-square curvature only decides what the peaks leave open
-        return LocalModel(0.0, 1e-3 / signed.size * gram(across[:, :p]), np.zeros(p), np.abs(at), rows)
+        return LocalModel(
+            0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
+        )
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
         """Signed distances (n+1,) and the nodes that count."""
@@ -156,7 +275,9 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
     """Model of half the mean square of r + J d, weighted by `shares` (k,); the closing column of J belongs to r."""
     p = J.shape[1] - 1
-    product = weighted_gram(J, r, shares)
+    A = J.copy()
+    A[:, -1] += r
+    product = (A * shares[:, None]).T @ A
     return LocalModel(
         0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
     )
@@ -169,51 +290,22 @@ def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
 
 
 def _through(nodes: FloatArray, count: int) -> FloatArray:
-    """Points (count, 2) at equal steps along the cubic spline through `nodes` (n, 2).
+    """Points (count, 2) at equal steps along the cubic spline through `nodes` (n, 2)."""
+    from scipy.interpolate import CubicSpline
 
-    It has no knots next to its ends.
-    """
-    n = nodes.shape[0]
-    right = np.empty_like(nodes)
-    right[1:-1] = 3 * (nodes[2:] - nodes[:-2])
-    steps = nodes[[1, 2, -2, -1]] - nodes[[0, 1, -3, -2]]
-    right[0], right[-1] = (5 * steps[0] + steps[1]) / 2, (5 * steps[3] + steps[2]) / 2
-    diagonal, above = np.full(n, 4.0), np.ones(n - 1)
-    diagonal[[0, -1]] = 1.0
-    above[0] = 2.0
-    *_, slopes, _ = lapack().dgtsv(above[::-1], diagonal, above, right)
-    return hermite(nodes, slopes, even_steps(count))[0]
+    return np.asarray(CubicSpline(even_steps(nodes.shape[0]), nodes)(even_steps(count)))
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """The largest distance of `points` from the nearest chord of a fine chain of points.
-
-    Where the chain runs beside them, distances from chords near by are upper bounds, and the largest is exact if
-    no chord at all is nearer.
-    """
-    last = chain.shape[0] - 2
-    chords = np.diff(chain, axis=0)
-    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
-    k = np.minimum(np.arange(points.shape[0]), last)
-    for _ in range(3):
-        ahead = ((points - chain[k]) * chords[k]).sum(axis=1) / squares[k]
-        k = np.clip(k + np.floor(ahead).astype(int), 0, last)
-
-    def beside(points: FloatArray, k: IntArray | slice) -> FloatArray:
-        off, chord = points - chain[:-1][k], chords[k]
-        off = off - np.clip((off * chord).sum(axis=1) / squares[k], 0, 1)[:, None] * chord
-        return np.asarray(np.hypot(off[:, 0], off[:, 1]))
-
-    bounds = beside(points, k)
-    for _ in range(_MOST_EXACT):
-        farthest = int(np.argmax(bounds))
-        exact = float(beside(points[farthest], slice(None)).min())
-        if exact >= bounds[farthest] * (1 - 1e-12):
-            return exact
-        bounds[farthest] = exact
+    """The largest distance of `points` from a fine chain: from the chords on both sides of its nearest point."""
     from scipy.spatial import cKDTree
 
+    chords = np.diff(chain, axis=0)
+    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
     _, nearest = cKDTree(chain).query(points)
-    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, last)):
-        bounds = np.minimum(bounds, beside(points, k))
-    return float(bounds.max())
+    least = np.full(len(points), np.inf)
+    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, len(chords) - 1)):
+        off = points - chain[k]
+        off = off - np.clip((off * chords[k]).sum(axis=1) / squares[k], 0, 1)[:, None] * chords[k]
+        least = np.minimum(least, np.hypot(off[:, 0], off[:, 1]))
+    return float(least.max())

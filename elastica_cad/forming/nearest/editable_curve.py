@@ -7,7 +7,6 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, StripGrid
-from elastica_cad.forming.optimizer.dense_solves import gram, matvec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -172,14 +171,12 @@ class _Refinement:
             J = J[:, free]
             scale = np.sqrt((J**2).sum(axis=0))
             J, C = J / scale, C[:, free] / scale
-            system = np.block([[gram(J) + np.diag(resist), C.T], [C, np.zeros((gap.size, gap.size))]])
+            system = np.block([[J.T @ J + np.diag(resist), C.T], [C, np.zeros((gap.size, gap.size))]])
             change = np.zeros(u.count + 1)
             change[-1] = 1.0
-            change[free] = (
-                np.linalg.solve(system, np.concatenate([-matvec(J.T, off), -gap]))[: free.size] / scale
-            )
-            z, turn = z + change[:-1], matvec(d.angles, change)
-            angles, moments = angles + turn, moments + matvec(d.moments, change)
+            change[free] = np.linalg.solve(system, np.concatenate([-J.T @ off, -gap]))[: free.size] / scale
+            z, turn = z + change[:-1], d.angles @ change
+            angles, moments = angles + turn, moments + d.moments @ change
             size_of_step = float(np.abs(turn).max())
             if not size_of_step < 10:
                 return None
@@ -313,7 +310,8 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
     from scipy.linalg import cho_solve_banded, cholesky_banded
 
     m = A.shape[1]
-    joined = gram(np.hstack([A, B]))
+    both = np.hstack([A, B])
+    joined = both.T @ both
     band = np.zeros((DEGREE + 1, m))
     for k in range(DEGREE + 1):
         band[k, : m - k] = np.diagonal(joined[:m, :m], -k)

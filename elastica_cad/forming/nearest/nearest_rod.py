@@ -1,13 +1,29 @@
-"""The nearest rod to a drawn curve that material, machine and gravity allow."""
+"""The nearest rod to a drawn curve that material, machine and gravity allow, and the search for it."""
 
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, NamedTuple
 
-from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_leaves import find_leaves
-from elastica_cad.forming.nearest.nearest_record import NearestRod
-from elastica_cad.forming.nearest.nearest_task import Measure, Weights
-from elastica_cad.forming.nearest.rod_search import find_rod
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
+from elastica_cad.forming.limits import MET, Keep, Limits
+from elastica_cad.forming.nearest.curve_distance import TargetCurve, measure_deviation
+from elastica_cad.forming.nearest.nearest_record import Binding, NearestRod, advise, judge_search
+from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, SearchPoint, Weights
+from elastica_cad.forming.nearest.rod_map import MappedRod
+from elastica_cad.forming.nearest.rod_problem import (
+    RodOutcome,
+    RodProblem,
+    Search,
+    list_bindings,
+    pose_problem,
+)
+from elastica_cad.forming.optimizer.sqp import SETTINGS as SQP
+from elastica_cad.forming.optimizer.sqp import lift, minimize, worst_broken
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
@@ -15,7 +31,440 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_balance import far_too_heavy
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+
+class SearchSettings(NamedTuple):
+    """Settings of the search; distances are mean ones in diagonals of the target unless told.
+
+    Attributes
+    ----------
+    steps, unmet_steps : int
+        In all, after which no new start is tried, and the same where no start has met the limits so far.
+    tensions : tuple of float
+        Starts under a share of the tension that alone keeps the margin in a straight rod: taut ones are stable,
+        unloaded ones do not buckle.
+    follows, longer : float
+        Above this distance a longer rod may be nearer, as it waves more often; and how many times as long.
+    bent : int
+        Starts bent off the target by waves, for other valleys.
+    bent_rad : float
+        Typical size of these waves.
+    far : float
+        Distance above which other valleys are looked for.
+    bent_lifts : int
+        Lifted steps of such a start, which is then still open to several valleys.
+    near, as_near : float
+        Distance up to which a like search that goes on is believed, and times the distance that all starts came to.
+    followed : float
+        Distance below which a rod follows its target.
+    lean : float
+        Distance that a lesser ratio may cost.
+    spline : float
+        Of the least ratio: K is a spline of few coefficients.
+    tie, apart : float
+        Times the least distance: as near; and the distance of two rods from which on they are two answers.
+    closed : float
+        Lengths between the ends of a curve that nothing pulls straight.
+    rescalings : int
+        Searches more, at most, until a section weighs what it is made of.
+    roomy, full : float
+        Times the scale of a rod as large as may be: one that is kept leaves so much room, and no scale larger than
+        this is sought.
+    narrower : tuple of float
+        Times a scale, where a margin is sought that depends on it.
+    eased : float
+        Of such a margin, which is kept first where all of it is not found at once.
+    """
+
+    steps: int = 600
+    unmet_steps: int = 250
+    tensions: tuple[float, float] = (0.6, 0.0)
+    follows: float = 0.009
+    longer: float = 1.03
+    bent: int = 12
+    bent_rad: float = 0.4
+    far: float = 0.02
+    bent_lifts: int = 3
+    near: float = 0.015
+    as_near: float = 1.1
+    followed: float = 1e-3
+    lean: float = 1e-4
+    spline: float = 1.005
+    tie: float = 1.02
+    apart: float = 0.02
+    closed: float = 1e-3
+    rescalings: int = 8
+    roomy: float = 0.99
+    full: float = 1.03
+    narrower: tuple[float, ...] = (1.0, 0.9, 0.75)
+    eased: float = 0.8
+
+
+SETTINGS = SearchSettings()
+
+
+def _find_rod(
+    curve: PlaneCurve,
+    limits: Limits | None,
+    keep: Keep | None,
+    section: BoundedLaw | None,
+    *,
+    gravity: Gravity | None,
+    supports: Supports | None,
+    weights: Weights,
+    measure: Measure,
+    samples: int,
+    coefficients: int | None,
+    natural_curvature: NaturalCurvature,
+    again: Callable[..., NearestRod],
+    start: NearestRod | None = None,
+    grown: bool = True,
+) -> NearestRod:
+    """The answer to `nearest_rod` for sections of any size; `again` is what asks anew within other limits.
+
+    With `grown`, sizes without weight are as large as the limits let them be.
+    """
+    if not (start is None or isinstance(start, NearestRod)):
+        raise InputError(
+            f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
+        )
+    task = NearestTask.of(
+        curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
+    )
+    task = task if grown else replace(task, grows=False)
+    found = _search(task.without_followed_margin, measure, None if start is None else start.ended)
+    smaller = task.in_smaller_sections
+    if smaller is not None and (found.best.violation > MET or found.off > SETTINGS.followed):
+        other, steps = _search(smaller, measure), found.steps
+        found = min(found, other, key=lambda search: _rank(search.best))._replace(steps=steps + other.steps)
+    found = _rescaled(found, measure, task.limits.margin)
+    if found.task.section is not task.section:
+        task = replace(task, section=found.task.section)
+    problem, outcome, target = found.problem, found.best, task.target
+
+    def rod_of(point: MappedRod) -> Rod:
+        return task.grown(point).rod_of(point)
+
+    deviation = measure_deviation(target, outcome.point.position) * target.size
+    distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
+    return NearestRod(
+        found=rod_of(outcome.point), target=curve, deviation=deviation,
+        status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
+        mean_deviation=found.task.off(outcome.point) * target.size,
+        binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation,
+        iterations=found.steps, limits=task.limits, keep=task.keep, measure=measure,
+        distance=distance * target.size,
+        ties=tuple(rod_of(tie.point) for tie in found.ties),
+        ended=found.ended,
+        advise=advise,
+        again=partial(
+            again, curve, gravity=gravity, supports=supports, weights=task.weights, measure=measure,
+            samples=task.nodes, coefficients=task.coefficients, section=section,
+            natural_curvature=natural_curvature,
+        ),
+    )  # fmt: skip
+
+
+def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
+    """From where a like search ended before, or from as many starts as are needed.
+
+    The first start nearly always does; the others are for what it leaves broken, unsettled or far from the target.
+    """
+    problem = pose_problem(task, measure)
+    if before is not None and (near := _from_before(task, problem, before)) is not None:
+        return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
+    found = [minimize(problem, _start(task, problem))]
+    for enough, start in _starts(task, problem):
+        best = min(found, key=_rank)
+        off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
+        done = best.settled and best.violation <= MET
+        most = SETTINGS.steps if best.violation <= MET else SETTINGS.unmet_steps
+        if steps < most and not (done and off < enough):
+            found.append(minimize(problem, start()))
+    best = min(found, key=_rank)
+    off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
+    return _concluded(measure, Search(task, problem, best, (), steps, off), found)
+
+
+def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
+    """The search of sections that are as large as the limits let the rod found be."""
+    for _ in range(SETTINGS.rescalings):
+        settled = found.task.settled(found.best.point)
+        if settled is found.task or settled.gravity is None:  # without weight nothing hangs on the scale
+            found = found._replace(task=settled)
+            break
+        found = _go_on(found, settled, measure)
+    if margin == found.task.limits.margin:
+        return found
+    task = found.task.with_margin(margin)
+    problem = pose_problem(task, measure)
+    met = [worst_broken(problem, problem.values(one.point)) <= MET for one in (found.best, *found.ties)]
+    if met[0] or found.best.violation > MET:
+        ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
+        return found._replace(task=task, ties=ties)
+    task = replace(task.scaled_by(SETTINGS.roomy), keeps_scale=True)
+    for _ in range(SETTINGS.rescalings):
+        wider = _narrowed(found, task, measure)
+        if found.task.keeps_scale and wider.best.violation > MET:
+            return found._replace(steps=wider.steps)
+        found = wider
+        task = found.task.settled(found.best.point)
+        if found.best.violation > MET or task.scale < SETTINGS.full * found.task.scale:
+            break
+        task = task.scaled_by(SETTINGS.roomy)
+    return found
+
+
+def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """From where a search ended, at a scale or at smaller ones, by way of most of the margin.
+
+    Narrower strips may keep a margin that wider ones lose.
+    """
+    margin = task.limits.margin or 0.0
+    for share in SETTINGS.narrower:
+        narrow = task.scaled_by(share)
+        eased = _go_on(found, narrow.with_margin(min(margin, SETTINGS.eased * margin)), measure)
+        tried = _go_on(eased, narrow, measure)
+        if tried.best.violation <= MET:
+            break
+        found = found._replace(steps=tried.steps)
+    return tried
+
+
+def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """What is asked now, from where a search ended; its steps count too."""
+    more = _search(task, measure, found.ended)
+    return more._replace(steps=found.steps + more.steps)
+
+
+def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
+    """What is found from there, where that meets the limits and is about as near as what all starts found."""
+    z = before.seen_from(task.target, problem.grid.unknowns)
+    rod = None if z is None else problem.grid.shoot(z)
+    if rod is None or not np.isfinite(rod.moments[-1]):
+        return None
+    found = minimize(problem, rod)
+    enough = max(SETTINGS.near, SETTINGS.as_near * before.off)
+    near = task.off(found.point) < enough * task.target.diagonal
+    return found if near and found.settled and found.violation <= MET else None
+
+
+def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
+    """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
+    task, problem, best, _, steps, _ = so_far
+    free = task.is_scaled_freely or task.is_light
+    if free and task.off(best.point) < SETTINGS.followed * task.target.diagonal:
+        lean = _leaner(task, measure, best)
+        if lean is not None:
+            tight, problem, best = lean
+            return so_far._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
+    return so_far._replace(ties=tuple(_ties(task, problem, measure, best, found)))
+
+
+def _leaner(
+    task: NearestTask, measure: Measure, best: RodOutcome
+) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
+    """A rod of the least ratio that the target itself needs, where that is less than the best one's and as near.
+
+    The distance does not see the ratio: on a target that can be met exactly it would stay as the search left it.
+    """
+    K = best.point.stiffness
+    law = None if task.section is None or task.is_light else task.section.law
+    try:
+        rod = optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature, section=law)
+    except ElasticaError:
+        return None
+    least = rod.ratio * SETTINGS.spline
+    if best.violation > MET or least >= float(K.max() / K.min()):
+        return None
+    try:
+        tight = task.within_ratio(least)
+        problem = pose_problem(tight, measure)
+    except InputError:  # the stiffness is bounded elsewhere too
+        return None
+    outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
+    near = max(task.off(best.point), SETTINGS.lean * task.target.diagonal)
+    good = outcome.violation <= MET and task.off(outcome.point) <= near
+    return (tight, problem, outcome) if good else None
+
+
+def _ties(
+    task: NearestTask, problem: RodProblem, measure: Measure, best: RodOutcome, found: Sequence[RodOutcome]
+) -> Iterator[RodOutcome]:
+    """Outcomes of another shape than the best one and each other that are as near as it, but for 2 %."""
+    allowed = best.objective * (SETTINGS.tie if measure == "max" else SETTINGS.tie**2)
+    apart = (SETTINGS.apart * task.target.diagonal) ** 2
+    told = [best]
+    for outcome in sorted(found, key=lambda one: one.objective):
+        if not outcome.settled or outcome.violation > MET or outcome.objective > allowed:
+            continue
+        if all(problem.apart(outcome.point, other.point) > apart for other in told):
+            told.append(outcome)
+            yield outcome
+
+
+def _rank(outcome: RodOutcome) -> tuple[bool, float]:
+    """What is met comes first, then what is near; what is not met is judged by both."""
+    met = outcome.violation <= MET
+    return not met, outcome.objective + (0.0 if met else outcome.violation)
+
+
+def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
+    """Further rods to start from, each unless the mean distance found is small enough, in diagonals."""
+    chord = task.target.position[-1] - task.target.position[0]
+    chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed)
+    pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
+    for tension in SETTINGS.tensions if pull else SETTINGS.tensions[-1:]:
+        yield np.inf, partial(_start, task, problem, force=-tension * pull * chord)
+    length = problem.grid.unknowns.length
+    if problem.lower[length] < problem.upper[length]:
+        yield SETTINGS.follows, partial(_start, task, problem, length=SETTINGS.longer)
+    for seed in range(SETTINGS.bent):
+        yield SETTINGS.far, partial(_start, task, problem, lifts=SETTINGS.bent_lifts, seed=seed)
+
+
+def _start(
+    task: NearestTask,
+    problem: RodProblem,
+    *,
+    lifts: int = SQP.lifts,
+    length: float | None = None,
+    stiffness: float | None = None,
+    seed: int | None = None,
+    force: FloatArray | None = None,
+) -> MappedRod:
+    """The rod that the lifted program finds from the target with constant stiffness, under `force` where given.
+
+    A `seed` bends the target by slow waves and varies the stiffness: for other valleys.
+    """
+    if stiffness is None:
+        stiffness = task.even_stiffness
+    grid, target = problem.grid, task.target
+    u, n = grid.unknowns, grid.edges
+    places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
+    angles = target.angles(places)
+    z = np.zeros(u.count)
+    z[u.stiffness] = stiffness
+    if seed is not None:
+        rng = np.random.default_rng(seed)
+        z[u.stiffness] *= rng.uniform(0.5, 2.0, u.coefficients)
+        for k in range(1, 6):
+            angles += rng.normal(scale=SETTINGS.bent_rad / k) * np.sin(
+                np.pi * k * places + rng.uniform(0, 2 * np.pi)
+            )
+    z[u.position], z[u.angle], z[u.length] = target.position[0], angles[0], 1.0
+    if length is not None:
+        z[u.length] = length
+        problem = problem.with_given(u.length, z[u.length])
+    if force is not None:
+        problem = problem.with_given(u.force, force)
+    z = np.clip(z, problem.lower, problem.upper)
+    moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
+    start = grid.assemble(z, angles, moments)
+    return lift(replace(problem, distance=task.mean_distance), start, lifts)
+
+
+_STRICTER = 6  # tapers at most, each within stricter limits, from which leaves are laid
+_BEYOND = 1.2  # times what a stack breaks of a limit is asked of the next taper
+_WHOLE = 1e-9  # of a leaf: more than rounding
+
+
+def _find_leaves(
+    curve: PlaneCurve,
+    limits: Limits,
+    keep: Keep,
+    law: LeavesLaw,
+    *,
+    gravity: Gravity | None,
+    again: Callable[..., NearestRod],
+    **asked: Any,
+) -> NearestRod:
+    """A stack of glued leaves near the nearest taper; where a step breaks a limit, that of a stricter taper."""
+    if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
+        raise InputError(
+            "leaves keep ends, tangents and length, within ratio, margin, curvature, strain and regions: leave out "
+            "stiffness_bounds, points, symmetry and line"
+        )
+    # (n / k)^3 is the ratio of n leaves and k
+    fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
+    law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
+    laid, steps = None, 0
+    taper = _taper_on_curve(curve, limits, gravity, law, asked)
+    if taper is not None:
+        laid = lay_leaves(taper, law, tangents=keep.both_tangents)
+    strict = limits
+    for _ in range(_STRICTER):
+        if laid is not None and not _broken_by(laid, limits):
+            break
+        near = _find_rod(curve, strict, keep, law.relaxed, gravity=gravity, again=again, grown=False, **asked)
+        steps += near.iterations
+        laid = lay_leaves(near.rod, law, tangents=keep.both_tangents)
+        strict = _stricter(strict, _broken_by(laid, limits))
+    assert laid is not None
+    broken = _broken_by(laid, limits)
+    missed = max((binding.broken for binding in broken), default=0.0)
+    target = TargetCurve.of(curve)
+    position = (laid.rod.position - target.origin) / target.size
+    deviation = measure_deviation(target, position) * target.size
+    drawn = curve.sample(laid.rod.s.size).position
+    mean = float(np.sqrt(((laid.rod.position - drawn) ** 2).sum(axis=1).mean()))
+    return NearestRod(
+        found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
+        status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
+        binding=broken, violation=missed, iterations=steps, limits=limits, keep=keep,
+        measure=asked["measure"], distance=mean, advise=advise,
+        again=partial(again, curve, gravity=gravity, section=law, **asked),
+    )  # fmt: skip
+
+
+def _taper_on_curve(
+    curve: PlaneCurve, limits: Limits, gravity: Gravity | None, law: LeavesLaw, asked: dict[str, Any]
+) -> Rod | None:
+    """The taper that rests in the curve itself, as thick as the stack may be, where there is one."""
+    if limits.length is not None and not limits.length[0] <= curve.length <= limits.length[1]:
+        return None
+    try:
+        return optimal_rod(curve, gravity, asked["supports"], asked["natural_curvature"], section=law.relaxed)
+    except ElasticaError:
+        return None
+
+
+def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
+    """The limits that a stack breaks, and by how much, in shares of each."""
+    rod = laid.rod
+    s, bend = leaf_bends(rod, laid.section)
+    shares: dict[str, tuple[float | None, float]] = {}
+    if limits.margin is not None:
+        scale = max(10.0, abs(limits.margin))
+        shares["margin"] = limits.margin, (limits.margin - stability(rod).margin) / scale
+    if limits.curvature is not None:
+        shares["curvature"] = limits.curvature, float(bend.max()) / limits.curvature - 1
+    if limits.sheet is not None:
+        (strain,) = laid.section.strains(bend, laid.section.sheet.thickness * laid.section.counts(s))
+        shares["strain"] = None, strain.largest / (limits.strain or strain.limit) - 1
+    if limits.keep_out:
+        inside = -min(float(region.clearance(rod.position)[0][1:-1].min()) for region in limits.keep_out)
+        shares["keep-out"] = None, inside / rod.length
+    return tuple(Binding(name, limit, 0.0, over) for name, (limit, over) in shares.items() if over > MET)
+
+
+def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
+    """Limits for the taper, of which a stack then breaks less."""
+    for one in broken:
+        more = 1 + _BEYOND * one.broken
+        if one.name == "margin":
+            scale = max(10.0, abs(one.limit or 0.0))
+            limits = replace(limits, margin=(limits.margin or 0.0) + _BEYOND * one.broken * scale)
+        elif one.name == "curvature":
+            limits = limits.tightened(curvature=more)
+        elif one.name == "strain":
+            limits = limits.tightened(strain=more)
+    return limits
+
 
 _UNBEARABLE = 50.0
 """Gravity lengths in a curve from which it is its weight that leaves no rod to begin with."""
@@ -103,9 +552,9 @@ def nearest_rod(
         "coefficients": coefficients, "natural_curvature": natural_curvature, "again": nearest_rod,
     }  # fmt: skip
     if isinstance(section, LeavesLaw):
-        return find_leaves(curve, limits or Limits(), keep or Keep(), section, **asked)
+        return _find_leaves(curve, limits or Limits(), keep or Keep(), section, **asked)
     try:
-        return find_rod(curve, limits, keep, section, start=start, **asked)
+        return _find_rod(curve, limits, keep, section, start=start, **asked)
     except NotConvergedError as error:
         if gravity is None or curve.length < _UNBEARABLE * gravity.length:
             raise

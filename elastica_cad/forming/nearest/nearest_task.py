@@ -16,11 +16,10 @@ from elastica_cad.forming.nearest.curve_distance import (
     Distance,
     LargestDistance,
     MeanDistance,
+    TargetCurve,
+    even_steps,
 )
-from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
-from elastica_cad.forming.nearest.stiffness_basis import StiffnessBasis
-from elastica_cad.forming.nearest.target_curve import TargetCurve, even_steps
-from elastica_cad.forming.section_scale import SectionScale
+from elastica_cad.forming.nearest.rod_map import MappedRod, SectionScale, StiffnessBasis, Unknowns
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (
@@ -50,9 +49,6 @@ Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 _MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
 _COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
-
-_ROOMY = 0.99  # times the scale of a rod as large as may be: one that is kept leaves so much room
-_FULL = 1.03  # times the scale: no more room than that is left to the largest section
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,17 +206,6 @@ class NearestTask:
     def scale(self) -> float:
         """Of its section, N mm2; 1 of others."""
         return 1.0 if self.section is None else self.section.scale
-
-    def rescaled(self, mapped: MappedRod) -> "NearestTask | None":
-        """For a margin that hangs on the scale, the task in that which a rod settles; None where it is about that.
-
-        Rods as near may be of other scales, so that none comes to rest: in the end one scale is kept.
-        """
-        settled = self.settled(mapped)
-        full = settled.scale < self.scale * _FULL
-        if full and self.keeps_scale:
-            return None
-        return replace(settled.scaled_by(_ROOMY), keeps_scale=True) if full or self.keeps_scale else settled
 
     def scaled_by(self, share: float) -> "NearestTask":
         """The task with its section's stiffness times a share."""

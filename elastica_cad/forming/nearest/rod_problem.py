@@ -1,17 +1,40 @@
-"""The nearest rod as a nonlinear program: a distance under constraints over rods that need not be in balance."""
+"""What is asked of a nearest rod as a nonlinear program, what was found, and what holds the rod there."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.forming.nearest.constraints.constraint import Constraint
-from elastica_cad.forming.nearest.curve_distance import Distance
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import MET, Symmetry
+from elastica_cad.forming.nearest.constraints import (
+    Constraint,
+    CurvatureLimit,
+    EndAngle,
+    EndForce,
+    EndMoment,
+    EndPosition,
+    FollowedMarginLimit,
+    InflectionLine,
+    KeepOut,
+    LargestSection,
+    LeastStiffness,
+    MarginLimit,
+    MiddleOfMirror,
+    MiddleOfTurn,
+    StrainLimit,
+    Through,
+)
+from elastica_cad.forming.nearest.curve_distance import Distance, symmetry_frame
+from elastica_cad.forming.nearest.nearest_record import Binding
+from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, SearchPoint, values_along
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, StripGrid
-from elastica_cad.forming.optimizer.dense_solves import matvec
 from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, Linearization, NonlinearProgram
+from elastica_cad.forming.optimizer.sqp import Outcome
+from elastica_cad.mechanics.loads.rest_curvature import LENGTHS_APART, RestCurvature
 
 _TOO_SENSITIVE = 1e50  # rad per unknown: squares of such derivatives overflow
 
@@ -58,7 +81,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
             return None
         return Linearization(
             point, point.z, _stack_rows(self.constraints, sensitivities),
-            partial(self.distance.model, point, sensitivities), sensitivities.angles,
+            self.distance.model(point, sensitivities), sensitivities.angles,
             partial(self._moved, sensitivities),
         )  # fmt: skip
 
@@ -90,7 +113,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
         """The rod after a change (p + 1,), to first order."""
         z = self._inside(d.rod.z + change[:-1])
-        angles, moments = matvec(d.angles, change), matvec(d.moments, change)
+        angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
 
     def _inside(self, z: FloatArray) -> FloatArray:
@@ -131,3 +154,272 @@ def _stack_rows(
     price = np.array([one.price for one in constraints], dtype=float)[number]
     one_sided = np.array([one.one_sided for one in constraints], dtype=bool)[number]
     return ConstraintRows(number, np.concatenate(indices), at, jacobian, price, one_sided)
+
+
+_SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
+_SAME_CURVATURE = 1e-6  # of the target's typical one: blanks are symmetric but for rounding
+_LENGTHS = (0.2, 5.0)  # of the target, least and largest: where no limit says so a rod stays of its kind
+
+RodOutcome: TypeAlias = Outcome[MappedRod]
+
+
+class Search(NamedTuple):
+    """What was asked at last, its best outcome, outcomes elsewhere that are as near, and all steps taken.
+
+    `off` is the mean distance that a search from all starts came to, in diagonals of the target.
+    """
+
+    task: NearestTask
+    problem: RodProblem
+    best: RodOutcome
+    ties: tuple[RodOutcome, ...]
+    steps: int
+    off: float
+
+    @property
+    def ended(self) -> SearchPoint:
+        """Where it ended, for a like search to go on from."""
+        target = self.task.target
+        return SearchPoint(
+            self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
+        )
+
+
+def pose_problem(
+    task: NearestTask, measure: Measure, *, weight: float = 1.0, with_margin: bool = True
+) -> RodProblem:
+    """The problem with a share `weight` of gravity."""
+    grid = _grid(task, weight)
+    lower, upper = _box(task, grid)
+    return RodProblem(
+        lower, upper, _scale(task, grid), grid=grid, distance=task.distance(measure),
+        constraints=tuple(_constraints(task, with_margin)),
+    )  # fmt: skip
+
+
+def _grid(task: NearestTask, weight: float = 1.0) -> StripGrid:
+    """The nodes, with a share `weight` of gravity."""
+    basis = task.basis.at_nodes(task.nodes)
+    rest = task.rest
+    if task.gravity is None:
+        return StripGrid(basis, np.zeros(2), rest, supports=task.supports)
+    if task.section is None:
+        return StripGrid(basis, task.gravity.e * task.target.size**3 * weight, rest, supports=task.supports)
+    up = -weight * np.asarray(task.gravity.direction)
+    carried = partial(task.section.weight, size=task.target.size)
+    return StripGrid(basis, up, rest, supports=task.supports, weight=carried)
+
+
+def _moment_scale(task: NearestTask) -> float:
+    """Typical moment."""
+    bend = float(np.sqrt(np.mean(task.target.curvature**2)))
+    return float(max(1.0, bend * min(2.0, np.sqrt(task.limits.largest_ratio))))
+
+
+def _scale(task: NearestTask, grid: StripGrid) -> FloatArray:
+    u = grid.unknowns
+    scale = np.ones(u.count)
+    scale[u.moment] = _moment_scale(task)
+    scale[u.force] = 5 * _moment_scale(task)
+    return scale
+
+
+def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
+    u, target = grid.unknowns, task.target
+    lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
+    lower[u.stiffness], upper[u.stiffness] = _stiffness_box(task, u.coefficients)
+    start = task.supports.ends[0]
+    if task.keep.both_ends[0]:
+        lower[u.position] = upper[u.position] = target.position[0]
+    if task.keep.both_tangents[0]:
+        lower[u.angle] = upper[u.angle] = target.angle[0]
+    if not start.angle:
+        lower[u.moment] = upper[u.moment] = 0.0
+    for axis, held in enumerate((start.x, start.y)):
+        if not held:
+            lower[u.force.start + axis] = upper[u.force.start + axis] = 0.0
+    lower[u.length], upper[u.length] = _lengths(task)
+    return lower, upper
+
+
+def _lengths(task: NearestTask) -> tuple[float, float]:
+    target, limits = task.target, task.limits
+    low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / target.size
+    blank = task.natural_curvature.length if isinstance(task.natural_curvature, RestCurvature) else None
+    if blank is not None:
+        asked = "keep length asks" if task.keep.length else "the limit length asks"
+        least, most = (1.0, 1.0) if task.keep.length else (low, high)
+        room = LENGTHS_APART * (1 - _SAME_LENGTH)
+        low, high = (
+            max(low, (1 - room) * blank / target.size),
+            min(high, (1 + room) * blank / target.size),
+        )
+        if least > high or most < low:
+            raise InputError(
+                f"{asked} for {least * target.size:.6g} to {most * target.size:.6g} mm, but the blank is "
+                f"{blank:.6g} mm long before it is bent: give its curvature along the length that is asked for"
+            )
+    if task.keep.length:
+        if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
+            raise InputError(
+                f"keep length asks for {target.size:.6g} mm, outside the limit length of "
+                f"{low * target.size:.6g} to {high * target.size:.6g} mm: drop one of them"
+            )
+        low = high = 1.0
+    if all(task.keep.both_ends):
+        chord = float(np.hypot(*(target.position[-1] - target.position[0])))
+        if high < chord * (1 - 1e-12):
+            raise InputError(
+                f"the rod may be at most {high * target.size:.6g} mm long, but its kept ends are "
+                f"{chord * target.size:.6g} mm apart: allow more length or free an end"
+            )
+    return float(low), float(high)
+
+
+def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
+    target, limits, keep = task.target, task.limits, task.keep
+    end = task.supports.ends[1]
+    found: list[Constraint] = []
+    if keep.symmetry:
+        found.append(_symmetry(task, keep.symmetry))
+    else:
+        if keep.both_ends[1]:
+            found.append(EndPosition(target=_pair(target.position[-1])))
+        if keep.both_tangents[1]:
+            found.append(EndAngle(target=float(target.angle[-1])))
+        if not end.angle:
+            found.append(EndMoment(scale=_moment_scale(task)))
+        found += [
+            EndForce(axis=axis, scale=5 * _moment_scale(task))
+            for axis, held in enumerate((end.x, end.y))
+            if not held
+        ]
+    for s in keep.points:
+        if not 0 <= s <= target.size * (1 + 1e-9):
+            raise InputError(f"keep point at {s:.6g} mm lies off the drawn curve of {target.size:.6g} mm")
+        place = min(s / target.size, 1.0)
+        point, _ = target.at(np.array([place]))
+        found.append(Through(target=_pair(point[0]), place=place))
+    if task.line is not None:
+        a, b = ((np.asarray(p) - target.origin) / target.size for p in task.line)
+        direction = (b - a) / np.hypot(*(b - a))
+        found.append(InflectionLine(point=_pair(a), direction=_pair(direction), scale=_moment_scale(task)))
+    curvature = limits.largest_curvature if task.section is None else limits.curvature
+    if task.section is not None and limits.sheet is not None:
+        found.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
+    if curvature is not None:
+        found.append(CurvatureLimit(limit=curvature * target.size))
+    found += [
+        KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
+        for region in limits.keep_out
+    ]
+    if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
+        found.append(LeastStiffness())
+    if with_margin and limits.margin is not None:
+        found += _margin_limits(task, limits.margin)
+    return found
+
+
+def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
+    section, size = task.section, task.target.size
+    if section is None or not task.is_scaled_freely:
+        return [MarginLimit(limit=margin)]
+    found: list[Constraint] = [FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)]
+    if task.keeps_scale and np.isfinite(section.law.limits[1]):
+        found.append(LargestSection(section=section, rest=task.rest, size=size))
+    return found
+
+
+def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
+    target = task.target
+    centre, axis = symmetry_frame(target, kind)
+    rest = np.broadcast_to(task.rest, (task.nodes,))
+    if np.abs(rest - (1 if kind == "mirror" else -1) * rest[::-1]).max() > _SAME_CURVATURE * _moment_scale(
+        task
+    ):
+        image = "mirror image" if kind == "mirror" else "half turn"
+        raise InputError(
+            f"the blank is not its own {image} before it is bent: give one that is, or leave out keep symmetry"
+        )
+    if kind == "turn":
+        if task.gravity is not None:
+            raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
+        return MiddleOfTurn(centre=_pair(centre), scale=_moment_scale(task))
+    if task.gravity is not None and abs(np.dot(task.gravity.direction, axis)) < 1 - 1e-9:
+        raise InputError("gravity pulls across the mirror axis: a strip with weight cannot stay symmetric")
+    across = np.array([-axis[1], axis[0]])
+    middle = float(target.angles(np.array([0.5]))[0])
+    angle = float(np.arctan2(across[1], across[0]))
+    angle += np.pi * np.round((middle - angle) / np.pi)
+    return MiddleOfMirror(centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * _moment_scale(task))
+
+
+def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
+    """Least and largest coefficients: of the bounds along the strip the strictest over each one's support."""
+    ratio = task.limits.largest_ratio
+    low, high = np.ones(count), np.full(count, ratio)
+    if task.limits.stiffness_bounds is None:
+        return low, high
+    s = np.linspace(0, 1, 20 * task.coefficients + 1)
+    support = task.basis.at(s) > 0
+    below, above = task.limits.stiffness_bounds
+    if below is not None:
+        values = values_along(below, s, task.target.size, "stiffness bounds")
+        low = np.maximum(low, np.where(support, values[:, None], -np.inf).max(axis=0))
+    if above is not None:
+        values = values_along(above, s, task.target.size, "stiffness bounds")
+        high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
+    if low.min() > 1:
+        raise InputError(
+            f"stiffness_bounds ask for at least {low.min():.4g} everywhere, but K / min K is 1 somewhere: "
+            "let the lower bound come down to 1"
+        )
+    if np.any(low > high):
+        at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size
+        raise InputError(
+            f"no stiffness is both above the lower and below the upper bound (or the ratio limit {ratio:.4g}) "
+            f"near {at:.4g} mm: widen the bounds"
+        )
+    return low, high
+
+
+def _pair(point: FloatArray) -> tuple[float, float]:
+    return float(point[0]), float(point[1])
+
+
+_IDLE = 1e-6  # of the largest cost: smaller ones are what the quadratic program leaves open
+
+
+def list_bindings(
+    task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod], measure: Measure
+) -> tuple[Binding, ...]:
+    """All limits with a cost, the dearest relative change first."""
+    size, limits, u = task.target.size, task.limits, problem.grid.unknowns
+    if measure == "max":
+        per = size
+    else:
+        per = float(size / np.sqrt(2 * outcome.objective)) if outcome.objective > 1e-14 else 0.0
+    found: list[Binding] = []
+    at_ratio = float(outcome.at_upper[u.stiffness].sum())
+    found.append(Binding("ratio", limits.largest_ratio, per * at_ratio))
+    if limits.length is not None or task.keep.length:
+        pull = float(outcome.at_upper[u.length] - outcome.at_lower[u.length])
+        found.append(Binding("length", float(outcome.point.length * size), per * abs(pull) / size))
+    for name, part, unit in (("start position", u.position, size), ("start tangent", u.angle, 1.0)):
+        pull = float(np.linalg.norm(outcome.at_upper[part] - outcome.at_lower[part]))
+        found.append(Binding(name, None, per * pull / unit))
+    values = problem.values(outcome.point)
+    for constraint, y, value in zip(problem.constraints, outcome.multipliers, values, strict=True):
+        broken = float((np.maximum(-value, 0) if constraint.one_sided else np.abs(value)).max(initial=0.0))
+        total = float(np.abs(y).sum()) if constraint.one_sided else float(np.linalg.norm(y))
+        limit: float | None = None
+        if isinstance(constraint, MarginLimit):
+            limit, total = constraint.limit, total / constraint.scale
+        elif isinstance(constraint, CurvatureLimit):
+            limit, total = constraint.limit / size, total / constraint.limit * size
+        elif constraint.name in ("end position", "points", "keep-out"):
+            total /= size
+        found.append(Binding(constraint.name, limit, per * total, broken))
+    largest = max(b.cost * abs(b.limit or 1.0) for b in found)
+    kept = [b for b in found if b.broken > MET or b.cost * abs(b.limit or 1.0) > _IDLE * max(largest, 1e-12)]
+    return tuple(sorted(kept, key=lambda b: (-(b.broken > MET), -b.cost * abs(b.limit or 1.0))))

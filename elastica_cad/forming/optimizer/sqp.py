@@ -2,17 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Generic
+from typing import Generic, NamedTuple
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.optimizer.dense_solves import matvec
-from elastica_cad.forming.optimizer.exact_point import make_exact, worst_broken
-from elastica_cad.forming.optimizer.iterate import (
+from elastica_cad.forming.optimizer.nonlinear_program import (
     ActiveSet,
+    ConstraintRows,
     Iterate,
+    NonlinearProgram,
+    Point,
     all_equalities,
     close_iterate,
     follow_step,
@@ -20,33 +21,84 @@ from elastica_cad.forming.optimizer.iterate import (
     meet_equalities,
     row_keys,
 )
-from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, NonlinearProgram, Point
-from elastica_cad.forming.optimizer.quadratic_program import QuadraticSolution
-from elastica_cad.forming.optimizer.step_program import damping_of, solve_step
+from elastica_cad.forming.optimizer.quadratic_program import (
+    QuadraticProgram,
+    QuadraticSolution,
+    solve_quadratic,
+)
 
-STEPS = 80  # most quadratic programs of one search: usual ones take less than half
-LIFTS = 12  # most lifted steps: they converge quadratically, or not at all
-SETTLED = 3e-4  # a step that promises less than this share of the objective ends the search
-SMALLEST_RADIUS = 1e-7  # in scales: where longer steps fail, shorter ones are no progress
-_DAMPING = 1e-9  # of the largest curvature: keeps the program strictly convex
-_IDLE = 1e-2  # share of the objective left that a step of one scale costs where it changes nothing
-_EASIEST = 1e-4  # share of the damping that is left where steps keep what they promise
-_FAR = 20.0  # radius of the lifted steps, in scales
-_CALM = 1e-6  # damping of the first: where several unknowns do, the start takes the least
-_CALMED = 0.1  # of the state: a lifted step that changes it by less leaves a point that closes
-_WORTHWHILE = 0.7  # a lifted step that leaves more of the objective is the last
-_AJAR = 1.0  # of the state: a start that is off by more is closed from its unknowns instead
-_ALIKE = 0.1  # of the distance to the optimum known: nearer points lie in the same valley
-_SAME = 0.02  # of the distance to an optimum known that breaks its limits
-_BROKEN = 1e-6  # of a constraint's value
-_AS_BROKEN = 0.9  # of what is broken at an optimum known: less of it may lead elsewhere
-_CLOSER = 0.1  # of its defect: a trial that is off by less is worth more than the point it came from
-_ENDED = 1e-5  # of a constraint's value: more is not put right at the end of a search
-_STUCK = 0.01  # radius, in scales: where longer steps than it are no use, something else is tried
-_WATCHED = 6  # steps by which what is broken must come down
-_HOPELESS = 0.5  # share of it that the steps left would put right at that pace: the search ends
-_FAR_FROM_MET = 0.02  # of a constraint's value: less is put right at the end, at whatever pace before
-_RESOLUTION = 1e-11  # of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm
+
+class SearchSettings(NamedTuple):
+    """Settings of a search.
+
+    Attributes
+    ----------
+    steps, lifts : int
+        Most quadratic programs of one search, of which usual ones take less than half, and most lifted steps, which
+        converge quadratically or not at all.
+    settled : float
+        A step that promises less than this share of the objective ends the search.
+    resolution : float
+        Of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm.
+    smallest_radius, far : float
+        In scales: where longer steps fail, shorter ones are no progress; and the radius of the lifted steps.
+    stuck : float
+        Radius, in scales, below which a step for the worse ends the search.
+    damping, calm : float
+        Of the largest curvature: keeps the program strictly convex, and that of the first lifted step: where
+        several unknowns do, the start takes the least.
+    idle : float
+        Share of the objective left that a step of one scale costs where it changes nothing.
+    easiest : float
+        Share of the damping that is left where steps keep what they promise.
+    calmed, worthwhile : float
+        A lifted step that changes the state by less leaves a point that closes; if it leaves more than this share
+        of the objective it is the last.
+    ajar : float
+        Of the state: a start that is off by more is closed from its unknowns instead.
+    patience, stalled, far_from_met : int, float, float
+        A search ends where so many steps left more than this share of what was broken, unless it is little.
+    closer : float
+        Of its defect: a trial that is off by less is worth more than the point it came from.
+    sensitive : float
+        Root of the objective's curvature, per scale, beyond which an unknown is measured in a finer scale.
+    clearance : float
+        What a limit that is touched keeps in hand, so that rounding does not break it.
+    exact_steps : int
+        Newton steps at the end of a search; each squares what is missed, as far as rounding lets it.
+    in_reach, missed : float
+        Of a constraint's value: more is not missed by rounding, and less is by rounding alone.
+    firm : float
+        Times what is missed: no step that puts it right is longer, no multiplier larger.
+    """
+
+    steps: int = 80
+    lifts: int = 12
+    settled: float = 3e-4
+    resolution: float = 1e-11
+    smallest_radius: float = 1e-7
+    far: float = 20.0
+    stuck: float = 0.01
+    damping: float = 1e-9
+    calm: float = 1e-6
+    idle: float = 1e-2
+    easiest: float = 1e-4
+    calmed: float = 0.1
+    worthwhile: float = 0.7
+    ajar: float = 1.0
+    patience: int = 12
+    stalled: float = 0.7
+    far_from_met: float = 0.02
+    closer: float = 0.1
+    sensitive: float = 100.0
+    clearance: float = 1e-9
+    exact_steps: int = 6
+    in_reach: float = 1e-3
+    missed: float = 1e-13
+    firm: float = 1e4
+
+
+SETTINGS = SearchSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,15 +126,9 @@ class Outcome(Generic[Point]):
     at_upper: FloatArray
     iterations: int
     settled: bool
-    hopeless: bool = False
-
-    @property
-    def spent(self) -> int:
-        """The steps that it counts for: a search that was given up would have used up all."""
-        return STEPS if self.hopeless else self.iterations
 
 
-def lift(program: NonlinearProgram[Point], start: Point, steps: int = LIFTS) -> Point:
+def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.lifts) -> Point:
     """A point near one that is far from closed, nearly closed itself.
 
     The state is an unknown of its own here and its equations are one more constraint, linearised about it: the
@@ -92,64 +138,55 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = LIFTS) -> 
     program = program.for_open_points()
     point = best = start
     before = least = np.inf
-    solution: QuadraticSolution | None = None
     for k in range(steps):
         here = iterate_at(program, point)
         if here is None:
             break
-        step, solution = solve_step(
-            here, _FAR, damping_of(here, _CALM, np.inf if k == 0 else _IDLE), solution
-        )
-        if step is None or solution is None:
+        damping = _damping(here, SETTINGS.calm, np.inf if k == 0 else SETTINGS.idle)
+        solved = _solve_step(here, SETTINGS.far, damping)
+        if solved is None:
             break
-        change = np.append(step, 1.0)
+        change = np.append(solved[0], 1.0)
         point = here.local.moved(change)
         after = program.objective(point)
-        changed = float(np.abs(matvec(here.local.state_jacobian, change)).max())
+        changed = float(np.abs(here.local.state_jacobian @ change).max())
         # second order in the change of state is what closing the point may add to its distance
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
-        if changed < _CALMED and after > _WORTHWHILE * before - _RESOLUTION:
+        if changed < SETTINGS.calmed and after > SETTINGS.worthwhile * before - SETTINGS.resolution:
             break
         before = after
     return best
 
 
 def minimize(
-    program: NonlinearProgram[Point],
-    start: Point,
-    *,
-    steps: int = STEPS,
-    radius: float = 1.0,
-    known: Sequence[Outcome[Point]] = (),
+    program: NonlinearProgram[Point], start: Point, *, steps: int = SETTINGS.steps
 ) -> Outcome[Point]:
-    """The local minimum downhill from a point that need not be closed; of what is `known` that of the same valley.
+    """The local minimum downhill from a point that need not be closed.
 
-    The local model of the objective, linearised constraints with prices, a box of size `radius` (in scales),
-    one quadratic program a step. The state follows a step with the unknowns (see `follow_step`); the merit's
-    prices follow the multipliers (Powell's rule).
+    The local model of the objective, linearised constraints with prices, a box of one radius (in scales), one
+    quadratic program a step. The state follows a step with the unknowns (see `follow_step`); the merit's prices
+    follow the multipliers (Powell's rule).
 
     Raises
     ------
     NotConvergedError
         When no point is found to begin with.
     """
-    walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size), radius)
-    iteration, broken, hopeless = 0, [walk.here.violation], False
-    while iteration < steps and walk.goes_on and not hopeless:
-        for other in known:
-            if _leads_to(walk.here, other):
-                return replace(other, iterations=iteration)
+    walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
+    iteration, broken, stalled = 0, [walk.here.violation], False
+    while iteration < steps and not walk.settled and walk.radius > SETTINGS.smallest_radius and not stalled:
         iteration += 1
         walk.advance()
         broken.append(walk.here.violation)
-        hopeless = not walk.settled and _is_hopeless(broken, steps - iteration)
-    point = make_exact(program, walk.end())
+        before = max(broken[-SETTINGS.patience :]) if iteration > SETTINGS.patience else np.inf
+        stalled = broken[-1] > max(SETTINGS.far_from_met, SETTINGS.stalled * before)
+    point = _make_exact(program, walk.end())
     values = program.values(point)
     multipliers, low, high = _multipliers(program, values, walk.solved)
     return Outcome(
         point, program.objective(point), worst_broken(program, values), multipliers, low, high, iteration,
-        walk.settled, hopeless,
+        walk.settled,
     )  # fmt: skip
 
 
@@ -172,66 +209,50 @@ class _Walk(Generic[Point]):
         Does no step promise more than the search resolves?
     active : ActiveSet
         What the last step touched.
-    last : Point or None
-        The closed point after the last step, where it was worth taking.
     """
 
     here: Iterate[Point]
     prices: FloatArray
-    radius: float
+    radius: float = 1.0
     damping_share: float = 1.0
     solved: tuple[ConstraintRows, QuadraticSolution] | None = None
     settled: bool = False
-    last: Point | None = None
 
     def __post_init__(self) -> None:
         self.active = all_equalities(self.here)
 
-    @property
-    def goes_on(self) -> bool:
-        """Is there a step left to try?"""
-        return not self.settled and self.radius > SMALLEST_RADIUS
-
     def advance(self) -> None:
         """Steps within smaller and smaller radii, until one is taken or none is worth it."""
-        floor = SETTLED * self.here.objective + _RESOLUTION
-        damping = damping_of(self.here, _DAMPING, _IDLE)
-        while self.radius > SMALLEST_RADIUS and not self._try_step(floor, damping):
+        while self.radius > SETTINGS.smallest_radius and not self._try_step():
             pass
 
     def end(self) -> Point:
         """The closed point where it ended."""
-        here = self.here
-        program = here.program
-        return (
-            self.last
-            or close_iterate(here, self.active)
-            or program.close(here.local.point)
-            or program.fallback()
-        )
+        program = self.here.program
+        found = close_iterate(self.here, self.active) or program.close(self.here.local.point)
+        return found or program.fallback()
 
-    def _try_step(self, floor: float, damping: float) -> bool:
+    def _try_step(self) -> bool:
         """One step of the quadratic program; False asks for another, within the radius as it is then."""
-        here, near = self.here, None if self.solved is None else self.solved[1]
-        step, solution = solve_step(here, self.radius, self.damping_share * damping, near)
-        if step is None or solution is None:
+        here = self.here
+        damping = self.damping_share * _damping(here, SETTINGS.damping, SETTINGS.idle)
+        solved = _solve_step(here, self.radius, damping)
+        if solved is None:
             self.radius *= 0.25
             return False
+        step, solution = solved
         self.solved = here.local.rows, solution
         self.prices = _prices(here.program, here.local.rows, solution, self.prices)
-        merit = here.merit(self.prices)
+        merit, floor = here.merit(self.prices), SETTINGS.settled * here.objective + SETTINGS.resolution
         promised = merit - here.predicted_merit(step, self.prices)
         worth, highest = max(promised, floor), float(self.prices.max(initial=0.0))
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
-            if promised < -floor and self.radius > _STUCK:
+            if promised < -floor and self.radius > SETTINGS.stuck:
                 # a step for the worse solves no program: a shorter one, damped, is found better
                 self.damping_share, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
-            self.last = _last_point(here, step, self.prices, merit - 1e-4 * worth)
-            if self.last is not None:
-                return True
         touched = _touched(here, step, solution)
         trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
         gain = -np.inf if trial is None else (merit - trial.merit(self.prices)) / worth
@@ -240,7 +261,12 @@ class _Walk(Generic[Point]):
             self.here, self.active = trial, touched
         elif not reliable:
             # the merit that the trial did not come up to may be that of a point that does not close so
-            nearer = _closer(here, trial, self.active, self.radius, worth, highest)
+            nearer = follow_step(here, here.change, self.active, worth, highest)
+            if nearer is None and trial is not None and trial.defect < SETTINGS.closer * here.defect:
+                nearer = trial
+            if nearer is None and self.radius < SETTINGS.stuck:
+                point = here.program.close(here.local.point)
+                nearer = None if point is None else iterate_at(here.program, point)
             if nearer is not None:
                 self.here = nearer
                 return True
@@ -252,7 +278,7 @@ class _Walk(Generic[Point]):
         """Radius and damping after a step of `size` scales that gained this share of what it promised."""
         if gain > 0.75:
             self.radius = max(self.radius, min(5.0, 2 * size))
-            self.damping_share = max(0.1 * self.damping_share, _EASIEST)
+            self.damping_share = max(0.1 * self.damping_share, SETTINGS.easiest)
         elif gain < 0.25:
             self.radius, self.damping_share = (0.5 if accepted else 0.3) * size, 1.0
 
@@ -263,66 +289,13 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
     found = iterate_at(program, point)
     if found is not None:
         here = meet_equalities(found)
-        if here.defect < _AJAR:
+        if here.defect < SETTINGS.ajar:
             return here
     for other in (program.close(point), program.fallback()):
         found = None if other is None else iterate_at(program, other)
         if found is not None:
             return found
     raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
-
-
-def _leads_to(here: Iterate[Point], known: Outcome[Point]) -> bool:
-    """Is the search so near what it found before, and no nearer to meeting its limits, that it ends there again?"""
-    # what breaks its limits may have come to rest on a saddle: such a point is left from quite near
-    alike = _ALIKE if known.violation < _BROKEN else _SAME
-    near = here.program.apart(here.local.point, known.point) < alike**2 * known.objective
-    return near and here.violation >= _AS_BROKEN * known.violation
-
-
-def _last_point(here: Iterate[Point], step: FloatArray, prices: FloatArray, enough: float) -> Point | None:
-    """The closed point after the last step, whose state is shot anew; None where its merit is not low `enough`.
-
-    What is broken there is left to the end of the search, which puts little right.
-    """
-    program = here.program
-    point = program.close(here.local.point, step)
-    if point is None:
-        return None
-    values = program.values(point)
-    if worst_broken(program, values) > _ENDED:
-        return None
-    broken = (
-        float((np.maximum(-value, 0.0) if one_sided else np.abs(value)).sum())
-        for value, one_sided in zip(values, program.one_sided, strict=True)
-    )
-    merit = program.objective(point) + sum(p * b for p, b in zip(prices, broken, strict=True))
-    return point if merit < enough else None
-
-
-def _closer(
-    here: Iterate[Point], trial: Iterate[Point] | None, active: ActiveSet, radius: float, promise: float,
-    highest_price: float,
-) -> Iterate[Point] | None:  # fmt: skip
-    """Where to go on from a point that is not closed: itself, closed, or a trial that is, whatever its merit.
-
-    Where steps have become short without leading anywhere, the closed point of its unknowns.
-    """
-    found = follow_step(here, here.change, active, promise, highest_price)
-    if found is None and trial is not None and trial.defect < _CLOSER * here.defect:
-        return trial
-    if found is None and radius < _STUCK:
-        point = here.program.close(here.local.point)
-        return None if point is None else iterate_at(here.program, point)
-    return found
-
-
-def _is_hopeless(broken: Sequence[float], left: int) -> bool:
-    """Will what is `broken` step by step stay so in the steps that are left, at the pace of the last ones?"""
-    if len(broken) <= _WATCHED or broken[-1] < _FAR_FROM_MET:
-        return False
-    pace = (max(broken[-1 - _WATCHED : -_WATCHED // 2]) - broken[-1]) / _WATCHED
-    return pace * left < _HOPELESS * broken[-1]
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
@@ -343,21 +316,112 @@ def _prices(
     return np.minimum(program.highest_prices, np.maximum(largest, 0.1 * before))
 
 
+def _solve_step(
+    here: Iterate[Point], radius: float, damping: float
+) -> tuple[FloatArray, QuadraticSolution] | None:
+    """The step (p,) of the local model and linearised constraints in a box, and the solution in scales.
+
+    `radius` is in scales, and `damping` is added to the Hessian's diagonal in scales; None where the step is not
+    finite.
+    """
+    program, local = here.program, here.local
+    rows, model, z = local.rows, local.model, local.z
+    p = z.size
+    # what the objective is very sensitive to is measured finer: it would set how well the others are solved for
+    curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitive) ** 2
+    fine = np.sqrt(np.maximum(1.0, curved))
+    s = program.scale / fine
+    hessian, gradient = model.hessian * np.outer(s, s) + np.diag(damping / fine**2), model.gradient * s
+    lower = np.maximum((program.lower - z) / s, -radius * fine)
+    upper = np.minimum((program.upper - z) / s, radius * fine)
+    jacobian, value, price, one_sided = rows.jacobian * s, rows.value, rows.price, rows.one_sided
+    if model.peaks.size:
+        # one more unknown t >= every peak; its rows cannot be worth breaking
+        k, top = model.peaks.size, float(model.peaks.max())
+        hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
+        lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
+        jacobian = np.block([[jacobian, np.zeros((value.size, 1))], [-model.peak_rows * s, np.ones((k, 1))]])
+        value = np.append(value, top - model.peaks)
+        price, one_sided = np.append(price, np.full(k, 10.0)), np.append(one_sided, np.ones(k, dtype=bool))
+    found = solve_quadratic(
+        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided)
+    )
+    if not np.all(np.isfinite(found.x)):
+        return None
+    low, high = found.lower_multipliers[:p] * fine, found.upper_multipliers[:p] * fine
+    return found.x[:p] * s, replace(
+        found, x=found.x[:p] / fine, lower_multipliers=low, upper_multipliers=high
+    )
+
+
+def _damping(here: Iterate[Point], most: float, share: float) -> float:
+    """What is added to the Hessian against long steps that change nothing: less as the objective comes down.
+
+    It is at most the share `most` of the Hessian's largest entry, and a step of one scale costs at most `share` of
+    the objective; an infinite share means `most` itself.
+    """
+    model = here.local.model
+    largest = most * float(model.hessian.diagonal().max())
+    if model.peaks.size:
+        return largest
+    return min(largest, max(share * here.program.objective(here.local.point), 1e-16))
+
+
+def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray]) -> float:
+    """The worst broken constraint."""
+    return max(
+        (
+            float((np.maximum(-value, 0.0) if one_sided else np.abs(value)).max())
+            for value, one_sided in zip(values, program.one_sided, strict=True)
+        ),
+        default=0.0,
+    )
+
+
+def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
+    """The point near a closed one that meets the equalities, and what limits are nearly met, to rounding.
+
+    Newton's method by least steps of the unknowns within their box.
+    """
+    best, least = point, np.inf
+    for _ in range(SETTINGS.exact_steps):
+        values = program.values(point)
+        z, rows = program.rows(point, values)
+        aim = np.where(rows.one_sided, SETTINGS.clearance - rows.value, -rows.value)
+        missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
+        if missed < least:
+            best, least = point, missed
+        if missed <= SETTINGS.missed or missed > SETTINGS.in_reach:
+            break
+        s, p = program.scale, z.size
+        step = solve_quadratic(
+            QuadraticProgram(
+                np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / missed, -SETTINGS.firm),
+                np.minimum((program.upper - z) / s / missed, SETTINGS.firm), rows.jacobian * s, aim / missed,
+                np.full(aim.size, SETTINGS.firm), rows.one_sided,
+            )
+        )  # fmt: skip
+        trial = program.close(point, step.x * s * missed)
+        if trial is None:
+            break
+        point = trial
+    return best
+
+
 def _multipliers(
     program: NonlinearProgram[Point],
     values: Sequence[FloatArray],
     found: tuple[ConstraintRows, QuadraticSolution] | None,
 ) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
     """d(objective) / d(value) of every constraint and of the box, from the last quadratic program."""
-    p = program.scale.size
     out = [np.zeros_like(v) for v in values]
     if found is None:
-        return tuple(out), np.zeros(p), np.zeros(p)
+        return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)
     rows, solution = found
     for k, i, y in zip(rows.constraint, rows.index, solution.row_multipliers, strict=False):
         out[k][i] = y
     return (
         tuple(out),
-        solution.lower_multipliers[:p] / program.scale,
-        solution.upper_multipliers[:p] / program.scale,
+        solution.lower_multipliers / program.scale,
+        solution.upper_multipliers / program.scale,
     )

@@ -1,20 +1,41 @@
-"""The smallest ratio of largest to least stiffness: a linear program in few numbers, by row generation."""
+"""Linear programs in few numbers: the smallest ratio of largest to least stiffness, and the smoothest near it."""
 
-import threading
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.mechanics.stiffness.vertex_exchange import VertexExchange
 
-Solver: TypeAlias = Literal["auto", "highspy", "scipy"]
 
-_START_ROWS = 9  # along the curve, before violated rows are added
-MAX_ROUNDS = 200  # of adding violated rows
+class Exchange(NamedTuple):
+    """Settings of the exchange of vertices, and of rows that are added to a program until it holds.
+
+    Attributes
+    ----------
+    start_rows, most_rounds : int
+        Samples along a curve to begin with where rows are added, and rounds of adding.
+    box : float
+        Size that unknowns of order 1 are held below at first, so that there is a vertex to start from.
+    feasible : float
+        Lack of a condition that is rounding: of 1, or of R where the condition holds R.
+    pivot : float
+        Share of the largest component below which a condition cannot leave a vertex.
+    most : int
+        Exchanges: several times what a program in four numbers takes.
+    """
+
+    start_rows: int = 9
+    most_rounds: int = 200
+    box: float = 1e7
+    feasible: float = 1e-10
+    pivot: float = 1e-9
+    most: int = 200
+
+
+METHOD = Exchange()
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,14 +50,11 @@ class MinimaxSolution:
         R, the largest value; the least one is at least 1.
     values : (n,) array
         rows @ x + offset: the stiffness at all samples.
-    rounds : int
-        Linear programs solved.
     """
 
     x: FloatArray
     ratio: float
     values: FloatArray
-    rounds: int
 
 
 def minimax_ratio(
@@ -45,13 +63,8 @@ def minimax_ratio(
     offset: FloatArray | None = None,
     side_rows: FloatArray | None = None,
     side_offset: FloatArray | None = None,
-    tolerance: float = 1e-10,
-    solver: Solver = "auto",
 ) -> MinimaxSolution | None:
     """Minimise R subject to 1 <= rows @ x + offset <= R (paper, Eq. 4), to global optimality.
-
-    The optimum is fixed by a handful of samples. So a program starts with nine of them and gets the two most
-    violated ones (one below 1, one above R) until none is left; each round starts from the last one's vertex.
 
     Parameters
     ----------
@@ -63,12 +76,6 @@ def minimax_ratio(
         Further conditions side_rows @ x + side_offset >= 0.
     side_offset : (k,) array, optional
         Zero unless given.
-    tolerance : float
-        Largest violation left, relative to the bound.
-    solver
-        "auto" exchanges conditions at a vertex (`VertexExchange`), and asks HiGHS where that comes to none:
-        highspy where it is installed, else scipy's. "highspy" and "scipy" ask these at once.
-
     Returns
     -------
     MinimaxSolution or None
@@ -84,56 +91,43 @@ def minimax_ratio(
     n, m = rows.shape
     offset = np.zeros(n) if offset is None else offset
     if m == 0:
-        fits = bool(offset.min() >= 1 - tolerance)
-        return MinimaxSolution(np.zeros(0), float(offset.max()), offset, 0) if fits else None
+        fits = bool(offset.min() >= 1 - METHOD.feasible)
+        return MinimaxSolution(np.zeros(0), float(offset.max()), offset) if fits else None
     if m == 1 and side_rows is None and not offset.any():
         return _single(rows[:, 0])
-    program = MinimaxProgram(rows, side_rows=side_rows, side_offset=side_offset, solver=solver)
-    low = high = start_rows(n)
-    asked_low, asked_high = set(low), set(high)
-    for rounds in range(1, MAX_ROUNDS + 1):
-        program.demand(rows[low], offset[low], rows[high], offset[high])
-        answer = program.solve()
-        if answer is None:
-            return None
-        x, ratio = answer
-        values = rows @ x
-        values += offset
-        least, most = int(values.argmin()), int(values.argmax())
-        # a sample that was asked for and still fails does so by the solver's own tolerance
-        fails_low = values[least] < 1 - tolerance and least not in asked_low
-        fails_high = values[most] > ratio + tolerance * max(1.0, ratio) and most not in asked_high
-        if not (fails_low or fails_high):
-            return MinimaxSolution(x, max(ratio, float(values[most])), values, rounds)
-        low, high = [least] if fails_low else [], [most] if fails_high else []
-        asked_low.update(low)
-        asked_high.update(high)
-    raise unsettled(ratio)
-
-
-def _stopped() -> NotConvergedError:
-    """The error of a library that comes to no answer, as where the stiffest place is 1e8 times the softest."""
-    return NotConvergedError(
-        "the linear program for the stiffness ratio comes to no answer: stiff and soft places would be too far "
-        "apart; use a lighter or stiffer sheet, support the strip, or change the curve"
-    )
+    program = MinimaxProgram(rows, side_rows=side_rows, side_offset=side_offset)
+    program.demand(rows, offset, rows, offset)
+    answer = program.solve()
+    if answer is None:
+        return None
+    x, ratio = answer
+    values = rows @ x + offset
+    return MinimaxSolution(x, max(ratio, float(values.max())), values)
 
 
 def start_rows(count: int) -> list[int]:
     """Which of so many samples to start with."""
-    return (np.arange(_START_ROWS) * (count - 1) // (_START_ROWS - 1)).tolist()
+    return (np.arange(METHOD.start_rows) * (count - 1) // (METHOD.start_rows - 1)).tolist()
 
 
 def unsettled(ratio: float) -> NotConvergedError:
     """The error of rows that are generated without end."""
     return NotConvergedError(
-        f"the linear program for the stiffness ratio did not settle in {MAX_ROUNDS} rounds (ratio "
+        f"the linear program for the stiffness ratio did not settle in {METHOD.most_rounds} rounds (ratio "
         f"{ratio:.6g}): the curve has almost straight places; move its control points a little"
     )
 
 
 class MinimaxProgram:
     """Minimise R subject to demands on stiffnesses rows @ x + offset, which are added between solutions.
+
+    Stiefel's exchange method, the dual simplex of a program with few unknowns and many rows: a vertex of which R is
+    the least under its own conditions takes in the condition that it violates most, and gives up the one whose
+    multiplier would turn negative first. Where that comes to no vertex HiGHS is asked, which also says whether
+    there is an answer at all.
+
+    Sources: Stiefel, "Uber diskrete und lineare Tschebyscheff-Approximationen", Numer. Math. 1 (1959); Lemke, "The
+    dual method of solving the linear programming problem", Naval Res. Logist. Q. 1 (1954).
 
     Parameters
     ----------
@@ -149,34 +143,71 @@ class MinimaxProgram:
         *,
         side_rows: FloatArray | None = None,
         side_offset: FloatArray | None = None,
-        solver: Solver = "auto",
     ) -> None:
         self.basis = _conditioned(samples)
-        self.program = _program(solver, self.basis.shape[1])
+        unknowns = self.basis.shape[1]
+        # conditions rows @ (x, R) >= limits: R >= 0 and -box <= x make the first vertex, x <= box the other side
+        box = np.eye(unknowns + 1)
+        self.rows = np.concatenate([box, -box[:-1]])
+        self.limits = np.full(2 * unknowns + 1, -METHOD.box)
+        self.limits[unknowns] = 0.0
+        self.active = np.arange(unknowns + 1)
         if side_rows is not None:
-            offset = np.zeros(len(side_rows)) if side_offset is None else side_offset
-            self.program.add(side_rows @ self.basis, offset, len(side_rows))
+            self._add(side_rows, np.zeros(len(side_rows)) if side_offset is None else side_offset, 1.0, 0.0)
 
     def demand(
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray
     ) -> None:
         """From now on 1 <= low @ x + low_offset, and high @ x + high_offset <= R."""
-        rows = np.concatenate([low, high]) @ self.basis
-        self.program.add(rows, np.concatenate([low_offset - 1, high_offset]), len(low))
+        self._add(low, low_offset - 1, 1.0, 0.0)
+        self._add(high, high_offset, -1.0, 1.0)
+
+    def _add(self, rows: FloatArray, offset: FloatArray, sign: float, share: float) -> None:
+        """Demand sign * (rows @ x + offset) + share * R >= 0."""
+        more = np.column_stack([sign * rows @ self.basis, np.full(len(rows), share)])
+        self.rows = np.concatenate([self.rows, more])
+        self.limits = np.concatenate([self.limits, -sign * offset])
 
     def solve(self) -> tuple[FloatArray, float] | None:
         """x and R, or None when no x meets the demands."""
-        answer = self.program.solve()
+        answer = self._exchanged()
+        if answer is None:
+            boxes = 2 * self.basis.shape[1] + 1
+            answer = _by_highs(self.rows[boxes:], self.limits[boxes:])
         return None if answer is None else (self.basis @ answer[:-1], float(answer[-1]))
+
+    def _exchanged(self) -> FloatArray | None:
+        """The vertex (x, R); None for an unbounded program, one without answer, or one all but degenerate."""
+        holds_largest, active, unknowns = self.rows[:, -1], self.active, self.basis.shape[1]
+        for _ in range(METHOD.most):
+            rows, limits = self.rows[active], self.limits[active]
+            try:
+                inverse = np.linalg.inv(rows)
+            except np.linalg.LinAlgError:
+                return None
+            vertex = inverse @ limits
+            vertex += inverse @ (limits - rows @ vertex)  # to rounding of the conditions themselves
+            excess = (self.rows @ vertex - self.limits) / (1 + holds_largest * max(vertex[-1] - 1, 0.0))
+            worst = int(excess.argmin())
+            if excess[worst] >= -METHOD.feasible:
+                boxed = (active < 2 * unknowns + 1) & (active != unknowns)
+                return vertex if not boxed.any() and np.isfinite(vertex).all() else None
+            # the entering row is so much of each active one; R is the sum of the active ones by `share`
+            parts, share = self.rows[worst] @ inverse, inverse[-1]
+            leaving = np.flatnonzero(parts > METHOD.pivot * np.abs(parts).max())
+            if leaving.size == 0:
+                return None
+            active[leaving[(share[leaving] / parts[leaving]).argmin()]] = worst
+        return None
 
 
 def _single(row: FloatArray) -> MinimaxSolution | None:
     """One unknown is a scale: nothing to optimise."""
     low, high = row.min(), row.max()
     if low > 0:
-        return MinimaxSolution(np.array([1 / low]), float(high / low), row / low, 0)
+        return MinimaxSolution(np.array([1 / low]), float(high / low), row / low)
     if high < 0:
-        return MinimaxSolution(np.array([1 / high]), float(low / high), row / high, 0)
+        return MinimaxSolution(np.array([1 / high]), float(low / high), row / high)
     return None
 
 
@@ -188,139 +219,98 @@ def _conditioned(rows: FloatArray) -> FloatArray:
     return np.asarray(vt[keep].T * (np.sqrt(len(thinned)) / np.where(size[keep] > 0, size[keep], 1.0)))
 
 
-class _Program(Protocol):
-    """Minimise R over (x, R), rows being added between solutions."""
-
-    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
-        """Demand rows @ x + offset >= 0 of the first `low` rows and rows @ x + offset <= R of the others."""
-
-    def solve(self) -> FloatArray | None:
-        """(x, R), or None when infeasible."""
-
-
-def _program(solver: Solver, unknowns: int) -> _Program:
-    return _QuickProgram(unknowns) if solver == "auto" else _library_program(solver, unknowns)
-
-
-class _QuickProgram:
-    """By exchanging vertices; where that comes to none, by a library, which also says whether there is any."""
-
-    def __init__(self, unknowns: int) -> None:
-        self.unknowns = unknowns
-        self.program: _Program = VertexExchange(unknowns)
-        self.added: list[tuple[FloatArray, FloatArray, int]] = []
-
-    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
-        self.added.append((rows, offset, low))
-        self.program.add(rows, offset, low)
-
-    def solve(self) -> FloatArray | None:
-        answer = self.program.solve()
-        if answer is None and isinstance(self.program, VertexExchange):
-            self.program = _library_program("auto", self.unknowns)
-            for demands in self.added:
-                self.program.add(*demands)
-            answer = self.program.solve()
-        return answer
-
-
-def _library_program(solver: Solver, unknowns: int) -> _Program:
-    # a missing module is looked for only once: the search takes longer than the program
-    if solver == "scipy" or (solver == "auto" and hasattr(_local, "without_highs")):
-        return _ScipyProgram(unknowns)
+def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
+    """(x, R) of least R with rows @ (x, R) >= limits by HiGHS, which inside FreeCAD is scipy's; None for none."""
+    tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
+    count, columns = rows.shape
     try:
-        return _HighsProgram(unknowns)
-    except ImportError:
-        if solver == "highspy":
-            raise
-        _local.without_highs = True
-        return _ScipyProgram(unknowns)
-
-
-_local = threading.local()
-
-
-def _highs() -> Any:
-    """One silent HiGHS a thread: making one costs as much as solving."""
-    if not hasattr(_local, "highs"):
         import highspy
-
-        # what Highs puts on top, callbacks, has it print its name before it can be silenced
-        _local.highs = highspy.Highs.__bases__[0]()
-        for name, value in {
-            "output_flag": False, "presolve": "off", "solver": "simplex", "parallel": "off",
-            "primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10,
-        }.items():  # fmt: skip
-            _local.highs.setOptionValue(name, value)
-        _local.optimal, _local.infeasible = (
-            highspy.HighsModelStatus.kOptimal,
-            (highspy.HighsModelStatus.kInfeasible, highspy.HighsModelStatus.kUnboundedOrInfeasible),
-        )
-    return _local.highs
-
-
-class _HighsProgram:
-    def __init__(self, unknowns: int) -> None:
-        self.highs = _highs()
-        self.highs.clearModel()
-        self.columns = unknowns + 1
-        free = np.full(self.columns, np.inf)
-        self.highs.addVars(self.columns, -free, free)
-        self.highs.changeColCost(unknowns, 1.0)
-
-    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
-        count = len(rows)
-        matrix = np.zeros((count, self.columns))
-        matrix[:, :-1] = rows
-        matrix[low:, -1] = -1.0
-        lower, upper = -offset, -offset
-        lower[low:], upper[:low] = -np.inf, np.inf
-        entry = np.arange(matrix.size, dtype=np.int32)
-        self.highs.addRows(
-            count, lower, upper, matrix.size, entry[:: self.columns], entry % self.columns, matrix.ravel()
-        )
-
-    def solve(self) -> FloatArray | None:
-        status = self._run()
-        if status != _local.optimal and status not in _local.infeasible:
-            # where stiffnesses are 1e8 apart, rounding that a warm start carries along is lost by a fresh one
-            self.highs.clearSolver()
-            status = self._run()
-        if status == _local.optimal:
-            return np.array(self.highs.getSolution().col_value)
-        if status in _local.infeasible:
-            return None
-        raise _stopped()
-
-    def _run(self) -> Any:
-        self.highs.run()
-        return self.highs.getModelStatus()
-
-
-class _ScipyProgram:
-    """The same rounds with `scipy.optimize.linprog`, from scratch each time."""
-
-    def __init__(self, unknowns: int) -> None:
-        self.matrix = np.zeros((0, unknowns + 1))
-        self.limit = np.zeros(0)
-
-    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
-        above = np.arange(len(rows)) >= low
-        matrix = np.column_stack([np.where(above[:, None], rows, -rows), np.where(above, -1.0, 0.0)])
-        self.matrix = np.vstack([self.matrix, matrix])
-        self.limit = np.concatenate([self.limit, np.where(above, -offset, offset)])
-
-    def solve(self) -> FloatArray | None:
+    except ImportError:
         from scipy.optimize import linprog
 
-        cost = np.zeros(self.matrix.shape[1])
-        cost[-1] = 1.0
-        options = {
-            "presolve": False, "primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10
-        }  # fmt: skip
-        result = linprog(cost, self.matrix, self.limit, bounds=(None, None), method="highs", options=options)
+        cost, options = np.eye(columns)[-1], {"presolve": False, **tolerances}
+        result = linprog(cost, -rows, -limits, bounds=(None, None), method="highs", options=options)
         if result.status == 0:
             return np.asarray(result.x, dtype=float)
-        if result.status == 2:
-            return None
-        raise _stopped()
+        infeasible = result.status == 2
+    else:
+        # what Highs puts on top, callbacks, has it print its name before it can be silenced
+        highs = highspy.Highs.__bases__[0]()
+        silent = {"output_flag": False, "presolve": "off", "solver": "simplex", "parallel": "off"}
+        for name, value in {**silent, **tolerances}.items():
+            highs.setOptionValue(name, value)
+        free, entry = np.full(columns, np.inf), np.arange(rows.size, dtype=np.int32)
+        highs.addVars(columns, -free, free)
+        highs.changeColCost(columns - 1, 1.0)
+        highs.addRows(
+            count, limits, np.full(count, np.inf), rows.size, entry[::columns], entry % columns, rows.ravel()
+        )
+        highs.run()
+        status, known = highs.getModelStatus(), highspy.HighsModelStatus
+        if status == known.kOptimal:
+            return np.array(highs.getSolution().col_value)
+        infeasible = status in (known.kInfeasible, known.kUnboundedOrInfeasible)
+    if infeasible:
+        return None
+    raise NotConvergedError(
+        "the linear program for the stiffness ratio comes to no answer: stiff and soft places would be too far "
+        "apart; use a lighter or stiffer sheet, support the strip, or change the curve"
+    )
+
+
+def least_variation(
+    rows: FloatArray, offset: FloatArray, bends: FloatArray, bend_offset: FloatArray, largest: float
+) -> FloatArray:
+    """The numbers x that minimise sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
+
+    With bends = K'' times the length it stands for this is V(K'), the total variation of K' (paper, section
+    5.3).
+
+    Parameters
+    ----------
+    rows, offset : (n, m) and (n,) arrays
+        Stiffness.
+    bends, bend_offset : (k, m) and (k,) arrays
+        The terms of the variation.
+    """
+    from scipy.optimize import linprog
+
+    if bends.shape[1] == 1:
+        return _least_variation_of_one(rows[:, 0], offset, bends[:, 0], bend_offset, largest)
+    # the dual program: as many rows as there are numbers, which are the prices of its rows
+    matrix = np.concatenate([bends, -rows, rows]).T
+    cost = -np.concatenate([bend_offset, 1 - offset, offset - largest])
+    bounds = np.zeros((cost.size, 2))
+    bounds[:, 1] = np.inf
+    bounds[: len(bends)] = -1.0, 1.0
+    result = linprog(cost, A_eq=matrix, b_eq=np.zeros(len(matrix)), bounds=bounds, method="highs",
+                     options={"presolve": False})  # fmt: skip
+    if result.status != 0:
+        raise NotConvergedError(f"the second phase for a smooth stiffness stopped: {result.message}")
+    return np.asarray(result.eqlin.marginals, dtype=float)
+
+
+def _least_variation_of_one(
+    row: FloatArray, offset: FloatArray, bend: FloatArray, bend_offset: FloatArray, largest: float
+) -> FloatArray:
+    """The same for a single number: the weighted median of where the terms vanish, moved into its bounds."""
+    counts = bend != 0
+    zeros, steep = -bend_offset[counts] / bend[counts], np.abs(bend[counts])
+    order = np.argsort(zeros)
+    passed = np.cumsum(steep[order])
+    best = float(zeros[order][np.searchsorted(passed, passed[-1] / 2)]) if zeros.size else 0.0
+    moves = row != 0
+    bounds = np.sort([(1 - offset[moves]) / row[moves], (largest - offset[moves]) / row[moves]], axis=0)
+    low, high = float(bounds[0].max()), float(bounds[1].min())
+    return np.array([min(max(best, low), high) if low <= high else (low + high) / 2])
+
+
+def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> FloatArray:
+    """The numbers x of the largest number @ x subject to 1 <= rows @ x <= largest."""
+    from scipy.optimize import linprog
+
+    limit = np.concatenate([np.full(len(rows), -1.0), np.full(len(rows), largest)])
+    result = linprog(-number, np.concatenate([-rows, rows]), limit, bounds=(None, None), method="highs")
+    if result.status != 0:
+        raise NotConvergedError(f"the linear program for the bending stiffness stopped: {result.message}")
+    return np.asarray(result.x, dtype=float)

@@ -1,6 +1,15 @@
-"""Moment rows under the conditions that inflections and supports make, and the best stiffness they leave."""
+"""Balance of a drawn curve as a linear map, the conditions on it, and the best stiffness that they leave.
 
-from collections.abc import Sequence
+On a drawn curve the rod's equations (paper, Eqs. 3 and 5)
+
+    M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M
+
+are linear in the state (M, b) at the end of the curve, so each of the three numbers needs one march only. q
+is the weight per stiffness (1/l_eg^3), p a dead weight (N/mm), tau one over the least bending stiffness, e
+points up. Weightless rods have constant b, and M = a + <b, gamma>.
+"""
+
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -11,18 +20,392 @@ import numpy as np
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
+from elastica_cad.geometry.polynomials.panel_functions import (
+    DENSE_PARTS,
+    LEFT,
+    RIGHT,
+    SLOPES,
+    VANDER,
+    WEIGHTS,
+    PanelFunction,
+    in_panels,
+)
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.stiffness.moment_rows import MomentRows
-from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
-from elastica_cad.mechanics.stiffness.stiffness_family import (
-    StiffnessFamily,
-    find_violations,
-    least_ratio,
-    smoothest,
+from elastica_cad.mechanics.stiffness.minimax_lp import (
+    METHOD,
+    MinimaxProgram,
+    MinimaxSolution,
+    largest_number,
+    least_variation,
+    minimax_ratio,
+    start_rows,
+    unsettled,
 )
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+
+
+@dataclass(frozen=True, eq=False)
+class LineLoad:
+    """Weight along a curve cut into panels.
+
+    Attributes
+    ----------
+    up : (2,) array
+        Unit vector against gravity.
+    own : (N, p) array
+        Weight per stiffness over the least bending stiffness, 1/mm3: 1/l_eg^3 for a plain strip.
+    dead : (N, p) array
+        Weight per length that does not depend on the stiffness, N/mm.
+    points : (N + 1,) array
+        Point weights at the panel ends, N.
+    """
+
+    up: FloatArray
+    own: FloatArray
+    dead: FloatArray
+    points: FloatArray
+
+    @property
+    def is_proportional(self) -> bool:
+        """Is all the weight proportional to the stiffness?"""
+        return not (self.dead.any() or self.points.any())
+
+
+@dataclass(frozen=True, eq=False)
+class MomentRows:
+    """What the numbers (M, b_x, b_y, and tau with dead weight) at the curve's end make of the rod; m of them.
+
+    Attributes
+    ----------
+    stiffness : (N, p, m) array
+        K at the nodes of the panels.
+    force : (N, p, 2, m) array
+        b at the nodes.
+    edge_moment : (N + 1, m) array
+        M at the panel ends.
+    start_force, end_force : (2, m) arrays
+        b that the supports give at the two ends.
+    """
+
+    stiffness: FloatArray
+    force: FloatArray
+    edge_moment: FloatArray
+    start_force: FloatArray
+    end_force: FloatArray
+
+
+def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
+    """March from the end of the curve to its start, panel by panel.
+
+    At a zero of kappa - kappa_0 the moment is taken as zero (which the caller must demand of the numbers: the
+    rows `edge_moment` there), so that K comes out as its limit, not as a quotient of rounding errors.
+    """
+    if load is None:
+        return _weightless(panels)
+    with np.errstate(over="ignore", invalid="ignore"):  # a weight far too large overflows; the caller checks
+        return _weighted(panels, load)
+
+
+def _weightless(panels: Panels) -> MomentRows:
+    count, order = panels.t.shape
+    reach = panels.edge_position - panels.edge_position[-1]
+    edge_moment = np.ones((count + 1, 3))
+    edge_moment[:, 1:] = reach
+    # M at a node = M at the panel's near end + <b, step>; at a zero the first term vanishes
+    from_left = panels.zero_left
+    vanishing = _vanishing_at_zeros(panels, edge_moment)
+    base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
+    step = np.where(from_left[:, None, None], panels.from_left, panels.from_right)
+    rows = np.empty((count, order, 3))
+    rows[..., 0] = base[:, :1]
+    np.add(base[:, None, 1:], step, out=rows[..., 1:])
+    rows /= panels.curvature[..., None]
+    constant = np.eye(2, 3, 1)
+    return MomentRows(
+        stiffness=rows,
+        force=np.broadcast_to(constant, (count, order, 2, 3)),
+        edge_moment=edge_moment, start_force=constant, end_force=constant,
+    )  # fmt: skip
+
+
+def _vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
+    """The moment at the panel ends less the traces (zero but for rounding) that it has where it must vanish.
+
+    Taken off linearly between the zeros of kappa - kappa_0: next to a zero the trace would be large beside M.
+    """
+    vanishes = np.zeros(panels.count + 1, dtype=bool)
+    vanishes[:-1] = panels.zero_left
+    vanishes[1:] |= panels.zero_right
+    zeros = vanishes.nonzero()[0]
+    if not zeros.size:
+        return edge_moment
+    traces, at = np.empty_like(edge_moment), panels.edge_s[zeros]
+    for number, column in enumerate(edge_moment[zeros].T):
+        traces[:, number] = np.interp(panels.edge_s, at, column)
+    return np.asarray(edge_moment - traces)
+
+
+def _weighted(panels: Panels, load: LineLoad) -> MomentRows:
+    count, order = panels.t.shape
+    size = 3 if load.is_proportional else 4
+    G = np.array([load.up[1], -load.up[0]])  # R^t e
+    left, zero = panels.zero_left, panels.zero_left | panels.zero_right
+    local = np.where(left[:, None, None], panels.from_left, panels.from_right)
+    integral = np.where(left[:, None, None], -LEFT, RIGHT) * panels.stretch[:, None, :]
+    lever = local @ G
+    kernel = integral * (lever[:, :, None] - lever[:, None, :])
+    matrix = -kernel * load.own[:, None, :]
+    matrix[:, np.arange(order), np.arange(order)] += panels.curvature
+    known = np.zeros((count, order, size))
+    known[~zero, :, 0] = 1.0
+    known[..., 1:3] = local
+    if size == 4:
+        known[..., 3] = np.einsum("nij,nj->ni", kernel, load.dead)
+    stiffness = np.linalg.solve(matrix, known)
+    weight = load.own[..., None] * stiffness
+    if size == 4:
+        weight[..., 3] += load.dead
+    shares = WEIGHTS * panels.stretch
+    # the state at the far end of each panel from the near one: right to left, except beside a zero on the
+    # left
+    sign = np.where(left, -1.0, 1.0)
+    far = np.where(left[:, None, None], panels.from_right, panels.from_left) @ G
+    chord = np.diff(panels.edge_position, axis=0) * -sign[:, None]
+    transfer = np.tile(np.eye(size), (count, 1, 1))
+    transfer[:, 0, 1:3] = chord
+    transfer[:, 0] -= np.einsum("n,ni,nim->nm", sign, shares * far, weight)
+    transfer[:, 1:3] += np.einsum("n,k,ni,nim->nkm", sign, G, shares, weight)
+    backward = transfer.copy()
+    backward[left] = np.linalg.inv(transfer[left])
+    near = np.empty((count, size, size))
+    edge_moment = np.empty((count + 1, size))
+    state = np.eye(size)
+    for k in range(count, 0, -1):
+        state = _past_point(state, load.points[k], G)
+        edge_moment[k] = state[0]
+        before = backward[k - 1] @ state
+        near[k - 1] = before if left[k - 1] else state
+        state = before
+    edge_moment[0] = state[0]
+    first = _past_point(state, load.points[0], G)
+    stiffness = stiffness @ near
+    weight = weight @ near
+    force = near[:, None, 1:3, :] + np.einsum("k,nij,njm->nikm", G, integral, weight)
+    end = np.eye(size)
+    return MomentRows(
+        stiffness=stiffness, force=force, edge_moment=edge_moment, start_force=first[1:3], end_force=end[1:3]
+    )
+
+
+def _past_point(state: FloatArray, newtons: float, G: FloatArray) -> FloatArray:
+    """The state before a point weight from that after it: b grows by the weight times R^t e."""
+    if newtons == 0:
+        return state
+    state = state.copy()
+    state[1:3, 3] += newtons * G
+    return state
+
+
+_SLOPES_AT_NODES = VANDER @ SLOPES
+
+_SETTLED = 1e-9  # of the least ratio, by which it may still move
+
+_SAME = 4 * float(np.finfo(float).eps)
+"""Share of the numbers by which two solutions of one program differ, where its vertex is reached by another way."""
+
+_ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
+
+BOUNDED = 1e-7
+"""Relative excess over its bounds that a smooth stiffness may have: the accuracy of its linear program."""
+
+
+@dataclass(frozen=True, eq=False)
+class StiffnessFamily:
+    """K = rows @ y + offset with d free numbers y, as piecewise polynomials over panels.
+
+    Attributes
+    ----------
+    panels : Panels
+    rows : PanelFunction
+        Coefficients (N, p, d).
+    offset : PanelFunction or None
+        Coefficients (N, p); None when K is homogeneous in y.
+    side_rows, side_offset : (k, d), (k,) arrays or None
+        Conditions side_rows @ y + side_offset >= 0; an offset of None is 0.
+    """
+
+    panels: Panels
+    rows: PanelFunction
+    offset: PanelFunction | None = None
+    side_rows: FloatArray | None = None
+    side_offset: FloatArray | None = None
+
+    @property
+    def freedom(self) -> int:
+        """Number of free numbers."""
+        return int(self.rows.coefficients.shape[2])
+
+    def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Rows (n, d) and offsets (n,) at places x (n,) of panels (n,)."""
+        offset = np.zeros(len(x)) if self.offset is None else self.offset.at(panel, x)
+        return self.rows.at(panel, x), offset
+
+    @cached_property
+    def dense(self) -> tuple[FloatArray, FloatArray]:
+        """Rows and offsets at `Panels.dense_places`."""
+        rows = self.rows.dense
+        return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
+
+    def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Rows and offsets where K of the numbers y has its extremes, and at the samples beside them."""
+        panel, sample, x = self.stiffness(y).found_extremes
+        rows, offset = self.dense
+        beside = panel * (DENSE_PARTS + 1) + sample
+        rows = np.concatenate([rows[beside], self.rows.at(panel, x)])
+        if self.offset is None:
+            return rows, np.zeros(len(rows))
+        return rows, np.concatenate([offset[beside], self.offset.at(panel, x)])
+
+    def stiffness(self, y: FloatArray) -> PanelFunction:
+        """K of the numbers y."""
+        K = self.rows.combined(y)
+        return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
+
+
+def least_ratio(
+    family: StiffnessFamily, places: tuple[IntArray, FloatArray] | None = None
+) -> tuple[FloatArray, float] | None:
+    """The numbers y of least R, or None where no stiffness is positive everywhere.
+
+    Unless `places` (panel, x) fix the samples, R is judged on the continuous curve: extremes of K between the
+    samples are found on its polynomials and join the program until R settles.
+    """
+    if places is not None:
+        solution = _sampled(family, *family.at(*places))
+    elif family.freedom == 0 or (family.freedom == 1 and family.offset is None):
+        # no number, or one that only scales K: the extremes stay where they are
+        rows, offset = family.dense
+        more, more_offset = family.extremes(np.ones(family.freedom))
+        solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
+    else:
+        return _continuous_ratio(family)
+    return None if solution is None else (solution.x, solution.ratio)
+
+
+def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> MinimaxSolution | None:
+    return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, side_offset=family.side_offset)
+
+
+def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | None:
+    """The least R, all local extremes that exceed it being added in each round."""
+    rows, offset = family.dense
+    program = MinimaxProgram(rows, side_rows=family.side_rows, side_offset=family.side_offset)
+    tolerance = _SETTLED
+    program.demand(rows, offset, rows, offset)
+    before = np.full(family.freedom, np.nan)
+    for _ in range(METHOD.most_rounds):
+        answer = program.solve()
+        if answer is None:
+            return None
+        y, ratio = answer
+        rows, offset = family.extremes(y)
+        values = rows @ y + offset
+        rounded: FloatArray | float = 0.0
+        if np.abs(y - before).max() <= _SAME * np.abs(y).max():
+            # what is beyond its bounds still is so by the solver's own tolerance
+            tolerance = BOUNDED
+            rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # or because large terms cancel
+        before = y
+        low = (values < 1 - tolerance - rounded).nonzero()[0]
+        high = (values > ratio * (1 + tolerance) + rounded).nonzero()[0]
+        if not (low.size or high.size):
+            if values.min() <= 0:  # all that would be positive drowns in rounding
+                return None
+            return y, float(max(values.max() / min(1.0, values.min()), ratio))
+        program.demand(rows[low], offset[low], rows[high], offset[high])
+    raise unsettled(ratio)
+
+
+def _smoothest(
+    family: StiffnessFamily, ratio: float, places: tuple[IntArray, FloatArray] | None = None
+) -> FloatArray:
+    """The numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3).
+
+    As by `least_ratio`, K is judged on the continuous curve unless `places` (panel, x) fix the samples.
+    """
+    panels = family.panels
+    count, order = panels.t.shape
+    # d/ds = d/dx / stretch, twice; jumps of K' at the panel ends count too
+    columns = family.rows.coefficients
+    if family.offset is not None:
+        columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
+    slope = in_panels(_SLOPES_AT_NODES, columns) / panels.stretch[..., None]
+    slopes = PanelFunction.through(slope)
+    bend = in_panels(_SLOPES_AT_NODES, slopes.coefficients) * WEIGHTS[:, None]
+    before, after = slopes.where_panels_meet
+    bends = np.concatenate([bend.reshape(count * order, -1), after - before])
+    d = family.freedom
+    bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
+    if places is not None:
+        return least_variation(*family.at(*places), bends[:, :d], bend_offset, ratio)
+    return _bounded(
+        family, ratio, lambda rows, offset: least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+    )
+
+
+def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
+    """The numbers y of the largest number @ y, of a family without offset, with K between 1 and `ratio`."""
+    return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio))
+
+
+def _bounded(
+    family: StiffnessFamily, ratio: float, best: Callable[[FloatArray, FloatArray], FloatArray]
+) -> FloatArray:
+    """The best numbers y with K between 1 and `ratio` on the continuous curve.
+
+    `best` gives those of rows and offsets at places; the extremes of its K are added until it keeps within.
+    """
+    rows, offset = family.dense
+    first = start_rows(len(rows))
+    rows, offset = rows[first], offset[first]
+    for _ in range(METHOD.most_rounds):
+        y = best(rows, offset)
+        more, more_offset = family.extremes(y)
+        K = more @ y + more_offset
+        if K.min() >= 1 - BOUNDED and K.max() <= ratio * (1 + BOUNDED):
+            return y
+        rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
+    raise unsettled(ratio)
+
+
+def _find_violations(family: StiffnessFamily) -> FloatArray:
+    """Arc lengths (k,), mm, that no choice of the numbers can make positive together.
+
+    Where one number is free these are the stretches of the lesser sign; otherwise the samples that hold the
+    largest possible least value of K down.
+    """
+    from scipy.optimize import linprog
+
+    panel, x = family.panels.dense_places()
+    rows, offset = family.dense
+    s = family.panels.arc_length(panel, x)
+    d = family.freedom
+    if d == 0:
+        return np.asarray(s[offset <= 0])
+    size = np.maximum(np.abs(rows).max(axis=1), 1e-300)
+    if d == 1 and family.offset is None:
+        sign = rows[:, 0] > 0
+        return np.asarray(s[sign != (sign.mean() >= 0.5)])
+    scaled = rows / size[:, None]
+    matrix = np.column_stack([-scaled, np.ones(len(s))])
+    bounds = [(-1.0, 1.0)] * d + [(None, None)]
+    result = linprog(np.append(np.zeros(d), -1.0), matrix, offset / size, bounds=bounds, method="highs")
+    if result.status != 0:
+        return np.zeros(0)
+    return np.asarray(s[np.abs(result.ineqlin.marginals) > 1e-9])
+
 
 SMOOTHING_SHARE = 0.01
 """How much ratio section 5.3 gives for smoothness."""
@@ -148,7 +531,7 @@ class ConditionedRows:
     def steadied(self, state: FloatArray) -> FloatArray:
         """Of many optima one that no turn of the drawing changes.
 
-        On arcs a constant moment; the smoothest stiffness where a step of the curvature alone decides the ratio.
+        On arcs a constant moment; the _smoothest stiffness where a step of the curvature alone decides the ratio.
         """
         if self.check.zeros:
             return state
@@ -163,7 +546,7 @@ class ConditionedRows:
             return state
         numbers = self.homogeneous(3)
         with suppress(NotConvergedError):  # any optimum will do
-            return numbers.basis @ smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE))
+            return numbers.basis @ _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE))
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
@@ -174,7 +557,7 @@ class ConditionedRows:
         y, ratio = found
         choices = numbers.family.freedom - (numbers.family.offset is None)
         if smooth and self.check.zeros and choices > 0:
-            y = smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), self.places)
+            y = _smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), self.places)
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def balance(self, state: FloatArray) -> BalancedStiffness:
@@ -197,7 +580,7 @@ class ConditionedRows:
                 "at the ends."
             )
         else:
-            wrong = find_violations(family)
+            wrong = _find_violations(family)
             where = f" near {_stretches(wrong, self.check.length)} mm" if wrong.size else ""
             reason = (
                 f"With this weight and these supports the moment would have to act against the "

@@ -1,4 +1,4 @@
-"""The stiffness of least ratio on a curve, without weight, with its own, and with weights in newtons."""
+"""The stiffness of least ratio on a curve: without weight, with its own, with weights in newtons, of a section."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -6,24 +6,30 @@ from typing import NoReturn
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.stiffness.curve_cuts import REFINEMENTS, CutCurve
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
+from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness.moment_conditions import (
     NO_GAIN_SHARE,
     SMOOTHING_SHARE,
     BalancedStiffness,
     ConditionedRows,
+    LineLoad,
+    StateFamily,
+    StiffnessFamily,
+    largest_within,
+    least_ratio,
+    moment_rows,
 )
-from elastica_cad.mechanics.stiffness.moment_rows import LineLoad, moment_rows
-from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
-from elastica_cad.mechanics.stiffness.stiffness_family import largest_within
+from elastica_cad.mechanics.stiffness.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 COMPLIANCE_STEP = 0.2
@@ -110,7 +116,7 @@ class WeightedPanels:
         if weight is not None:
             dead, per_stiffness = weight.along(panels.s)
             own += per_stiffness * tau
-        points = point_weights(panels, () if weight is None else weight.masses, self.supports)
+        points = _point_weights(panels, () if weight is None else weight.masses, self.supports)
         return self.carrying(own, dead, points)
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
@@ -136,7 +142,7 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
     )
 
 
-def point_weights(panels: Panels, masses: Sequence[PointMass], supports: Supports) -> FloatArray:
+def _point_weights(panels: Panels, masses: Sequence[PointMass], supports: Supports) -> FloatArray:
     """Newtons (N + 1,) hung on the ends of the panels; those at an end that is held in place bend nothing."""
     points = np.zeros(panels.count + 1)
     for mass in masses:
@@ -255,3 +261,269 @@ def _raised(value: float | Profile, step: float) -> float | Profile:
     if isinstance(value, Profile):
         return Profile(value.knots, value.coefficients + step, value.degree)
     return value + step
+
+
+MOST_ROUNDS = 40
+"""Linear programs before the search for a section is given up."""
+
+SETTLED_SHARE = 1e-7
+"""Relative change of E I that ends them: as weights are set tangent, they then err by its square."""
+
+TANGENT_STEP = 1e-4
+"""Relative step of E I for the slope of the weight, whose error only slows the rounds down."""
+
+FIT_SHARE = 1e-5
+"""By how much, relatively, E I may leave its limits."""
+
+HOPELESS_SHARE = 1e-4
+"""Of the E I of the least section: rounds that ask for less, and ever less, do not come back within the limits."""
+
+WIDEST_REACH = 0.1
+"""Of the limits of E I: what it may change in the mean by one step of a descent."""
+
+MOST_STEPS = 150
+"""Of a descent."""
+
+SHORTER, LONGER = 0.5, 1.2
+"""What a step of a descent may change, where the last one went back, and where it went on."""
+
+LONGEST_JUMP = float(np.log(4.0))
+"""In the logarithm of the scale: further off a sequence's limit is a guess."""
+
+SLOWEST_RATE = 0.99
+"""Of a sequence's steps from one to the next, above which they tell of no limit."""
+
+
+def balance_with_section(
+    check: EquilibriumCheck,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    section: BoundedLaw,
+    gravity: Gravity | None,
+    *,
+    masses: Sequence[PointMass] = (),
+    nodes: FloatArray | None = None,
+) -> BalancedStiffness:
+    """The least ratio of a section at the largest scale that its limits take, under its own weight and masses.
+
+    The scale B and the weight follow from the stiffness that is sought. Each round sets the weight tangent to the
+    law at the last E I, which leaves a linear program in K (Eq. 6), and takes the scale from its answer. At the
+    fixed point the rod is in balance under the law's own weight, and no other K has a lesser ratio with the weight
+    that is tangent there: a local optimum, as the program is not linear.
+
+    Raises
+    ------
+    InputError
+        The stiffness does not fit within the section's limits.
+    NotConvergedError
+        Weight and stiffness do not settle.
+    """
+    excess = ExcessCurvature(check.curve, natural_curvature)
+    if gravity is None:
+        balance = balance_without_weight(check, supports, natural_curvature, nodes=nodes)
+        law = _bent(section, balance.panels, excess)
+        return _within_limits(replace(balance, bending_stiffness=_scale(law, balance.stiffness)), law)
+    carried = Weight(masses=tuple(masses))
+    law = section.bent(0.0)
+    full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
+    heavy = replace(gravity, length=full ** (1 / 3))
+    cut = CutCurve.where_kinked(check, natural_curvature, weight=carried).for_weight(heavy)
+    for _ in range(REFINEMENTS):
+        load = WeightedPanels(check, supports, cut.panels, heavy, carried, nodes)
+        law = _bent(section, cut.panels, excess)
+        balance = _settled(load, law)
+        finer = cut.for_stiffness(balance.stiffness)
+        if finer is None:
+            break
+        cut = finer
+    return replace(_within_limits(balance, law), kinks=cut.kinks)
+
+
+def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
+    """The law at the nodes of panels."""
+    return section.bent(panels.curvature, excess.rest_at(panels.t))
+
+
+@dataclass(frozen=True, eq=False)
+class TangentWeight:
+    """Weight per length w0 + slope E I, N/mm, equal to a law's at one E I (n,) and tangent to it."""
+
+    fixed: FloatArray
+    slope: FloatArray
+
+    @classmethod
+    def of(cls, law: StiffnessLaw, bending_stiffness: FloatArray) -> "TangentWeight":
+        """The tangent at E I (n,), N mm2."""
+        below, at, above = (
+            law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
+            for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
+        )
+        slope = (above - below) / (2 * TANGENT_STEP * bending_stiffness)
+        return cls(at - slope * bending_stiffness, slope)
+
+
+def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
+    """The fixed point on given panels."""
+    panels, masses = load.panels, () if load.weight is None else load.weight.masses
+    points = _point_weights(panels, masses, load.supports)
+    own = np.full(panels.t.shape, load.gravity.length**-3)
+    light = load.carrying(own, np.zeros(own.shape), 0.0 * points)
+    balance = light.balance(light.least(light.homogeneous(3)))
+    scale = _scale(law, balance.stiffness)
+    EI = scale * balance.stiffness.nodal
+    change = np.inf
+    history: list[float] = []
+    for _ in range(MOST_ROUNDS):
+        tangent = TangentWeight.of(law, EI)
+        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        try:
+            state = problem.least(problem.at_compliance(1 / scale))
+        except NotConvergedError as error:  # without weight there was an answer
+            raise _unsettled(law, change) from error
+        balance = problem.balance(state)
+        found = scale * balance.stiffness.nodal
+        asked, scale = scale, _scale(law, balance.stiffness)
+        change, EI = max(float(np.abs(found / EI - 1).max()), abs(scale / asked - 1)), found
+        if change < SETTLED_SHARE:
+            weight = _weight(load, tangent, asked, masses)
+            return replace(balance, bending_stiffness=asked, weight=weight)
+        if _spare(law, EI) < HOPELESS_SHARE:
+            raise _unsettled(law, change)
+        history.append(np.log(scale))
+        if len(history) == 3:
+            scale = float(np.exp(extrapolated(*history)))
+            history.clear()
+    return _descended(load, law, points, asked * state[:3], EI)
+
+
+def _descended(
+    load: WeightedPanels, law: BoundedLaw, points: FloatArray, state: FloatArray, EI: FloatArray
+) -> BalancedStiffness:
+    """The largest E I at the softest place within the limits, by short steps, where the programs go to and fro.
+
+    Such an optimum is no vertex of the program that is tangent there: each answer lies far from the last. So the
+    moments may change by little from one program to the next, and by less where they turn back.
+
+    `state` is moment and force (3,) at the curve's end, N mm and N.
+    """
+    deciding, masses = _deciding(law), () if load.weight is None else load.weight.masses
+    limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
+    sense = -1.0 if np.isfinite(law.limits[1]) else 1.0  # below the largest section, else above the least
+    reach, before = WIDEST_REACH, np.zeros(EI.shape)
+    for _ in range(MOST_STEPS):
+        tangent = TangentWeight.of(law, EI)
+        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        numbers = problem.at_compliance(1 / scale)
+        here = _numbers_of(numbers, np.append(state / scale, 1 / scale)[: numbers.fixed.size])
+        share = sense * scale / limit
+        rows, offset = (problem.rows.stiffness @ part for part in (numbers.basis, numbers.fixed))
+        family = StiffnessFamily(
+            load.panels,
+            PanelFunction.through(rows * share[..., None]),
+            PanelFunction.through(offset * share + (1.0 - sense)),
+        )
+        found = _beside(family, here, reach, problem.places)
+        if found is None:
+            break
+        moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ found)
+        step, EI = moved / EI - 1, np.maximum(moved, HOPELESS_SHARE * limit)  # on its way it may ask for less
+        state = (scale * (numbers.fixed + numbers.basis @ found))[:3]
+        if float(np.abs(step).max()) < SETTLED_SHARE:
+            balance = problem.balance(numbers.fixed + numbers.basis @ found)
+            weight = _weight(load, tangent, scale, masses)
+            return replace(balance, bending_stiffness=scale, weight=weight)
+        reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
+        before = step
+    raise _unsettled(law, np.inf)
+
+
+def _beside(
+    family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
+) -> FloatArray | None:
+    """Free numbers of the least largest value that lie near given ones, or as near as there are any."""
+    rows, _ = family.dense
+    _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
+    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # of values, in the mean
+    for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
+        side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
+        found = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
+        if found is not None:
+            return found[0]
+    return None
+
+
+def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
+    """The free numbers (d,) of a state, or of the one nearest to it."""
+    size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
+    return np.asarray(
+        np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
+    )
+
+
+def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
+    moves = f" (the stiffness still moves by {change:.2g})" if np.isfinite(change) else ""
+    return NotConvergedError(
+        f"weight and {law.quantity} do not settle{moves}: the rod is too "
+        "heavy for this curve; use a stiffer or lighter material, or support it"
+    )
+
+
+def extrapolated(first: float, second: float, third: float) -> float:
+    """Aitken's limit of a sequence of logarithms that closes in by the same factor each time; else the last one.
+
+    A far limit is gone towards only.
+
+    Examples
+    --------
+    >>> extrapolated(0.0, 1.0, 1.5), extrapolated(0.0, 1.0, 3.0)
+    (2.0, 3.0)
+    """
+    step, before = third - second, second - first
+    if before == 0 or not -0.9 < step / before < SLOWEST_RATE:
+        return third
+    jump = step**2 / (before - step)
+    return third + float(np.clip(jump, -LONGEST_JUMP, LONGEST_JUMP))
+
+
+def _deciding(law: BoundedLaw) -> float:
+    """The limit that decides the scale: the largest size, or where there is none the least."""
+    least, largest = law.limits
+    return largest if np.isfinite(largest) else least
+
+
+def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
+    """The B, N mm2, with which B K comes up to the largest section, or down to the least."""
+    share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
+    extremes = share.extremes
+    return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
+
+
+def _weight(
+    load: WeightedPanels, tangent: TangentWeight, scale: float, masses: Sequence[PointMass]
+) -> Weight:
+    """The tangent law along the rod, exact at its usual nodes; `beta` is for the stiffness with scale `scale`."""
+    s = np.linspace(0.0, load.check.length, DEFAULT_SAMPLES)
+    place = load.panels.locate(load.check.curve.parameter(s))
+    fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
+    return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), tuple(masses))
+
+
+def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
+    """The balance itself; refused where it asks for less than the least section."""
+    EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
+    least, largest = law.limits
+    if _spare(law, EI) < 1 - FIT_SHARE:
+        asked = law.parameter(EI)
+        s = float(balance.panels.s.flat[int(asked.argmin())])
+        raise InputError(
+            f"the curve asks for a {law.quantity} of {float(asked.min()):.4g} mm at {s:.4g} mm where its "
+            f"largest is {largest:g} mm: the limits allow {least:g} mm at least; widen them, or give limits or "
+            "keep and the curve may change"
+        )
+    return balance
+
+
+def _spare(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
+    """The least E I (N, p), N mm2, over that of the least section there."""
+    least, _ = law.limits
+    return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

@@ -19,8 +19,8 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_balance import extrapolated
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.stiffness.section_balance import extrapolated
 
 _SETTLED_SHARE = 1e-5
 """Relative change from round to round that ends them."""

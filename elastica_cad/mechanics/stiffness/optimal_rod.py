@@ -1,6 +1,9 @@
-"""From a drawn curve to the rod of least stiffness ratio that rests in it."""
+"""From a drawn curve to the rod of least stiffness ratio that rests in it, and its stiffness as a spline."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import ceil
 
 import numpy as np
 
@@ -9,9 +12,17 @@ from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.panel_functions import (
+    NODES,
+    SLOPES,
+    PanelFunction,
+    legendre_basis,
+    locate_in_panels,
+)
 from elastica_cad.mechanics.loads.arguments import (
     require_gravity,
     require_supports,
+    require_tolerance,
     whole_number,
 )
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -23,14 +34,160 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
-from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight, balance_without_weight
-from elastica_cad.mechanics.stiffness.section_balance import balance_with_section
-from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
+from elastica_cad.mechanics.stiffness.optimal_balance import (
+    balance_with_section,
+    balance_with_weight,
+    balance_without_weight,
+)
+from elastica_cad.mechanics.stiffness.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
-from elastica_cad.mechanics.theorem1.unbent_ends import examine_unbent
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
+from elastica_cad.mechanics.theorem1.equilibrium_check import examine
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, InflectionLine, NotRealizable, figure
+
+TOLERANCE = 1e-6
+"""Error of the stiffness profile, relative to its largest value; its extremes are exact."""
+
+WORST_TOLERANCE = 0.01
+"""The same where rounding has spoilt the stiffness, as much weight and an inflection beside an end do."""
+
+NOISE_TIMES = 4
+"""The fit errs by this many times what rounding has made of the stiffness under much weight."""
+
+SAME_PLACE_SHARE = 1e-9
+"""Of the length: a knot nearer to a zero of the curvature is there."""
+
+STEP_LENGTH = 1e-5
+"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
+
+CELLS = 8
+"""Parts of a panel in which the density of knots is taken as constant."""
+
+_CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
+
+_FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
+"""Fourth derivatives by x in the middles of the cells."""
+
+BEST_CUBIC = 1 / 720
+"""Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
+polynomial."""
+
+SPARE = 0.07
+"""Part of the tolerance that the first knots aim at: a second fit would cost more than the knots it saves."""
+
+
+def _stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
+    """K times `scale` as a cubic spline of arc length.
+
+    K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a
+    kink. A step is spread over a ramp.
+    """
+    curve = check.curve
+    length = curve.length
+    zeros = np.array([z.s for z in check.zeros])
+    breaks: list[tuple[float, int]] = []
+    steps: list[float] = []
+    for s, order in (*balance.kinks, *((knot.s, knot.continuity - 2) for knot in curve.breaks)):
+        near = NARROWEST_SHARE if order > ROUGH_AT_ZERO - 2 else SAME_PLACE_SHARE
+        at_zero = zeros.size > 0 and np.abs(zeros - s).min() < near * length
+        if order - int(at_zero) >= 0:
+            breaks.append((s, order - int(at_zero)))
+        elif not steps or np.abs(np.array(steps) - s).min() > STEP_LENGTH * length:
+            steps.append(s)
+    K = _AlongArc.of(curve, balance, scale)
+    half = STEP_LENGTH * length / 2
+    feet = [s + side * half for s in steps for side in (-1, 1)]
+    # fitted apart, or the ramp, which weighs nothing, would have to take over its neighbours' errors
+    breaks += [(s, -1) for s in feet]
+
+    def stiffness(s: FloatArray) -> FloatArray:
+        values = K(s)
+        for step in steps:
+            inside = np.abs(s - step) < half
+            if inside.any():
+                foot = np.array([step - half, step + half])
+                values[inside] = np.interp(s[inside], foot, K(foot))
+        return values
+
+    noise = NOISE_TIMES * K.noise([*steps, *(s for s, _ in balance.kinks)])
+    tolerance = min(max(TOLERANCE * K.largest, noise), WORST_TOLERANCE * K.largest)
+    knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
+    fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
+    for i, foot in enumerate(feet):
+        fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
+    return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), tolerance)
+
+
+@dataclass(frozen=True, eq=False)
+class _AlongArc:
+    """K on the panels of a balance, as Legendre series in arc length; `edges` (N + 1,) are in mm."""
+
+    edges: FloatArray
+    series: PanelFunction
+
+    @classmethod
+    def of(cls, curve: PlaneCurve, balance: BalancedStiffness, scale: float) -> "_AlongArc":
+        panels = balance.panels
+        width = panels.edge_s[1:] - panels.edge_s[:-1]
+        s = panels.edge_s[:-1, None] + width[:, None] * (1 + NODES) / 2
+        t = curve.parameter(s)
+        values = balance.stiffness.at(*panels.locate(t.ravel())) * scale
+        return cls(panels.edge_s, PanelFunction.through(values.reshape(t.shape)))
+
+    def __call__(self, s: FloatArray) -> FloatArray:
+        return self.series.at(*locate_in_panels(self.edges, s))
+
+    @property
+    def largest(self) -> float:
+        """The largest of K, nearly."""
+        return float(self.series.in_every_panel(_CELL_ENDS).max())
+
+    def noise(self, steps: Sequence[float]) -> float:
+        """Largest jump of K between panels, but for its steps: rounding that grows along under much weight."""
+        before, after = self.series.where_panels_meet
+        # over as much of the length as a step is spread over: of steps nearer to each other one is kept
+        jumps = np.abs(after - before)
+        if len(steps):
+            apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
+            jumps = jumps[apart.all(axis=1)]
+        return float(jumps.max(initial=0.0))
+
+    def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
+        """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.
+
+        Their distance h is that where `BEST_CUBIC` h^4 K'''' is the tolerance.
+        """
+        width = self.edges[1:] - self.edges[:-1]
+        fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
+        # both by the panel's own x, from -1 to 1
+        count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
+        reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
+        np.cumsum(count, out=reached[1:])
+        s[:-1] = (self.edges[:-1, None] + width[:, None] * np.arange(CELLS) / CELLS).ravel()
+        s[-1] = self.edges[-1]
+        stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
+        at = np.interp(stops, s, reached).tolist()
+        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]  # even stiffness asks for none
+        wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
+        return np.asarray(np.interp(np.concatenate(wanted), reached, s))
+
+
+def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
+    """The profile stretched a little so that its extremes are `exact`, the stiffness where it has them.
+
+    The stiffness is stationary there, so the places need not be exact.
+    """
+    low, high = profile.extremes
+    if high - low <= tolerance:
+        return profile
+    return profile.stretched(float(exact[0]), float(exact[1]))
+
+
+def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
+    """The profile with the gap at `place` closed: both sides get the value of the one kept."""
+    first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
+    coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
+    return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
+
 
 TOLD_MOVE_MM = 1e-3
 """Least move of the curve that is worth a sentence: smaller ones are neither seen nor cut."""
@@ -126,12 +283,10 @@ def optimal_rod(
             "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: leave "
             "one of them out"
         )
-    if gravity is None:
-        check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
-    else:
-        check = examine_unbent(curve, supports, natural_curvature, tolerance)
-        if not check.any_stiffness:
-            _require_load_at_free_end(check, supports, weight)
+    require_tolerance(tolerance)
+    check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
+    if gravity is not None and not check.any_stiffness:
+        _require_load_at_free_end(check, supports, weight)
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
@@ -333,7 +488,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
         moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
-        profile=stiffness_profile(check, balance, 1 / least),
+        profile=_stiffness_profile(check, balance, 1 / least),
         gravity=problem.gravity, supports=problem.supports, natural_curvature=rest,
         residual=residual, weight=weight, law=problem.law, section=problem.section,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,

@@ -1,11 +1,22 @@
-"""Theorem 1 where it asks for the curvature alone: zeros of kappa - kappa_0, and what to tell of them."""
+"""Theorem 1 where it asks for the curvature alone: corners, begin of closed curves, zeros of kappa - kappa_0."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from elastica_cad.geometry.curves.plane_curve import Break, CurvatureZero, PlaneCurve
+from elastica_cad.errors import Change, InputError
+from elastica_cad.geometry.curve_editing.fairing import smooth_for_corners
+from elastica_cad.geometry.curves.plane_curve import (
+    Break,
+    CurvatureZero,
+    PlaneCurve,
+    TangentBreak,
+    clamp_ends,
+    trim_curve,
+)
+from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.loads.rest_curvature import (
     ExcessCurvature,
@@ -14,9 +25,153 @@ from elastica_cad.mechanics.loads.rest_curvature import (
     require_natural_curvature,
 )
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
-from elastica_cad.mechanics.theorem1.corners import require_bendable
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, figure, listed, places, shown_on
+
+
+def require_bendable(curve: PlaneCurve) -> None:
+    """Refuse what no strip can follow, whatever holds it: a corner, also where a curve closes.
+
+    Raises
+    ------
+    InputError
+        The message says where, and what to do.
+    """
+    corners = curve.tangent_breaks
+    if corners:
+        slight = _taken_out(curve)
+        apart = Change("split_corners", True), Change("nearest", True)
+        raise InputError(_tell_corners(curve, corners), kind="corner", changes=slight or apart)
+    if curve.has_corners:
+        changes = _taken_out(curve) or (Change("nearest", True),)
+        raise InputError(_tell_seam(curve), kind="corner", changes=changes)
+
+
+def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
+    """What is wrong with corners, and whether the digits of a file may have made them."""
+    drawn = curve.provenance
+    maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
+    if drawn is not None and all(corner.t in maybe for corner in corners):
+        turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
+        return _tell_undecided(drawn, turn, places(c.s for c in corners))
+    at = f" ({drawn.shown(curve.evaluate(np.array(corners[0].t)))})" if drawn is not None else ""
+    sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
+    return (
+        f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
+        "bends without "
+        f"kinks; round it, or draw two curves{_tell_smooth(curve)}"
+    )
+
+
+def _tell_seam(curve: PlaneCurve) -> str:
+    """The same of a closed curve whose only corner is where it closes."""
+    drawn = curve.provenance
+    start = curve.evaluate(np.array(curve.domain[0]))
+    for turn in () if drawn is None else drawn.undecided:
+        if turn.t == curve.domain[0]:
+            return _tell_undecided(drawn, turn, places((0.0,)))
+    return (
+        f"the curve is closed with a corner of {np.degrees(abs(curve.seam_turn)):.3g} degrees at "
+        f"{shown_on(curve, start)}: a strip bends without kinks; round it, or leave a gap between its "
+        f"ends{_tell_smooth(curve)}"
+    )
+
+
+def _tell_undecided(drawn: Provenance | None, turn: Turn, where: str) -> str:
+    shown = drawn or Provenance()
+    return (
+        f"undecided at this precision: the curve turns by {np.degrees(turn.angle):.2g} degrees at "
+        f"{shown.shown(turn.point)}, {where} along it, and the digits "
+        f"of the file alone can turn its handle of {turn.handle:.3g} mm by "
+        f"{np.degrees(turn.bound):.2g}: save it "
+        "with more decimals, or make the node smooth with longer handles"
+    )
+
+
+def _taken_out(curve: PlaneCurve) -> tuple[Change, ...]:
+    """The distance within which slight corners are taken out."""
+    slight = smooth_for_corners(curve)
+    return () if slight is None else (Change("smooth", slight),)
+
+
+def _tell_smooth(curve: PlaneCurve) -> str:
+    return "".join(
+        f", or take it out within {one.value:g} mm (smooth = {one.value:g}, --smooth {one.value:g})"
+        for one in _taken_out(curve)
+    )
+
+
+PLACES = 721
+"""Places along a curve that may be its flattest."""
+
+CLEAR_SHARE = 0.05
+"""Of the largest curvature: places that are bent less lie too near to an inflection to begin there."""
+
+PLACE_DIGITS = 6
+"""Of a place, mm: the same curve of two programs begins at the same one."""
+
+ALIKE = 1e-6
+"""Share of the largest curvature by which two places differ that are flat alike, and of its range by which a
+parameter differs from a knot: rounding and a little."""
+
+
+def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
+    """The closed curve begun, and ended, at the arc length `s` (mm): exact.
+
+    Raises
+    ------
+    InputError
+        A curve that is open, or a place that lies beyond it.
+
+    Examples
+    --------
+    >>> circle = PlaneCurve.arc((0, 0), 10, 0, 2 * np.pi)
+    >>> begin_at(circle, circle.length / 4).at([0.0]).position.round(6).tolist()
+    [[0.0, 10.0]]
+    """
+    if not curve.is_closed:
+        raise InputError("the curve is open: only a closed one can begin anywhere")
+    if not 0 <= s <= curve.length:
+        raise InputError(
+            f"the curve cannot begin at {s:g} mm: it is {curve.length:.4g} mm long; give a place along it"
+        )
+    low, high = curve.domain
+    t = float(curve.parameter(np.array(s)))
+    drawn, curve = curve.provenance, _closed_exactly(curve)
+    # a span of rounding size would have no curvature to speak of
+    knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
+    t = knot if abs(knot - t) <= ALIKE * (high - low) else t
+    if t <= low or t >= high:
+        return curve.drawn_as(drawn)
+    first, second = trim_curve(curve, t, high), trim_curve(curve, low, t)
+    p = curve.degree
+    knots = np.concatenate([first.knots[:-1], second.knots[p + 1 :] + (high - low)])
+    points = np.concatenate([first.control_points, second.control_points[1:]])
+    weights = None
+    if first.weights is not None and second.weights is not None:
+        # the weights of one part may be scaled as a whole: those of the second go on where the first's end
+        onward = second.weights * (first.weights[-1] / second.weights[0])
+        weights = np.concatenate([first.weights, onward[1:]])
+    return PlaneCurve(knots, points, p, weights).drawn_as(drawn)
+
+
+def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
+    """The curve with its last point on its first: programs that drew the same one then begin alike."""
+    clamped = clamp_ends(curve)
+    points = clamped.control_points
+    if np.array_equal(points[0], points[-1]):
+        return curve
+    return clamped.with_control_points(np.concatenate([points[:-1], points[:1]]))
+
+
+def flattest_place(curve: PlaneCurve) -> float:
+    """Where (mm) a closed curve is bent least, clear of its inflections; its start where that is as flat."""
+    nodes = curve.sample(PLACES)
+    bent = np.abs(nodes.curvature)
+    largest = float(bent.max())
+    bent[bent < CLEAR_SHARE * largest] = np.inf
+    first = float(nodes.s[np.flatnonzero(bent <= bent.min() + ALIKE * largest)[0]])
+    return min(round(first, PLACE_DIGITS), curve.length)
+
 
 AT_END_SHARE = 1e-6
 """A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
@@ -51,11 +206,7 @@ _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 def examine_curvature(
     curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
 ) -> EquilibriumCheck:
-    """Everything of `check_equilibrium` but the line: zeros of kappa - kappa_0, jumps, straight pieces,
-    kinks.
-
-    With weight there is no line (paper, section 5), but these conditions stay. The same errors are raised.
-    """
+    """The conditions on the curvature alone: zeros of kappa - kappa_0, jumps, straight pieces, kinks."""
     require_curve(curve)
     require_natural_curvature(natural_curvature)
     require_bendable(curve)

@@ -23,7 +23,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
+from elastica_cad.mechanics.theorem1.curvature_conditions import begin_at, flattest_place
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytestmark = pytest.mark.core

@@ -9,7 +9,7 @@ import pytest
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.forming.fairing_request import SEEN, smooth_curve
-from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytest.importorskip("svgelements")

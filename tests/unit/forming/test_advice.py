@@ -13,8 +13,7 @@ from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import NotConvergedError, NotMetError
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.forming.limits import Box, Keep, Limits
-from elastica_cad.forming.nearest.advice import advise
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest.nearest_record import NearestRod, Status, advise
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.forming.splitting import split
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

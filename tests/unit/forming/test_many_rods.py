@@ -161,25 +161,6 @@ def test_a_stream_keeps_nothing_of_what_it_gave():
             assert len(gone) >= i - 1
 
 
-def test_a_stream_gives_shares_out_once_there_are_many():
-    """Shares of four at most 64 ahead, each curve answered once; curves left over are the last share."""
-    sent = []
-
-    class Counting(Executor):
-        def submit(self, fn, /, *args, **kwargs):
-            sent.append(len(args[0]))
-            future = Future()
-            future.set_result(fn(*args, **kwargs))
-            return future
-
-    count = 64 + 4 * 3 + 2
-    curves = (ARCHES[i % 3] for i in range(count))
-    impossible = Limits(length=(1, 2))  # refused at once
-    found = dict(stream_nearest_rods(curves, impossible, executor=Counting()))
-    assert sorted(found) == list(range(count))
-    assert sent == [1] * 64 + [4, 4, 4, 2]
-
-
 def test_a_stream_whose_worker_dies_goes_on():
     found = dict(stream_nearest_rods(ARCHES, Limits(ratio=1.3), executor=Dying()))
     assert [found[i].status for i in range(3)] == [Status.MET, Status.FAILED, Status.FAILED]

@@ -69,15 +69,14 @@ def test_conditions_of_optimality(seed):
 
 
 @pytest.mark.parametrize("price", [0.1, 1.0, 10.0])
-def test_inequalities_never_pull_whatever_the_guess(price):
+def test_inequalities_never_pull(price):
     for seed in range(60):
-        q, other = program(seed, m=8, price=price), program(1000 + seed, m=8, price=price)
-        for near in (None, solve_quadratic(other)):
-            s = solve_quadratic(q, near=near)
-            y, gap = s.row_multipliers, q.rows @ s.x - q.right
-            assert y[q.one_sided].min(initial=0.0) > -1e-6
-            assert np.all(y[gap < -1e-5] == pytest.approx(price, rel=1e-5))
-            assert np.all(np.abs(y[(gap > 1e-5) & q.one_sided]) < 1e-6)
+        q = program(seed, m=8, price=price)
+        s = solve_quadratic(q)
+        y, gap = s.row_multipliers, q.rows @ s.x - q.right
+        assert y[q.one_sided].min(initial=0.0) > -1e-6
+        assert np.all(y[gap < -1e-5] == pytest.approx(price, rel=1e-5))
+        assert np.all(np.abs(y[(gap > 1e-5) & q.one_sided]) < 1e-6)
 
 
 def test_a_program_in_which_predictor_and_corrector_go_round_in_circles_is_solved():

@@ -6,18 +6,16 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.limits import Box, HalfPlane
-from elastica_cad.forming.nearest.constraints import kept_shape as kept
-from elastica_cad.forming.nearest.constraints import limit_rows as limits
+from elastica_cad.forming.nearest import constraints as kept
+from elastica_cad.forming.nearest import constraints as limits
 from elastica_cad.forming.nearest.curve_distance import (
     ClosestDistance,
     LargestDistance,
     MeanDistance,
+    TargetCurve,
     measure_deviation,
 )
-from elastica_cad.forming.nearest.rod_map import StripGrid
-from elastica_cad.forming.nearest.stiffness_basis import spline_basis
-from elastica_cad.forming.nearest.target_curve import TargetCurve
-from elastica_cad.forming.section_scale import SectionScale
+from elastica_cad.forming.nearest.rod_map import SectionScale, StripGrid, spline_basis
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.plain_section import WidthLaw

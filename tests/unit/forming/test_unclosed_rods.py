@@ -4,14 +4,12 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.constraints.kept_shape import EndPosition
-from elastica_cad.forming.nearest.curve_distance import LargestDistance, MeanDistance
+from elastica_cad.forming.nearest.constraints import EndPosition
+from elastica_cad.forming.nearest.curve_distance import LargestDistance, MeanDistance, TargetCurve
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.nearest.rod_map import StripGrid
+from elastica_cad.forming.nearest.rod_map import StripGrid, spline_basis
 from elastica_cad.forming.nearest.rod_problem import RodProblem
-from elastica_cad.forming.nearest.stiffness_basis import spline_basis
-from elastica_cad.forming.nearest.target_curve import TargetCurve
-from elastica_cad.forming.optimizer.iterate import (
+from elastica_cad.forming.optimizer.nonlinear_program import (
     all_equalities,
     close_iterate,
     follow_step,

@@ -9,10 +9,12 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
 from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
-from elastica_cad.mechanics.theorem1.line_conditions import find_separating_line, fit_inflection_line
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.mechanics.theorem1.equilibrium_check import (
+    check_equilibrium,
+    find_separating_line,
+    fit_inflection_line,
+)
+from elastica_cad.mechanics.theorem1.verdict import InflectionLine, NotRealizable
 
 pytestmark = pytest.mark.core
 

@@ -8,9 +8,11 @@ from elastica_cad.geometry.curve_editing.fairing import fair_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.line_conditions import fit_inflection_line
-from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
+from elastica_cad.mechanics.theorem1.equilibrium_check import (
+    check_equilibrium,
+    fit_inflection_line,
+    project_inflections,
+)
 
 pytestmark = pytest.mark.core
 
