@@ -34,6 +34,9 @@ SAME_KNOT = 1e-12
 FAR_SIZES = 1e6
 """A curve moved farther away than so many of its sizes loses digits, and is checked again."""
 
+_AHEAD_SHARE = 1e-6
+"""Of the chord between the ends: steps of a control polygon that go so far along it are none on the spot."""
+
 MOST_TURNS = 100
 """Of an arc."""
 
@@ -76,7 +79,10 @@ class NurbsCurve:
         drawn = self.provenance
         require_record(drawn, Provenance | None, "provenance", "what read_curves gives, or None")
         shown, rounding = (in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
-        refuse_standstill(self._pieces, self.control_points, shown, rounding)
+        steps = np.diff(points, axis=0)
+        along = steps @ steps.sum(axis=0)
+        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():  # else it goes ahead everywhere
+            refuse_standstill(self._pieces, self.control_points, shown, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
         """The numbers alone: what was computed from them is larger by far, and soon had again."""
@@ -332,6 +338,11 @@ class NurbsCurve:
     @cached_property
     def bounds(self) -> FloatArray:
         """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
+        points = self.control_points
+        ends = self.evaluate(np.array(self.domain))
+        box = box_about(ends)
+        if (points >= box[0]).all() and (points <= box[1]).all():  # the curve lies within their hull
+            return box
         return box_about(self.evaluate(self._pieces.stationary()))
 
     @cached_property
