@@ -234,10 +234,9 @@ class RationalPieces:
     def stationary(self) -> FloatArray:
         """Parameters (k,) of the knots and of all places where x or y is stationary."""
         velocity, edges = hodograph(self.bezier), self.edges
-        inner = [root for axis in (0, 1) for root in interior_roots(velocity[..., axis])]
-        return np.array(
-            [*edges, *(edges[r.piece] + r.u * (edges[r.piece + 1] - edges[r.piece]) for r in inner)]
-        )
+        inner = interior_roots(np.concatenate([velocity[..., 0], velocity[..., 1]]))
+        at, u = np.array([r.piece for r in inner], dtype=int) % len(velocity), np.array([r.u for r in inner])
+        return np.concatenate([edges, edges[at] + u * (edges[at + 1] - edges[at])])
 
     @cached_property
     def arc_length(self) -> ArcLength:

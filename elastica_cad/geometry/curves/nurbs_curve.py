@@ -338,10 +338,10 @@ class NurbsCurve:
     @cached_property
     def bounds(self) -> FloatArray:
         """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
-        points = self.control_points
-        ends = self.evaluate(np.array(self.domain))
-        box = box_about(ends)
-        if (points >= box[0]).all() and (points <= box[1]).all():  # the curve lies within their hull
+        points, (low, high) = self.control_points, self.domain
+        box = box_about(points[[0, -1]])
+        clamped = self.knots[0] == low and self.knots[-1] == high
+        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # the curve lies in their hull
             return box
         return box_about(self.evaluate(self._pieces.stationary()))
 
