@@ -98,10 +98,6 @@ OURS = {
         "half the time of one process",
     ),
     "test_batch_speed.py::test_memory_is_constant": ("memory of 600 wishes at most", "of 200 wishes"),
-    "test_pattern_speed.py::test_rounded_holes": (
-        "all holes of a perforated strip rounded together",
-        "one after the other",
-    ),
     "test_slot_speed.py::test_slots_cost_a_few_times_the_strips": (
         "the Pavilion interlocked: 102 slots in 31 strips",
         "its 31 rods under their weight",

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
-from math import comb
+from math import comb, perm
 
 import numpy as np
 
@@ -197,10 +197,7 @@ class RationalPieces:
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
         """The same at local coordinates u (n,) of spans (n,)."""
-        size = self._dimension
-        columns = size * (order + 1)
-        values = self._sums(index, u, 0, columns)
-        rows = [values[:, k : k + size] for k in range(0, columns, size)]
+        rows = [sums_in_pieces(self._series(k), index, u) for k in range(order + 1)]
         if self.rational:
             parts = quotient([row[:, :2].T for row in rows], [row[:, 2] for row in rows])
             rows = [part.T for part in parts]
@@ -225,19 +222,14 @@ class RationalPieces:
         u = np.minimum(np.maximum(u, 0.0), 1.0)
         if self.rational:
             return norm(self.within(index, u, 1)[1])
-        return norm(self._sums(index, u, 2, 4))
-
-    def _sums(self, index: IntArray, u: FloatArray, first: int, end: int) -> FloatArray:
-        """Columns (n, ...) from `first` to `end` of `_series` at local coordinates u (n,) of spans (n,)."""
-        return sums_in_pieces(self._series, index, u, first, end)
+        return norm(sums_in_pieces(self._series(1), index, u))
 
     def stationary(self) -> FloatArray:
         """Parameters (k,) of the knots and of all places where x or y is stationary."""
         velocity, edges = hodograph(self.bezier), self.edges
-        inner = [root for axis in (0, 1) for root in interior_roots(velocity[..., axis])]
-        return np.array(
-            [*edges, *(edges[r.piece] + r.u * (edges[r.piece + 1] - edges[r.piece]) for r in inner)]
-        )
+        inner = interior_roots(np.concatenate([velocity[..., 0], velocity[..., 1]]))
+        at, u = np.array([r.piece for r in inner], dtype=int) % len(velocity), np.array([r.u for r in inner])
+        return np.concatenate([edges, edges[at] + u * (edges[at + 1] - edges[at])])
 
     @cached_property
     def arc_length(self) -> ArcLength:
@@ -249,47 +241,39 @@ class RationalPieces:
         """Parts of the curve within which it turns by less than half a turn."""
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
-    @property
-    def _dimension(self) -> int:
-        """Numbers of a place: x, y, and w where weights differ."""
-        return 3 if self.rational else 2
+    def _series(self, order: int) -> FloatArray:
+        """The derivative d/dt of this order of all pieces, (p, degree + 1, 2 or 3), in a scaled Bernstein basis."""
+        if order not in self._known:
+            degree, widths = self.spans.degree, self.spans.widths[:, None, None]
+            if order > degree:
+                return np.zeros_like(self._local)
+            # derivatives overflow where knots nearly coincide: callers that need them refuse such curves
+            with np.errstate(over="ignore", invalid="ignore"):
+                rate = perm(degree, order) / widths**order
+                self._known[order] = _raised(degree, order) @ np.diff(self._local, order, axis=1) * rate
+        return self._known[order]
 
     @cached_property
-    def _series(self) -> FloatArray:
-        """Position and its first three derivatives d/dt of every piece, in one scaled Bernstein basis.
+    def _known(self) -> dict[int, FloatArray]:
+        """The series that were asked for, by order."""
+        return {}
 
-        (p, degree + 1, 4 * 2 or 3). Each piece is seen from its middle control point, from which the others are
-        subtracted without rounding: the second derivatives of short pieces far from the origin would otherwise
-        carry that of their coordinates.
+    @cached_property
+    def _local(self) -> FloatArray:
+        """Bezier points (p, degree + 1, 2 or 3) of the pieces, w among them where weights differ.
+
+        Each piece is seen from its middle control point, from which the others are subtracted without rounding: the
+        second derivatives of short pieces far from the origin would otherwise carry that of their coordinates.
         """
-        spans, degree = self.spans, self.spans.degree
-        near = self.control_points[self._acting]
+        near = self.control_points[self.spans.first[:, None] + np.arange(self.spans.degree + 1)]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
-        difference = spans.matrix @ near[..., : self._dimension]
-        series = np.zeros((len(near), degree + 1, _ORDERS, self._dimension))
-        factor = np.ones(len(near))
-        # derivatives overflow where knots nearly coincide: callers that need them refuse such curves
-        with np.errstate(over="ignore", invalid="ignore"):
-            for k in range(min(degree, _ORDERS - 1) + 1):
-                if k:
-                    difference = difference[:, 1:] - difference[:, :-1]
-                    factor = factor * (degree - k + 1) / spans.widths
-                series[:, :, k] = _raised(degree, k) @ difference * factor[:, None, None]
-        return series.reshape(len(near), degree + 1, -1)
-
-    @cached_property
-    def _acting(self) -> IntArray:
-        """The control points that act on each piece, (p, degree + 1)."""
-        return np.asarray(self.spans.first[:, None] + np.arange(self.spans.degree + 1))
+        return np.asarray(self.spans.matrix @ near[..., : 3 if self.rational else 2])
 
     @cached_property
     def _origins(self) -> FloatArray:
         """Middle control points (p, 2) of the pieces, mm."""
         middle = self.control_points[self.spans.first + self.spans.degree // 2]
         return np.asarray(middle[:, :2] / middle[:, 2:])
-
-
-_ORDERS = 4  # position and three derivatives
 
 
 @lru_cache(maxsize=64)

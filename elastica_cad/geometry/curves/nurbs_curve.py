@@ -31,6 +31,12 @@ from elastica_cad.geometry.polynomials.splines import (
 SAME_KNOT = 1e-12
 """Share of the domain within which a place is a knot: spans of rounding size are never made."""
 
+FAR_SIZES = 1e6
+"""A curve moved farther away than so many of its sizes loses digits, and is checked again."""
+
+_AHEAD_SHARE = 1e-6
+"""Of the chord between the ends: steps of a control polygon that go so far along it are none on the spot."""
+
 MOST_TURNS = 100
 """Of an arc."""
 
@@ -73,11 +79,32 @@ class NurbsCurve:
         drawn = self.provenance
         require_record(drawn, Provenance | None, "provenance", "what read_curves gives, or None")
         shown, rounding = (in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
-        refuse_standstill(self._pieces, self.control_points, shown, rounding)
+        steps = np.diff(points, axis=0)
+        along = steps @ steps.sum(axis=0)
+        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():  # else it goes ahead everywhere
+            refuse_standstill(self._pieces, self.control_points, shown, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
         """The numbers alone: what was computed from them is larger by far, and soon had again."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
+
+    def _part(
+        self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
+        provenance: Provenance | None = None,
+    ) -> Self:  # fmt: skip
+        """A curve of this degree that is a part or a moved copy of this one, so that it needs no check."""
+        made = object.__new__(type(self))
+        for array in (knots, control_points, weights):
+            if array is not None:
+                array.setflags(write=False)
+        vars(made).update(
+            knots=knots,
+            control_points=control_points,
+            degree=self.degree,
+            weights=weights,
+            provenance=provenance,
+        )
+        return made
 
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:
@@ -198,7 +225,7 @@ class NurbsCurve:
 
     def drawn_as(self, provenance: Provenance | None) -> Self:
         """The same curve with another record of where it comes from."""
-        return type(self)(self.knots, self.control_points, self.degree, self.weights, provenance)
+        return self._part(self.knots, self.control_points, self.weights, provenance)
 
     @property
     def domain(self) -> tuple[float, float]:
@@ -261,24 +288,20 @@ class NurbsCurve:
         """The curve run from its other end."""
         weights = None if self.weights is None else self.weights[::-1]
         knots = self.knots[0] + self.knots[-1] - self.knots[::-1]
-        return type(self)(knots, self.control_points[::-1], self.degree, weights, self.provenance)
+        return self._part(knots, self.control_points[::-1], weights, self.provenance)
 
     def trimmed(self, start: float, end: float) -> Self:
         """The part between two parameters as a clamped curve of its own (Boehm's knot insertion)."""
-        p, points = self.degree, self._pieces.control_points
-        knots, start, end = self.knots, self._at_knot(start), self._at_knot(end)
-        for t in (end, start):
-            knots, points = _with_knot(knots, points, t, p)
-        first = int(np.searchsorted(knots, start, side="right")) - 1 - p
-        inner = knots[(knots > start) & (knots < end)]
-        rows = points[first : first + inner.size + p + 1]
-        weights = rows[:, 2] if self.is_rational else None
-        return type(self)(
-            np.concatenate([np.full(p + 1, start), inner, np.full(p + 1, end)]),
-            rows[:, :2] / rows[:, 2:],
-            p,
-            weights,
-        )
+        p, start, end = self.degree, self._at_knot(start), self._at_knot(end)
+        points, last = self._pieces.control_points.copy(), int(np.searchsorted(self.knots, end)) - 1
+        for r, row in enumerate(_de_boor(self.knots, points, last, end), 1):
+            points[last - p + r] = row[0]
+        knots = np.minimum(self.knots, end)
+        first = int(np.searchsorted(knots, start, side="right")) - 1
+        for r, row in enumerate(_de_boor(knots, points, first, start), 1):
+            points[first - r] = row[-1]
+        knots, rows = np.maximum(knots, start)[first - p : last + p + 2], points[first - p : last + 1]
+        return self._part(knots, rows[:, :2] / rows[:, 2:], rows[:, 2] if self.is_rational else None)
 
     def _at_knot(self, t: float) -> float:
         """The knot that a parameter lies at but for rounding, else the parameter."""
@@ -307,11 +330,19 @@ class NurbsCurve:
         drawn = (
             None if self.provenance is None else self.provenance.transformed(np.asarray(matrix, dtype=float))
         )
+        even = not np.asarray(matrix, dtype=float)[2, :2].any()
+        if even and np.abs(points).max() < FAR_SIZES * np.ptp(points, axis=0).max():
+            return self._part(knots, points, weights, drawn)
         return type(self)(knots, points, self.degree, weights, drawn)
 
     @cached_property
     def bounds(self) -> FloatArray:
         """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
+        points, (low, high) = self.control_points, self.domain
+        box = box_about(points[[0, -1]])
+        clamped = self.knots[0] == low and self.knots[-1] == high
+        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # the curve lies in their hull
+            return box
         return box_about(self.evaluate(self._pieces.stationary()))
 
     @cached_property
@@ -322,13 +353,12 @@ class NurbsCurve:
         return RationalPieces(spans, homogeneous, self.is_rational)
 
 
-def _with_knot(knots: FloatArray, points: FloatArray, t: float, degree: int) -> tuple[FloatArray, FloatArray]:
-    """Knots and homogeneous control points with a knot inserted until it stands `degree` times."""
-    while np.count_nonzero(knots == t) < degree:
-        k = min(int(np.searchsorted(knots, t, side="right")), len(points)) - 1
-        i = np.arange(k - degree + 1, k + 1)
-        share = ((t - knots[i]) / (knots[i + degree] - knots[i]))[:, None]
-        between = points[i - 1] * (1 - share) + points[i] * share
-        points = np.concatenate([points[: k - degree + 1], between, points[k:]])
-        knots = np.insert(knots, k + 1, t)
-    return knots, points
+def _de_boor(knots: FloatArray, points: FloatArray, span: int, t: float) -> list[FloatArray]:
+    """De Boor's triangle at a parameter in the span that begins at a knot: its rows (degree, d) to (1, d)."""
+    degree = knots.size - len(points) - 1
+    rows, near = [points[span - degree : span + 1]], knots[span - degree + 1 : span + degree + 1]
+    for level in range(1, degree + 1):
+        low, high = near[level - 1 : degree], near[degree : 2 * degree - level + 1]
+        share = ((t - low) / (high - low))[:, None]
+        rows.append(rows[-1][:-1] * (1 - share) + rows[-1][1:] * share)
+    return rows[1:]

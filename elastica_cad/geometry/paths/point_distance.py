@@ -40,8 +40,11 @@ def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
 
 def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
     """Largest distance of 401 points of `found` from `target`, mm; 0 where it is rounding."""
-    off = float(distances(Spline(target), found.sample(401).position).max())
-    return off if off > _ROUNDING_SHARE * found.length else 0.0
+    points, rounding = found.sample(401).position, _ROUNDING_SHARE * found.length
+    if np.abs(points - target.sample(401).position).max() <= rounding:
+        return 0.0
+    off = float(distances(Spline(target), points).max())
+    return off if off > rounding else 0.0
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -46,15 +46,10 @@ def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
     return np.ascontiguousarray(values.T)
 
 
-def sums_in_pieces(
-    series: FloatArray, piece: IntArray, u: FloatArray, first: int = 0, end: int | None = None
-) -> FloatArray:
-    """Columns (n, ...) of polynomials by `scaled_bernstein` (p, degree + 1, ...) at u (n,) of pieces (n,)."""
-    degree = series.shape[1] - 1
-    basis = scaled_bernstein(degree, u)
-    if len(series) == 1:
-        return np.asarray(basis @ series[0, :, first:end])
-    return np.asarray(np.einsum("nj,njc->nc", basis, series[:, :, first:end].take(piece, axis=0)))
+def sums_in_pieces(series: FloatArray, piece: IntArray, u: FloatArray) -> FloatArray:
+    """Values (n, c) of polynomials by `scaled_bernstein` (p, degree + 1, c) at u (n,) of pieces (n,)."""
+    basis = scaled_bernstein(series.shape[1] - 1, u)
+    return np.asarray(np.einsum("nj,njc->nc", basis, series.take(piece, axis=0)))
 
 
 def product(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import ceil, cos, pi
 from typing import Any
 
@@ -190,7 +190,13 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
     Bezier point j of the span [a, b] is the blossom at a (degree - j times) and b (j times).
     """
-    knots = np.asarray(knots, dtype=float)
+    return _spans(np.asarray(knots, dtype=float).tobytes(), degree)
+
+
+@lru_cache(maxsize=64)
+def _spans(written: bytes, degree: int) -> Spans:
+    """The spans of knots as bytes: curves side by side and their moved copies have the same."""
+    knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends, size = near[degree - 1 : degree + 1], degree + 1
@@ -204,7 +210,10 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
         points = points[:-1] * (1 - shares) + points[1:] * shares
     matrix = np.broadcast_to(points[0], (size, size, span.size)).transpose(2, 0, 1)
     edges = np.concatenate([ends[0], ends[1, -1:]])
-    return Spans(knots.size - size, edges, span - degree, np.ascontiguousarray(matrix))
+    first, matrix = span - degree, np.ascontiguousarray(matrix)
+    for shared in (edges, first, matrix):
+        shared.setflags(write=False)
+    return Spans(knots.size - size, edges, first, matrix)
 
 
 def spline_through(x: FloatArray, values: FloatArray, degree: int) -> Any:
