@@ -10,8 +10,14 @@ import click
 import numpy as np
 
 from elastica_cad.cli.asking.asked_curves import asked_curves, curve_argument, unit_option, which_options
-from elastica_cad.cli.asking.lengths import LENGTH, POINT
-from elastica_cad.cli.asking.options import asked_sheet, output_options, sheet_options, smooth_option
+from elastica_cad.cli.asking.options import (
+    LENGTH,
+    POINT,
+    asked_sheet,
+    output_options,
+    sheet_options,
+    smooth_option,
+)
 from elastica_cad.cli.asking.strip_options import refuse_idle_weight
 from elastica_cad.cli.asking.support_options import END_NAMES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote

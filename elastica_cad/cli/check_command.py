@@ -18,8 +18,15 @@ from elastica_cad.cli.asking.asked_curves import (
 )
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
-from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
-from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, typed_length, typed_line
+from elastica_cad.cli.running.suggestions import (
+    MOST_REFUSALS,
+    changed_requests,
+    first_that_holds,
+    first_told,
+    suggest_later,
+    typed_length,
+    typed_line,
+)
 from elastica_cad.cli.running.voice import answer, say, voice, warn
 from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.formats.reports.strip_report import report_check

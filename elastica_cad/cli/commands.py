@@ -8,12 +8,9 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asking.lengths import UNITS, Length
-from elastica_cad.cli.asking.options import option_name
-from elastica_cad.cli.running.suggestions import suggestion_below
-from elastica_cad.cli.running.typed_command import TYPED
-from elastica_cad.cli.running.voice import echo, voice, warn
-from elastica_cad.cli.running.watching import remake_on_change
+from elastica_cad.cli.asking.options import UNITS, Length, option_name
+from elastica_cad.cli.running.suggestions import TYPED, suggestion_below
+from elastica_cad.cli.running.voice import echo, remake_on_change, voice, warn
 from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError, near_names
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -23,7 +20,7 @@ COMMANDS = {
     "check": "check_command:check",
     "strip": "strip_command:strip",
     "model": "model_command:model",
-    "batten": "stock.batten_command:batten",
+    "batten": "batten_command:batten",
     "bend": "bend_command:bend_command",
     "reshape": "reshape_command:reshape",
     "sections": "sections_command:sections",

@@ -8,9 +8,8 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.asking.lengths import LENGTH, POINT
-from elastica_cad.cli.asking.options import output_options
-from elastica_cad.cli.running.program import name_program
+from elastica_cad.cli.asking.options import LENGTH, POINT, output_options
+from elastica_cad.cli.running.suggestions import name_program
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang

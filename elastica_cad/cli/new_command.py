@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from elastica_cad.cli.asking.options import output_options
-from elastica_cad.cli.running.program import name_program
+from elastica_cad.cli.running.suggestions import name_program
 from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, design_schema

@@ -8,8 +8,7 @@ import click
 
 from elastica_cad._types import FloatArray
 from elastica_cad.cli.asking.asked_curves import UNIT, curve_argument, drawn_curves, which_options
-from elastica_cad.cli.asking.lengths import LENGTH, POINT
-from elastica_cad.cli.asking.options import option_name, output_options
+from elastica_cad.cli.asking.options import LENGTH, POINT, option_name, output_options
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves

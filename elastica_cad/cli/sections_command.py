@@ -9,8 +9,15 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asking.lengths import LENGTH, SPACE_POINT, Length
-from elastica_cad.cli.asking.options import asked_sheet, given_of, output_options, sheet_options
+from elastica_cad.cli.asking.options import (
+    LENGTH,
+    SPACE_POINT,
+    Length,
+    asked_sheet,
+    given_of,
+    output_options,
+    sheet_options,
+)
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface

@@ -16,11 +16,17 @@ from elastica_cad.cli.asking.asked_curves import (
     split_option,
     which_options,
 )
-from elastica_cad.cli.asking.lengths import LENGTH, Length
-from elastica_cad.cli.asking.options import holding_option, join_options, output_options
+from elastica_cad.cli.asking.options import LENGTH, Length, holding_option, join_options, output_options
 from elastica_cad.cli.asking.strip_options import spec_from_options, strip_options
-from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
-from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, option_words, typed_line
+from elastica_cad.cli.running.suggestions import (
+    MOST_REFUSALS,
+    changed_requests,
+    first_that_holds,
+    first_told,
+    option_words,
+    suggest_later,
+    typed_line,
+)
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs

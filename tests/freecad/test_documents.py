@@ -12,10 +12,15 @@ import numpy as np
 import Part
 import pytest
 import Sketcher
-from freecad.elastica_wb.curves.projective_sketch import box_around, evened, lost_constraints
-from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, sketch_curve
-from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
-from freecad.elastica_wb.export.later_features import tell_later_features
+from freecad.elastica_wb.curves.sketch_curves import (
+    box_around,
+    curve_into,
+    drawn_curve,
+    evened,
+    lost_constraints,
+    sketch_curve,
+)
+from freecad.elastica_wb.export.cutting_files import KINDS, tell_later_features, write_cutting_files
 from freecad.elastica_wb.features import flat, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host import sheet_store as library

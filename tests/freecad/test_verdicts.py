@@ -11,9 +11,13 @@ from freecad.elastica_wb.export.cutting_files import write_cut
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, strip_answer
-from freecad.elastica_wb.solving.growing_cache import LEAST, growing_cache
-from freecad.elastica_wb.solving.strain_use import sharpest_bend
-from freecad.elastica_wb.solving.strip_cache import find_nearest_now, solve_strip
+from freecad.elastica_wb.solving.strip_cache import (
+    LEAST,
+    find_nearest_now,
+    growing_cache,
+    sharpest_bend,
+    solve_strip,
+)
 
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip_spec import StripSpec

@@ -6,8 +6,10 @@ from typing import Any, cast
 
 import click
 
-from elastica_cad.cli.asking.lengths import LENGTH, POINT, SPACE_POINT
 from elastica_cad.cli.asking.options import (
+    LENGTH,
+    POINT,
+    SPACE_POINT,
     asked_sheet,
     given_of,
     join_options,
@@ -16,7 +18,7 @@ from elastica_cad.cli.asking.options import (
     smooth_option,
 )
 from elastica_cad.cli.asking.support_options import support_options
-from elastica_cad.cli.running.typed_command import option_of
+from elastica_cad.cli.running.suggestions import option_of
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.asked_gravity import AskedGravity
 from elastica_cad.fabrication.drawings.lettering import engravable

@@ -15,9 +15,10 @@ import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.model import is_model, model_of, solids_of
-from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of
+from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_features
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sentences import translated
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
@@ -31,6 +32,18 @@ from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.write_files import write_together
 from elastica_cad.formats.reports.strip_report import tell_blank
+
+
+def tell_later_features(obj: Any) -> list[str]:
+    """A sentence where features go on after a strip, a model or a plate, or after its flat part."""
+    words = translate(
+        "Elastica",
+        "{strip} is followed by {later}, which these files leave out: make it in the strip itself "
+        "(slots, tabs, holes), or draw it into the files",
+    )
+    later = later_features(obj)
+    return [words.format(strip=obj.Label, later=later)] if later else []
+
 
 KINDS = ("dxf", "svg", "step", "csv", "nest")
 

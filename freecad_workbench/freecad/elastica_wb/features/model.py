@@ -23,8 +23,7 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.sentences import report_warning
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
-from freecad.elastica_wb.solving.growing_cache import growing_cache
-from freecad.elastica_wb.solving.strip_cache import bent_shape
+from freecad.elastica_wb.solving.strip_cache import bent_shape, growing_cache
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.lettering import engravable

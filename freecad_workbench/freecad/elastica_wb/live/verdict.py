@@ -8,7 +8,7 @@ from enum import Enum
 
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
-from freecad.elastica_wb.solving.strain_use import sharpest_bend
+from freecad.elastica_wb.solving.strip_cache import sharpest_bend
 
 from elastica_cad._counts import told_range
 from elastica_cad.errors import ElasticaError, StrainError

@@ -11,7 +11,7 @@ from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.panels.panel import Panel, active_view, placement_of_strip
 from freecad.elastica_wb.panels.widgets.fields import set_value
-from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.preview.handles import Preview
 from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import ElasticaError

@@ -9,8 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
-from freecad.elastica_wb.export.later_features import tell_later_features
+from freecad.elastica_wb.export.cutting_files import KINDS, tell_later_features, write_cutting_files
 from freecad.elastica_wb.features.model import is_model, overlaps_of
 from freecad.elastica_wb.features.pieces import counted, cuts_of, told_blanks_of
 from freecad.elastica_wb.host import preferences

@@ -3,15 +3,19 @@
 
 """From what a user asks for to a strip: solved once for equal requests, whoever asks."""
 
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
 from dataclasses import replace
-from typing import Any
+from functools import wraps
+from threading import Lock
+from typing import Any, TypeVar
 
+import FreeCAD as App
+import numpy as np
 import Part
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.shapes.part_shapes import make_solid
-from freecad.elastica_wb.solving.growing_cache import growing_cache
-from freecad.elastica_wb.solving.strain_use import sharpest_bend
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError, NotMetError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
@@ -20,10 +24,66 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
 from elastica_cad.mechanics.material.strain_rule import STRAIN_SLACK
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+
+LEAST = 64  # answers that are kept whatever is open
+PER_OBJECT = 2  # answers for each object of the documents: the present one and the one before, for undo
+
+Answer = TypeVar("Answer")
+
+
+def growing_cache(work: Callable[..., Answer]) -> Callable[..., Answer]:
+    """Remember answers by their arguments; the oldest go first. Failures are not remembered."""
+    kept: OrderedDict[Hashable, Any] = OrderedDict()
+    most = LEAST
+    lock = Lock()  # panels ask from threads of their own
+
+    @wraps(work)
+    def ask(*arguments: Any) -> Answer:
+        with lock:
+            if arguments in kept:
+                kept.move_to_end(arguments)
+                return kept[arguments]
+        answer = work(*arguments)
+        nonlocal most
+        with lock:
+            kept[arguments] = answer
+            if len(kept) > most:  # a long list of objects takes long to get: not for every answer
+                room = _room()
+                most = room + LEAST
+                while len(kept) > room:
+                    kept.popitem(last=False)
+        return answer
+
+    return ask
+
+
+def _room() -> int:
+    """How many answers the open documents have use for."""
+    return max(LEAST, PER_OBJECT * sum(len(one.Objects) for one in App.listDocuments().values()))
+
+
+STEPS, FINER = 641, 21
+
+
+def sharpest_bend(
+    curve: PlaneCurve, rest: NaturalCurvature, samples: CurveSamples | None = None
+) -> tuple[float, float]:
+    """The most that a strip is bent by along a curve, 1/mm, and where, mm: by steps, then finer between two."""
+    samples = curve.sample(STEPS) if samples is None else samples
+    s, t = samples.s, samples.t
+    most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
+    fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
+    places = np.append(np.interp(fine, t, s), s[-1])  # a blank bent beforehand is as long as its curve
+    bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
+    best = int(np.argmax(bend))
+    return float(bend[best]), float(places[best])
+
 
 MANY_HOLES = 100
 HEADROOM = 1.003  # times less curvature than its limit allows has a rod whose curve is to be drawn

@@ -17,8 +17,7 @@ from freecad.elastica_wb.curves.sketch_curves import container, replace_curve
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.widgets.length_card import LengthCard
-from freecad.elastica_wb.preview.handles import Place
-from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.preview.handles import Place, Preview
 from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
 
 from elastica_cad._types import FloatArray

@@ -6,8 +6,13 @@
 from typing import Any
 
 import numpy as np
-from freecad.elastica_wb.curves.projective_sketch import box_around, evened, lost_constraints
-from freecad.elastica_wb.curves.sketch_curves import curve_into, sketch_curve
+from freecad.elastica_wb.curves.sketch_curves import (
+    box_around,
+    curve_into,
+    evened,
+    lost_constraints,
+    sketch_curve,
+)
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
@@ -15,7 +20,7 @@ from freecad.elastica_wb.live.curve_picture import TEETH
 from freecad.elastica_wb.live.verdict import quick_answer, sentence_of, strip_answer
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.panels.widgets.fields import set_value
-from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.preview.handles import Preview
 from freecad.elastica_wb.recording import recorded
 from freecad.elastica_wb.solving.strip_cache import solve_strip
 

@@ -10,8 +10,14 @@ import click
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.asking.lengths import LENGTH, POINT
-from elastica_cad.cli.asking.options import asked_sheet, join_options, output_options, sheet_options
+from elastica_cad.cli.asking.options import (
+    LENGTH,
+    POINT,
+    asked_sheet,
+    join_options,
+    output_options,
+    sheet_options,
+)
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.batten import MM_PER_INCH, Batten, BattenSpec, camber_of

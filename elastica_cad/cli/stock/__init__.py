@@ -1,1 +1,0 @@
-"""Commands that begin with stock, not with a drawn curve."""
