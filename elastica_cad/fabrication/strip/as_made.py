@@ -176,8 +176,8 @@ def stiffness_shares(
     their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. "leaning
     ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when its twist is held
     by its mirror image, for a Poisson ratio near 0.3: in sheets of 0 to 0.1 it keeps more (up to 7 and 4 % at 25
-    degrees). "anticlastic bending": the stiffening of the width, of a ligament in a perforated strip.
-    "borders that curl": what is left of, or added to, the stiffness of a laminate. Causes that change nothing are left out.
+    degrees). "anticlastic bending": the stiffening of the width, of a ligament in a perforated strip. "borders that
+    curl": what is left of, or added to, the stiffness of a laminate. Causes that change nothing are left out.
 
     Parameters
     ----------
