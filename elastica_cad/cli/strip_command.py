@@ -23,7 +23,7 @@ from elastica_cad.cli.running.suggestions import changed_requests, first_that_ho
 from elastica_cad.cli.running.typed_command import MOST_REFUSALS, first_told, option_words, typed_line
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, InputError, NotConvergedError, how_to_install
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble

@@ -9,8 +9,8 @@ from pathlib import Path as FilePath
 
 import numpy as np
 
+from elastica_cad.fabrication.drawings.cutting import compensate_kerf
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.formats.drawing_files.curve_style import shape_paths
 from elastica_cad.formats.drawing_files.layers import LayerStyle, style_layers
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
