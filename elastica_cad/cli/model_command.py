@@ -12,7 +12,7 @@ from elastica_cad.cli.asking.options import holding_option, output_options
 from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.errors import Change, ElasticaError
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import Design, read_design

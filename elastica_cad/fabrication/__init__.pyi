@@ -1,5 +1,5 @@
 from elastica_cad.fabrication.compensation import compensate_widths as compensate_widths
-from elastica_cad.fabrication.drawings.bridges import (
+from elastica_cad.fabrication.drawings.cutting import (
     HoldingTabs as HoldingTabs,
     add_holding_tabs as add_holding_tabs,
 )
@@ -12,7 +12,7 @@ from elastica_cad.fabrication.drawings.drawing import (
     LayeredPath as LayeredPath,
     MARK as MARK,
 )
-from elastica_cad.fabrication.drawings.kerf import compensate_kerf as compensate_kerf
+from elastica_cad.fabrication.drawings.cutting import compensate_kerf as compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import (
     Text as Text,
     text_strokes as text_strokes,

@@ -10,7 +10,6 @@ import numpy as np
 from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
-from elastica_cad.fabrication.asked_gravity import AskedGravity, hung_weight, lightened, pull_in_plane
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
@@ -19,11 +18,15 @@ from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
 from elastica_cad.fabrication.strip_checks import (
+    AskedGravity,
     check_compensate,
     check_joint,
     check_law,
+    hung_weight,
+    lightened,
     limits_beside,
     masses_of,
+    pull_in_plane,
     ratio_of_widths,
     told_in_python,
 )

@@ -31,9 +31,9 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 
 # what solves and holds strips is imported when it is asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.asked_gravity import AskedGravity
     from elastica_cad.fabrication.holders.end_fixtures import EndFixture
     from elastica_cad.fabrication.makeability.shop import Shop
+    from elastica_cad.fabrication.strip_checks import AskedGravity
     from elastica_cad.fabrication.strip_spec import StripSpec
     from elastica_cad.forming.limits import Keep, Limits
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve

@@ -11,7 +11,7 @@ from elastica_cad._counts import counted
 from elastica_cad._process import rare_collections
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model

@@ -29,7 +29,7 @@ SPOKEN = [
     "fabrication/interlocking/interlock.py",
     "fabrication/interlocking/collisions.py",
     "fabrication/model/strip_model.py",
-    "fabrication/drawings/kerf.py",
+    "fabrication/drawings/cutting.py",
     "fabrication/holders/plates.py",
     "fabrication/holders/end_fixtures.py",
     "fabrication/sheets/nesting.py",

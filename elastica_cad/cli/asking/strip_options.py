@@ -20,13 +20,13 @@ from elastica_cad.cli.asking.options import (
 from elastica_cad.cli.asking.support_options import support_options
 from elastica_cad.cli.running.suggestions import option_of
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.asked_gravity import AskedGravity
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import Plain, Style
+from elastica_cad.fabrication.strip_checks import AskedGravity
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.one_line import parse_line
 from elastica_cad.formats.design_files.rod_records import read_keep_out, read_loads, read_stiffness_bounds

@@ -8,6 +8,7 @@ from unicodedata import combining, normalize
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.paths.path import Path
@@ -158,13 +159,25 @@ def fit_label(text: str, center: tuple[float, float], *, angle: float, room: flo
     >>> fit_label("A1", (50.0, 0.0), angle=0.0, room=100.0, across=5.0).height
     2.0
     """
-    height = min(LABEL_MM, LABEL_SHARE * across)
+    return centred_text(text, center, min(LABEL_MM, LABEL_SHARE * across), 0.8 * room, angle=angle)
+
+
+def centred_text(
+    text: str, center: Sequence[float] | FloatArray, height: float, room: float, *, angle: float = 0.0
+) -> Text:
+    """A text about a point (2,), so high, or lower where it would be longer than the room, mm.
+
+    Examples
+    --------
+    >>> centred_text("H", (10.0, 0.0), 6.0, 2.0).position
+    (9.0, -1.5)
+    """
     long = text_width(text, height)
-    height *= min(1.0, 0.8 * room / long) if long > 0 else 1.0
+    height *= min(1.0, room / long) if long > 0 else 1.0
     along, up = text_width(text, height) / 2, height / 2
     c, s = np.cos(angle), np.sin(angle)
     corner = (center[0] - c * along + s * up, center[1] - s * along - c * up)
-    return Text(position=corner, text=text, height=height, angle=float(angle))
+    return Text(corner, text, height, float(angle))
 
 
 @lru_cache(maxsize=1)

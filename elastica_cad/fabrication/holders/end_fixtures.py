@@ -12,7 +12,7 @@ from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_record
 from elastica_cad.errors import InputError, refuse_unknown
-from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
+from elastica_cad.fabrication.drawings.lettering import centred_text, engravable, text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -286,13 +286,10 @@ class EndFixture:
         if not self.number:
             return []
         (_, low), (long, high) = self._core[0], self._core[2]
-        height = min(LABEL_MM, 0.7 * (high - low))
-        height *= min(1.0, 0.85 * long / text_width(self.number, height))
-        start = (long - text_width(self.number, height)) / 2
         tab = self.tab.frame
         side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
-        strokes = text_strokes(Text((start, -height / 2), self.number, height))
-        return engraved(strokes, height, side)
+        text = centred_text(self.number, (long / 2, 0.0), min(LABEL_MM, 0.7 * (high - low)), 0.85 * long)
+        return engraved(text_strokes(text), text.height, side)
 
 
 def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSolid]:

@@ -132,11 +132,6 @@ class BasePlate:
         """The plate as a piece to be cut."""
         return Piece(self.name, self.drawing, self.sheet)
 
-    @cached_property
-    def _slot_sizes(self) -> tuple[FloatArray, FloatArray]:
-        """Corners (n, 4, 2) and longer sides (n,) of all slots."""
-        return np.array([slot.corners for slot in self.slots]), np.array([max(s.size) for s in self.slots])
-
     def _label(self, slot: TabSlot) -> Text:
         """The name along the slot, reading upright above it, or below where another slot is in the way."""
         a, b, c, _ = slot.corners
@@ -145,12 +140,7 @@ class BasePlate:
             along, off = -along, -off
         height = min(LABEL_MM, 0.2 * slot.size[0])
         long, far = text_width(slot.name, height) / 2, slot.size[1] / 2 + 0.5 * height
-        reach = 2 * max(slot.size) + 2 * long + 4 * height
-        corners, sizes = self._slot_sizes
-        others = corners[
-            (np.abs(corners[:, 0] - a).max(axis=1) < reach + sizes)
-            & np.array([other is not slot for other in self.slots])
-        ]
+        others = np.array([other.corners for other in self.slots if other is not slot])
         bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
         boxes = np.array([[p - long * along, p + long * along] for p in bases])
         room = [1.0, 1.0]

@@ -10,8 +10,8 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_whole, several
 from elastica_cad.errors import InputError, refusing_old_names
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, SAME_MM, Drawing, LayeredPath
-from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
+from elastica_cad.fabrication.drawings.lettering import Text, centred_text
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pairs import lean_pair, require_gap, tab_plane, through_slots
 from elastica_cad.fabrication.holders.plates import PLAY_MM, BasePlate, TabSlot, plate_with
@@ -317,18 +317,12 @@ class _RibPlan:
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
             if drawn is not None and self_crossing(drawn, closed=True) is None:
-                label = self._label(a.at(0.0, half), 2 * rest, depth)
+                # in the part behind the first tongue
+                label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
             f"{self.name}: the rails face each other, so that no rib can join them from behind: use fixtures"
         )
-
-    def _label(self, middle: FloatArray, wide: float, high: float) -> Text:
-        """The name in the part behind the first tongue."""
-        height = min(LABEL_MM, 0.6 * high)
-        height *= min(1.0, 0.8 * wide / text_width(self.name, height))
-        x, y = middle - np.array([text_width(self.name, height), height]) / 2
-        return Text((float(x), float(y)), self.name, height, 0.0, ENGRAVE)
 
 
 class _Corner:
@@ -483,7 +477,4 @@ def _label(name: str, corners: np.ndarray) -> Text:
     sides = np.roll(corners, -1, axis=0) - corners
     (ux, uy), (vx, vy) = sides[:2]
     inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()  # radius of the circle inscribed
-    height = min(FOOT_LABEL_MM, inner / 2)
-    height *= min(1.0, 1.6 * inner / text_width(name, height))
-    x, y = corners.mean(axis=0) - np.array([text_width(name, height), height]) / 2
-    return Text((float(x), float(y)), name, height, 0.0, ENGRAVE)
+    return centred_text(name, corners.mean(axis=0), min(FOOT_LABEL_MM, inner / 2), 1.6 * inner)

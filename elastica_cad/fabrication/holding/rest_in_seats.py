@@ -7,7 +7,7 @@ from itertools import chain, repeat
 
 import numpy as np
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.tab_seat import EndPose, TabSeat
 from elastica_cad.forming.optimizer.quadratic_program import (
@@ -71,6 +71,11 @@ class SeatedEnd:
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
         return np.asarray(-self.way * side[:, None] * covered)
+
+    def left(self, design: Rod) -> FloatArray:
+        """Unit vector (2,) to the left of the design at this end."""
+        angle = float(design.angle[-self.index])
+        return np.array([-np.sin(angle), np.cos(angle)])
 
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
         """What its holder does to a rod along shift and turn, over B, 1/mm2; `left` is a unit vector (2,)."""
@@ -189,7 +194,7 @@ def rest_in_seats(
     if not seated:
         return bend(made, start=design.position[0], end=design.position[-1]), (EndPose(), EndPose())
     problem = _Held(made, design, tuple(seated))
-    q = np.zeros(problem.unknowns)
+    q = np.zeros(problem.slices[-1].stop)
     rod = problem.bent(q, made)
     stiffness = problem.end_stiffness(q, rod)
     firm = _made_definite(stiffness)
@@ -237,11 +242,18 @@ class _Held:
     seated: tuple[SeatedEnd, ...]
 
     @cached_property
-    def unknowns(self) -> int:
-        return sum(2 + one.pieces for one in self.seated)
+    def slices(self) -> list[slice]:
+        """Where in q the unknowns of each end are."""
+        ends = np.cumsum([2 + one.pieces for one in self.seated]).tolist()
+        return [slice(end - 2 - one.pieces, end) for one, end in zip(self.seated, ends, strict=True)]
 
     def parts(self, q: FloatArray) -> list[tuple[SeatedEnd, FloatArray]]:
-        return [(one, q[at : at + 2 + one.pieces]) for at, one in zip(self._begins, self.seated, strict=True)]
+        return [(one, q[own]) for one, own in zip(self.seated, self.slices, strict=True)]
+
+    @cached_property
+    def poses(self) -> list[int]:
+        """Indices in q of shifts and turns."""
+        return [own.start + k for own in self.slices for k in (0, 1)]
 
     def pose(self, part: FloatArray) -> tuple[float, float]:
         return float(part[0]), float(part[1]) / self.design.length
@@ -252,26 +264,15 @@ class _Held:
         angles = [float(design.angle[0]), float(design.angle[-1])]
         for one, part in self.parts(q):
             shift, turn = self.pose(part)
-            places[one.index] = places[one.index] + shift * self.lefts[one.index]
+            places[one.index] = places[one.index] + shift * one.left(design)
             angles[one.index] += turn
         held = [angle if end.angle else None for angle, end in zip(angles, design.supports.ends, strict=True)]
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
-    @cached_property
-    def lefts(self) -> FloatArray:
-        """Unit vectors (2, 2) to the left of the design at start and end."""
-        angles = self.design.angle[[0, -1]]
-        return np.column_stack([-np.sin(angles), np.cos(angles)])
-
     def reactions(self, rod: Rod) -> FloatArray:
         """What the holders do to the strip along shift and turn of each end, over B: 1/mm2."""
-        found = [one.load(rod, self.lefts[one.index], self.design.length) for one in self.seated]
+        found = [one.load(rod, one.left(self.design), self.design.length) for one in self.seated]
         return np.array(found).ravel()
-
-    @cached_property
-    def poses(self) -> list[int]:
-        """Indices in q of shifts and turns."""
-        return [at + k for at in self._begins for k in (0, 1)]
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
         """Derivatives of the reactions, 1/mm3."""
@@ -282,10 +283,8 @@ class _Held:
 
     def without_room(self, q: FloatArray) -> str:
         """What to say of the tab that overlaps its holder most."""
-        gaps = self.walls(q)[1]
-        sizes = [one.seat.edges[0].size for one in self.seated]
-        each = [float(part.min()) for part in np.split(gaps, np.cumsum(sizes)[:-1])]
-        one, gap = min(zip(self.seated, each, strict=True), key=lambda pair: pair[1])
+        each = [(one, float(one.walls(part, self.design.length)[1].min())) for one, part in self.parts(q)]
+        one, gap = min(each, key=lambda pair: pair[1])
         end = "end" if one.index else "start"
         return (
             f"the tab at the {end} does not go into its {one.seat.name}: however it turns and bends, {-gap:.2g} mm "
@@ -294,24 +293,17 @@ class _Held:
 
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
         """What the pushes (k,) of the walls, over B, change of them as the ends turn, 1/mm3."""
-        found, at = np.zeros((2 * len(self.seated), 2 * len(self.seated))), 0
-        for k, (one, part) in enumerate(self.parts(q)):
-            bends = one.seat.bends(*self.pose(part), one.way) / np.array([[1.0, self.design.length]] * 2)
-            bends[:, 1] /= self.design.length
-            pose = slice(2 * k, 2 * k + 2)
-            found[pose, pose] = np.einsum("k,kij->ij", pushes[at : at + len(bends)], bends)
+        found, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
+        for one, part in self.parts(q):
+            bends = one.seat.bends(*self.pose(part), one.way) * np.outer(scale, scale)
+            found.append(np.einsum("k,kij->ij", pushes[at : at + len(bends)], bends))
             at += len(bends)
-        return found
+        return _block_diagonal(found)
 
     def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Slopes (k, n) by q and gaps (k,), mm, between tabs and the edges of their holders; negative overlaps."""
-        rows, room = [], []
-        for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
-            own, gaps = one.walls(part, self.design.length)
-            rows.append(np.zeros((gaps.size, q.size)))
-            rows[-1][:, at : at + part.size] = own
-            room.append(gaps)
-        return np.concatenate(rows), np.concatenate(room)
+        rows, room = zip(*(one.walls(part, self.design.length) for one, part in self.parts(q)), strict=True)
+        return _block_diagonal(rows), np.concatenate(room)
 
     def step(
         self,
@@ -323,40 +315,25 @@ class _Held:
         reach: float = np.inf,
     ) -> QuadraticSolution:
         """The next step of sequential quadratic programming, none of it farther than `reach` mm."""
-        poses = self.poses
+        length = self.design.length
+        # the energy of the tabs over B in q, 1/mm3, then that of the rod in the poses
+        H = _block_diagonal(
+            [_block_diagonal([np.zeros((2, 2)), one.bending / length**2]) for one in self.seated]
+        )
+        g = H @ q
+        g[self.poses] = self.reactions(rod)
+        H[np.ix_(self.poses, self.poses)] = end_stiffness
         scale = float(np.abs(end_stiffness).max())
-        g, H = np.zeros(q.size), self._bending.copy()
-        g[poses] = self.reactions(rod)
-        H[self._pose_block] = end_stiffness
-        for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
-            tab = self._tab(at, one)
-            g[tab] = H[tab, tab] @ part[2:]
         return _step_within(
-            H, g, self.walls(q), self.design.length, poses[::2], scale=scale, price=price, reach=reach
+            H, g, self.walls(q), length, self.poses[::2], scale=scale, price=price, reach=reach
         )
 
-    @cached_property
-    def _pose_block(self) -> tuple[IntArray, ...]:
-        """Where in the Hessian shifts and turns are."""
-        return np.ix_(self.poses, self.poses)
 
-    @cached_property
-    def _bending(self) -> FloatArray:
-        """Hessian (n, n) of the tabs' energy over B in q, 1/mm3."""
-        found = np.zeros((self.unknowns, self.unknowns))
-        for at, one in zip(self._begins, self.seated, strict=True):
-            if one.pieces:
-                found[self._tab(at, one), self._tab(at, one)] = one.bending / self.design.length**2
-        return found
+def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
+    """Blocks (k, m) along the diagonal, zeros elsewhere."""
+    from scipy.linalg import block_diag
 
-    def _tab(self, at: int, one: SeatedEnd) -> slice:
-        """Where in q the angles of a tab's pieces are."""
-        return slice(at + 2, at + 2 + one.pieces)
-
-    @cached_property
-    def _begins(self) -> list[int]:
-        sizes = [2 + one.pieces for one in self.seated]
-        return [sum(sizes[:k]) for k in range(len(sizes))]
+    return np.asarray(block_diag(*blocks), dtype=float)
 
 
 def _made_definite(stiffness: FloatArray) -> FloatArray:
@@ -430,7 +407,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         E I of the tab over the rod's B; a stiff tab unless given.
     """
     end, length = SeatedEnd(index, seat, tab_stiffness), design.length
-    load, piece, way, n = _load(end, design), end.piece, end.way, 2 + end.pieces
+    load, piece, way, n = end.load(design, end.left(design), length), end.piece, end.way, 2 + end.pieces
     shift = turn = 0.0
     pressed = max(map(abs, load))
     if pressed == 0:
@@ -451,9 +428,3 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
             break
         end = SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
     return Lean(shift, turn, q[2:] * way / length, piece)
-
-
-def _load(end: SeatedEnd, design: Rod) -> tuple[float, float]:
-    """What the holder does to the end of the design, along its shift and turn."""
-    angle = float(design.angle[-end.index])
-    return end.load(design, np.array([-np.sin(angle), np.cos(angle)]), design.length)

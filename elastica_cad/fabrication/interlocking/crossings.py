@@ -6,12 +6,11 @@ of stretches on which the two heights are monotone; v and u follow from what is 
 plane curves cross at points, each a whole ruling.
 """
 
-from abc import abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Protocol
+from typing import TypeAlias
 
 import numpy as np
 
@@ -92,26 +91,13 @@ class IntersectionPoints:
     on_curves: tuple[InPlane, InPlane]
 
 
-class IntersectionCurve(Protocol):
-    """A curve of common points over a parameter q between its first and last node."""
-
-    @property
-    @abstractmethod
-    def nodes(self) -> FloatArray:
-        """Places (k,) between which nothing but a crossing of an edge happens."""
-
-    @abstractmethod
-    def at(self, q: FloatArray) -> IntersectionPoints:
-        """Common points at q (n,), to rounding error."""
-
-
 def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> FloatArray:
     """Distances (n, 4) from the upper and lower edge of the first strip, then of the second; negative outside."""
     w, x = strips[0].half_width(p.s_a), strips[1].half_width(p.s_b)
     return np.column_stack([w - p.v, w + p.v, x - p.u, x + p.u])
 
 
-def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> tuple[IntersectionCurve, ...]:
+def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
     """All curves in which the two surfaces, with rulings of any length, meet."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
@@ -233,6 +219,10 @@ class Branch:
             s_a, s_b = np.clip(s_a - step * f, 0.0, h.a.length), np.clip(s_b + step * g, 0.0, h.b.length)
             on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
         return h.common(s_a, s_b, on_curves)
+
+
+IntersectionCurve: TypeAlias = Branch | Ruling
+"""A curve of common points over a parameter; between two of its nodes nothing but a crossing of an edge happens."""
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:

@@ -5,7 +5,7 @@ import numpy as np
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.drawings.lettering import Text, centred_text, text_width
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -97,7 +97,8 @@ def coupon_drawing(
         )
     scale, figures = _scale(free, width)
     name = sheet.name if label is None else require_printable(label, "the label")
-    texts = (*figures, *_label(name, width, clamp))
+    label_text = centred_text(name, (-clamp / 2, 0.0), min(4.0, 0.3 * width), 0.85 * clamp)
+    texts = (*figures, label_text) if name else figures
     outline = Path.rectangle(clamp + free, width, corner=(-clamp, -width / 2))
     return Drawing(name=f"coupon-{sheet.name}", paths=(*scale, LayeredPath(CUT_OUTER, outline)), texts=texts)
 
@@ -157,14 +158,3 @@ def _marks(free: float) -> list[float]:
     """Free lengths with a tick: the whole, then every full 10 mm below it."""
     below = TICK_MM * np.arange(np.ceil(free / TICK_MM) - 1, 0.0, -1.0)
     return [free, *below.tolist()]
-
-
-def _label(name: str, width: float, clamp: float) -> tuple[Text, ...]:
-    """The label in the middle of the clamped part, as large as fits."""
-    if not name:
-        return ()
-    height = min(4.0, 0.3 * width)
-    long = text_width(name, height)
-    height *= min(1.0, 0.85 * clamp / long) if long > 0 else 1.0
-    x = -clamp / 2 - text_width(name, height) / 2
-    return (Text((x, -height / 2), name, height, 0.0, ENGRAVE),)

@@ -28,11 +28,10 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.anticlastic import SheetCurl, anticlastic_factor
-from elastica_cad.mechanics.material.laminate_curl import LaminateCurl, laminate_factor
+from elastica_cad.mechanics.material.anticlastic import SheetCurl
+from elastica_cad.mechanics.material.laminate_curl import LaminateCurl
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection, stack_stiffness
 from elastica_cad.mechanics.material.notches import dead_zone_slope
-from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
 from elastica_cad.mechanics.rod.as_bent import as_bent
 from elastica_cad.mechanics.rod.curling_law import CurlingLaw
@@ -43,7 +42,7 @@ CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""
 
 
-def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray], FloatArray]]) -> Rod:
+def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
     """The rod with the stiffness and weight of what is really cut: slots, solid ends, rounded tips.
 
     Each node is softer than designed by as much as the mean compliance of its cell, which is what the angle across
@@ -56,8 +55,8 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
         The design.
     layout : Layout
         What the style made of it.
-    widths : sequence of callables
-        Of each layer, the width (n,), mm, left at stations (n,), mm.
+    layers : sequence of Layer
+        As they are cut.
 
     Returns
     -------
@@ -67,7 +66,7 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     if layout.size is not None:  # tapered: nothing is cut out of it
         return replace(rod, bending_stiffness=layout.bending_stiffness)
     n, s = rod.s.size, _cell_stations(rod)
-    left = [width(s) for width in widths]
+    left = [layer.material(s) for layer in layers]
     material = left[0]
     # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
     backing = np.minimum(left[1], material) if len(left) > 1 else None
@@ -137,9 +136,6 @@ LEAST_SHARE = 0.01
 NEARLY_MM = 1e-6
 """Stations farther than this from all that is idle of a slot lie beside it, whatever the rounding."""
 
-BORDERS = "borders that curl"
-"""Of a laminate's base, beside its backing: what gives way there, as a cause."""
-
 PLATES = "plates"
 """Over joints of pieces, as a cause."""
 
@@ -180,8 +176,8 @@ def stiffness_shares(
     their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. "leaning
     ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when its twist is held
     by its mirror image, for a Poisson ratio near 0.3: in sheets of 0 to 0.1 it keeps more (up to 7 and 4 % at 25
-    degrees). "anticlastic bending": `anticlastic_factor` of the width, of a ligament in a perforated strip.
-    "borders that curl": `laminate_factor` of a laminate. Causes that change nothing are left out.
+    degrees). "anticlastic bending": the stiffening of the width, of a ligament in a perforated strip. "borders that
+    curl": what is left of, or added to, the stiffness of a laminate. Causes that change nothing are left out.
 
     Parameters
     ----------
@@ -200,15 +196,17 @@ def stiffness_shares(
         "narrow tabs": _beside_tabs(layout.width, tab_widths, s),
         "steps of width": _beside_steps(layout, s, slope=STEP_SHARE * slope),
         "leaning ligaments": _leaning(layout, s),
-        ANTICLASTIC: _anticlastic(rod, layout, s),
-        BORDERS: _curling(rod, layout, s),
     }
     # a cell's angle feels the mean compliance
-    return {
+    shares = {
         cause: 1 / _cell_means(1 / np.maximum(share, LEAST_SHARE), n)
         for cause, share in found.items()
         if share is not None
     }
+    curl = _curl_of(rod, layout)
+    if curl is not None and layout.section is None:
+        shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
+    return shares
 
 
 @dataclass(frozen=True, eq=False)
@@ -319,7 +317,7 @@ class LapPlates:
         glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
         designed = stack_stiffness([(base.sheet, cut), *glued])
         compliance = np.zeros(s.size)
-        on_base = self.covered(s, base.sheet)
+        on_base = self._covered(s, self.joints, base.sheet.thickness)
         on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
         for share, stack in (
             (1 - on_base - on_backing, [(base.sheet, left), *glued]),
@@ -328,10 +326,6 @@ class LapPlates:
         ):
             compliance += share * designed / stack_stiffness(stack)
         return np.asarray(1 / compliance)
-
-    def covered(self, s: FloatArray, base: Sheet) -> FloatArray:
-        """Share (n,) of the cell of each of the nodes s (n,), mm, where a plate on the base carries."""
-        return self._covered(s, self.joints, base.thickness)
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
         """Share (n,) of each node's cell that lies under a plate which carries."""
@@ -387,31 +381,6 @@ def _beside_steps(layout: Layout, s: FloatArray, *, slope: float) -> FloatArray 
 def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
     pattern = layout.pattern
     return 1 / np.hypot(1.0, pattern.slopes(s)) if isinstance(pattern, DiamondPattern) else None
-
-
-def _anticlastic(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
-    """Stiffening (n,) of each station by what it is bent; None for laminates and where a section knows its own."""
-    nu = layout.sheet.poisson_ratio
-    if nu == 0 or layout.section is not None or layout.backing is not None:
-        return None
-    return anticlastic_factor(
-        _breadth(layout, s),
-        np.interp(s, rod.s, rod.curvature),
-        thickness=layout.sheet.thickness,
-        poisson_ratio=nu,
-        natural_curvature=rod.rest_at(s),
-    )
-
-
-def _curling(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
-    """What is left of, or added to, a laminate's stiffness by how its borders give way (n,)."""
-    if layout.backing is None:
-        return None
-    base, backing = layout.width(rod.s), layout.backing.width(rod.s)
-    section = LaminatedSection(layout.sheet, layout.backing.sheet)
-    # the backing lies on the strip's upper side, to the right of the curve: a turn to the left stretches it
-    factor = laminate_factor(base, backing, rod.curvature, section, rod.natural_curvature)
-    return np.interp(s, rod.s, factor)
 
 
 def _breadth(layout: Layout, s: FloatArray) -> FloatArray:
@@ -484,7 +453,7 @@ class StripAsMade:
             design,
             layout.bending_stiffness,
             (first, last),
-            rod_as_built(design, layout, [layer.material for layer in whole()]),
+            rod_as_built(design, layout, whole()),
             shares,
             layout.pattern is not None or layout.backing is not None,
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))

@@ -396,7 +396,7 @@ class Strip:
         """The rod with the stiffness and weight of what is really cut, to be bent: see `rod_as_built`."""
         from elastica_cad.fabrication.strip.as_made import rod_as_built
 
-        return rod_as_built(self.rod, self.layout, [layer.material for layer in self.layers])
+        return rod_as_built(self.rod, self.layout, self.layers)
 
     @cached_property
     def deviation_as_built(self) -> float:

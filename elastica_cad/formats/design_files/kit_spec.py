@@ -6,7 +6,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any, Literal
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.placed_strip import strip_names
 from elastica_cad.mechanics.material.sheet import Sheet

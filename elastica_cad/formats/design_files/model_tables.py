@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Any, get_args
 
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.fabrication.strip.outline import ENDS
 from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES
 from elastica_cad.formats.design_files.keys.values import NUMBER

@@ -6,9 +6,8 @@ from pathlib import Path
 
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs, add_holding_tabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs, add_holding_tabs, compensate_kerf
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.formats.drawing_files.drawing_style import LayerChoice
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg

@@ -5,7 +5,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs, add_holding_tabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs, add_holding_tabs
 from elastica_cad.fabrication.drawings.drawing import Drawing, LayeredPath
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 

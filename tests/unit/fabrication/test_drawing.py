@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.cutting import compensate_kerf
 from elastica_cad.fabrication.drawings.drawing import (
     CUT_INNER,
     CUT_OUTER,
@@ -10,7 +11,6 @@ from elastica_cad.fabrication.drawings.drawing import (
     Drawing,
     LayeredPath,
 )
-from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path

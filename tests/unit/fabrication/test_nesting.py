@@ -9,8 +9,8 @@ import pytest
 import shapely
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.cutting import compensate_kerf
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
-from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.cut_list import cut_list

@@ -9,7 +9,7 @@ import shapely
 import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
-from elastica_cad.fabrication.drawings.kerf import compensate_kerf
+from elastica_cad.fabrication.drawings.cutting import compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.outline import Hole

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import HoldingTabs, compensate_kerf
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.interlocking.interlock import interlock

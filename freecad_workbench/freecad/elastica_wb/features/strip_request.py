@@ -13,12 +13,12 @@ from freecad.elastica_wb.host.property_table import require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.asked_gravity import AskedGravity
 from elastica_cad.fabrication.makeability.shop import LEAST_LIGAMENT_MM, Shop
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import PLAIN, Style
+from elastica_cad.fabrication.strip_checks import AskedGravity
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.one_line import parse_line, parse_lines
 from elastica_cad.formats.design_files.rod_records import (
