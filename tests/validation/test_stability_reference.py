@@ -7,8 +7,7 @@ import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, bending_moments, node_weights
-from elastica_cad.mechanics.rod.shooting import shoot
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, bending_moments, node_weights, shoot
 from elastica_cad.mechanics.stability.conjugate_points import (
     conjugate_point,
     determinant_gradient,

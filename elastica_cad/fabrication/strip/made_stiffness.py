@@ -22,8 +22,7 @@ from elastica_cad.mechanics.material.laminated_section import LaminatedSection, 
 from elastica_cad.mechanics.material.notches import dead_zone_slope
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 
 DEPTHS = 64
 """Depths of a slot at which its idle width is summed: right to a sixty-fourth of its depth."""

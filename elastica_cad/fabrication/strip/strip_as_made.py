@@ -26,9 +26,7 @@ from elastica_cad.fabrication.strip.made_stiffness import (
 )
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.mechanics.rod.as_bent import as_bent
-from elastica_cad.mechanics.rod.resampling import resample
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import Rod, as_bent, resample
 
 HELD_NODES = 241
 """Of the rod that is bent in its holders: its own error is some millionths of the length."""

@@ -47,10 +47,7 @@ from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import require_printable
 from elastica_cad.mechanics.material.strain_rule import StrainVerdict
-from elastica_cad.mechanics.rod.as_bent import as_bent
-from elastica_cad.mechanics.rod.csv_text import csv_text
-from elastica_cad.mechanics.rod.resampling import resample
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import Rod, as_bent, csv_text, resample
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 

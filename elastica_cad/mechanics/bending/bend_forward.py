@@ -14,8 +14,7 @@ from elastica_cad.mechanics.bending.newton_continuation import Reached, follow, 
 from elastica_cad.mechanics.loads.arguments import require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.resampling import resample
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import Rod, resample
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 
 Keep = Literal["keep"]

@@ -11,8 +11,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, system_of
 from elastica_cad.mechanics.material.anticlastic import SheetCurl
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 
 ROUNDED_SHARE = 1e-9
 """Of a rod's forces and moments: what is left of them at an end that bears none."""
