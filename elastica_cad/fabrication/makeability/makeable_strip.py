@@ -10,7 +10,7 @@ from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.splices import joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.mechanics.material.strain_rule import thinner_for
+from elastica_cad.mechanics.material.section_limits import thinner_for
 
 
 def make_within(strip: Strip, shop: Shop, *, compensate: bool, ignore_limits: bool) -> Strip:

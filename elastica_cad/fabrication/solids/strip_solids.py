@@ -28,7 +28,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 JOINT_GAP_MM = 0.01

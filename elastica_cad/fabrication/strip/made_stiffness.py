@@ -17,9 +17,13 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import SheetCurl, anticlastic_factor
-from elastica_cad.mechanics.material.laminate_curl import LaminateCurl, laminate_factor
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection, stack_stiffness
-from elastica_cad.mechanics.material.notches import dead_zone_slope
+from elastica_cad.mechanics.material.laminated_section import (
+    LaminateCurl,
+    LaminatedSection,
+    laminate_factor,
+    stack_stiffness,
+)
+from elastica_cad.mechanics.material.plain_section import dead_zone_slope
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod

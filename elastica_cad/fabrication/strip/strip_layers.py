@@ -31,7 +31,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
+from elastica_cad.mechanics.material.stiffness_law import LaidLeaves
 
 TICK_SHARE = 0.3
 """Of the width on each side of the middle: a mark across is kept off the edges, so that it is no notch."""

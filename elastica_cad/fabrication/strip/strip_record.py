@@ -43,10 +43,9 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.material.section_limits import LayerStrain, StrainVerdict
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_keys import require_printable
-from elastica_cad.mechanics.material.strain_rule import StrainVerdict
+from elastica_cad.mechanics.material.sheet_library import require_printable
 from elastica_cad.mechanics.rod.rod_record import Rod, as_bent, csv_text, resample
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep

@@ -5,15 +5,15 @@ import numpy as np
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import (
+    SidewaysSection,
     SidewaysStability,
     sideways_stability,
     sideways_stability_of,
     stations_of_sideways,
 )
-from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, quiet_log, require_file
-from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
+from elastica_cad.forming.plane_sections.mesh_sections import Mesh
 
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
 

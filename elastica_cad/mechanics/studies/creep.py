@@ -12,7 +12,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
-from elastica_cad.mechanics.studies.imperfection import feels_modulus
+from elastica_cad.mechanics.studies.tolerance_study import feels_modulus
 
 
 @dataclass(frozen=True, eq=False)
