@@ -14,7 +14,7 @@ from elastica_cad.forming.limits import Limits  # noqa: E402  # the checkout's
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod  # noqa: E402
 from elastica_cad.forming.revolution.meridian import meridian  # noqa: E402
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod  # noqa: E402
-from elastica_cad.mechanics.stability.conjugate_points import stability_determinant  # noqa: E402
+from elastica_cad.mechanics.stability.stability_verdict import stability_determinant  # noqa: E402
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod  # noqa: E402
 from tests.validation import test_cantilever_tables as cantilevers  # noqa: E402
 from tests.validation import test_elastica_tables as elasticas  # noqa: E402

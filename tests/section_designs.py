@@ -15,7 +15,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 

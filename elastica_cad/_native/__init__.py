@@ -40,7 +40,7 @@ def shoot(
     bend: FloatArray, rest: FloatArray, pull_x: FloatArray, pull_y: FloatArray, moment: float, angle: float,
     most_angle: float,
 ) -> tuple[FloatArray, FloatArray]:  # fmt: skip
-    """The recursion of `mechanics.rod.shooting.shoot`: angles (n + 1,) and moments (n,)."""
+    """The recursion of `mechanics.rod.discrete_rod.shoot`: angles (n + 1,) and moments (n,)."""
     nodes = bend.size
     angles, moments = np.empty(nodes + 1), np.empty(nodes)
     given = map(_plain, (bend, rest, pull_x, pull_y))

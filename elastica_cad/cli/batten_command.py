@@ -27,7 +27,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
 from elastica_cad.kit.kit_files import left_out
-from elastica_cad.mechanics.material.tapered_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
 
 LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
 MOST_STATIONS = 1000

@@ -16,8 +16,7 @@ from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overha
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.write_files import write_text, write_together
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_keys import plausible_number
-from elastica_cad.mechanics.material.sheet_library import library_folders
+from elastica_cad.mechanics.material.sheet_library import library_folders, plausible_number
 from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004

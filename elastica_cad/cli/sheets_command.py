@@ -3,8 +3,13 @@
 import click
 
 from elastica_cad.cli.running.voice import answer, say, warn
-from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, least_plywood_radius
-from elastica_cad.mechanics.material.sheet import Sheet, library_sheets, sheet_names
+from elastica_cad.mechanics.material.sheet import (
+    PLYWOOD_SOURCE,
+    Sheet,
+    least_plywood_radius,
+    library_sheets,
+    sheet_names,
+)
 from elastica_cad.mechanics.material.sheet_library import library_folders
 
 

@@ -23,7 +23,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 ENDS = Supports("pinned", "pinned")

@@ -10,8 +10,7 @@ from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.mechanics.bending.bend_forward import bend_path
-from elastica_cad.mechanics.rod.csv_text import csv_text
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import Rod, csv_text
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 

@@ -7,7 +7,7 @@ from elastica_cad.forming.many_rods import (
 )
 from elastica_cad.forming.nearest.nearest_record import NearestRod as NearestRod, Status as Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod as nearest_rod
-from elastica_cad.forming.plane_sections.cutting_planes import (
+from elastica_cad.forming.plane_sections.section_spec import (
     parallel_planes as parallel_planes,
     planes_along as planes_along,
     radial_planes as radial_planes,
@@ -23,7 +23,7 @@ from elastica_cad.forming.plane_sections.section_lines import (
     PlaneSection as PlaneSection,
     SectionLine as SectionLine,
 )
-from elastica_cad.forming.plane_sections.triangle_mesh import Mesh as Mesh
+from elastica_cad.forming.plane_sections.mesh_sections import Mesh as Mesh
 from elastica_cad.forming.revolution.meridian import (
     Meridian as Meridian,
     meridian as meridian,

@@ -23,7 +23,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
-from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
+from elastica_cad.mechanics.rod.rod_record import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium

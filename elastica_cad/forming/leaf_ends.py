@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, Leaf, LeavesLaw
+from elastica_cad.mechanics.material.stiffness_law import LaidLeaves, Leaf, LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 NODES = 401

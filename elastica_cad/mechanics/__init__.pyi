@@ -25,7 +25,7 @@ from elastica_cad.mechanics.material.moment_curvature import (
     PolynomialLaw as PolynomialLaw,
     TabulatedLaw as TabulatedLaw,
 )
-from elastica_cad.mechanics.material.notches import dead_zone_slope as dead_zone_slope
+from elastica_cad.mechanics.material.plain_section import dead_zone_slope as dead_zone_slope
 from elastica_cad.mechanics.material.section_limits import (
     LayerStrain as LayerStrain,
     ScaleRange as ScaleRange,
@@ -39,7 +39,7 @@ from elastica_cad.mechanics.material.stiffness_law import (
     BoundedLaw as BoundedLaw,
     StiffnessLaw as StiffnessLaw,
 )
-from elastica_cad.mechanics.material.tapered_sections import (
+from elastica_cad.mechanics.material.stiffness_law import (
     LaidLeaves as LaidLeaves,
     Leaf as Leaf,
     LeavesLaw as LeavesLaw,
@@ -48,7 +48,7 @@ from elastica_cad.mechanics.material.tapered_sections import (
 )
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod as DiscreteRod
 from elastica_cad.mechanics.rod.rod_record import Rod as Rod
-from elastica_cad.mechanics.stability.conjugate_points import (
+from elastica_cad.mechanics.stability.stability_verdict import (
     conjugate_point as conjugate_point,
     determinant_gradient as determinant_gradient,
     stability_determinant as stability_determinant,
@@ -69,7 +69,7 @@ from elastica_cad.mechanics.studies.calibration import (
     cantilever_droop as cantilever_droop,
 )
 from elastica_cad.mechanics.studies.creep import Creep as Creep, creep as creep
-from elastica_cad.mechanics.studies.imperfection import (
+from elastica_cad.mechanics.studies.tolerance_study import (
     Imperfection as Imperfection,
     perturb_rod as perturb_rod,
 )

@@ -18,8 +18,7 @@ from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rest_shape import integrate_edges
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import Rod, integrate_edges
 
 ENDS = (Tab(12, holes=(Hole(6, 3.2),)), Tab(12, holes=(Hole(6, 3.2),)))
 

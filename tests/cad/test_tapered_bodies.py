@@ -13,7 +13,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kernel.occt import make_solid
 from elastica_cad.kernel.step_files import write_strip_step
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
 ARCH = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])

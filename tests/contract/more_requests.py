@@ -10,7 +10,7 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass
-from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import ThicknessLaw
 from tests.contract.table import (
     ARCH,
     BOW,

@@ -22,7 +22,7 @@ from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 
 Points = list[tuple[float, float]]
 """Control points of a clamped uniform spline, mm."""

@@ -10,10 +10,9 @@ from hypothesis import strategies as st
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.discrete_rod import edge_forces, node_weights
+from elastica_cad.mechanics.rod.discrete_rod import edge_forces, node_weights, shoot
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodSystem
-from elastica_cad.mechanics.rod.shooting import shoot
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
 pytestmark = pytest.mark.core

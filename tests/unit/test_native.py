@@ -12,7 +12,7 @@ from elastica_cad.forming.nearest import rod_map
 from elastica_cad.forming.nearest.rod_map import spline_basis
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
 from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.rod import shooting
+from elastica_cad.mechanics.rod import discrete_rod
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, node_weights
 
 CLOSE = 1e-12
@@ -55,7 +55,7 @@ def test_shooting(both, seed):
     rest = rng.normal(size=201) if seed % 2 else 0.4
 
     def shot():
-        return shooting.shoot(K, w, force, 1 / 200, moment=2.0, angle=0.3, natural_curvature=rest)
+        return discrete_rod.shoot(K, w, force, 1 / 200, moment=2.0, angle=0.3, natural_curvature=rest)
 
     compiled, plain = both(shot)
     assert max(map(distance, compiled, plain)) < CLOSE
@@ -63,7 +63,7 @@ def test_shooting(both, seed):
 
 def test_shooting_that_winds_up(both):
     def shot():
-        return shooting.shoot(
+        return discrete_rod.shoot(
             np.ones(201), node_weights(1 / 200, 200), np.zeros((200, 2)), 1 / 200, moment=1e12, angle=0.0
         )
 

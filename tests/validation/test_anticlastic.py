@@ -5,8 +5,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, anticlastic_widths
-from elastica_cad.mechanics.material.laminate_curl import laminate_factor
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor
 from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core

@@ -10,8 +10,7 @@ from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-from elastica_cad.mechanics.material.laminate_curl import laminate_factor
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor
 from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core

@@ -18,7 +18,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, LeavesLaw
+from elastica_cad.mechanics.material.stiffness_law import LaidLeaves, LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

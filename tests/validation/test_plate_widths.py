@@ -13,7 +13,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import ThicknessLaw
 
 pytestmark = pytest.mark.core
 

@@ -7,7 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming.revolution import meridian_search
+from elastica_cad.forming.revolution import meridian as meridian_module
 from elastica_cad.forming.revolution.meridian import meridian, meridian_through
 
 pytestmark = pytest.mark.core
@@ -296,13 +296,13 @@ def test_winding_between_points_is_no_meridian():
 def test_more_nodes_are_not_tried_where_fewer_did_not_help(monkeypatch):
     points = [[27.1, 13.3], [25.9, 21.3], [47.5, 29.5], [43, 50.6], [33.1, 76.9], [43.2, 78.5]]
     nodes = []
-    init = meridian_search._Equations.__init__
+    init = meridian_module._Equations.__init__
 
     def noted(self, count, closes, asked):
         nodes.append(asked)
         init(self, count, closes, asked)
 
-    monkeypatch.setattr(meridian_search._Equations, "__init__", noted)
+    monkeypatch.setattr(meridian_module._Equations, "__init__", noted)
     with pytest.raises(NotConvergedError, match="no meridian was found near these points"):
         meridian_through(points)
     assert len(nodes) <= 3

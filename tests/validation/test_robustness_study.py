@@ -8,7 +8,7 @@ import pytest
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.studies.imperfection import Imperfection, perturb_rod
+from elastica_cad.mechanics.studies.tolerance_study import Imperfection, perturb_rod
 
 pytestmark = pytest.mark.core
 

@@ -23,8 +23,7 @@ from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways import sideways_margin, sideways_stability
-from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
+from elastica_cad.mechanics.stability.sideways import SidewaysSection, sideways_margin, sideways_stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core

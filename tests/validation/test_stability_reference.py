@@ -7,14 +7,13 @@ import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, bending_moments, node_weights
-from elastica_cad.mechanics.rod.shooting import shoot
-from elastica_cad.mechanics.stability.conjugate_points import (
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, bending_moments, node_weights, shoot
+from elastica_cad.mechanics.stability.stability_verdict import (
     conjugate_point,
     determinant_gradient,
+    stability,
     stability_determinant,
 )
-from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core

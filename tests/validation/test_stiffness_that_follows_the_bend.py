@@ -13,8 +13,7 @@ from elastica_cad.fabrication.strip.as_made import PLATE_CUT, PLATE_END, LapPlat
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.laminate_curl import laminate_factor
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor
 from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core

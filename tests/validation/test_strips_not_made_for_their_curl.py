@@ -11,8 +11,7 @@ from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.material.laminate_curl import laminate_factor
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor
 from elastica_cad.mechanics.material.sheet import NominalRatio, Sheet
 from elastica_cad.mechanics.stability.stability_verdict import stability
 

@@ -17,7 +17,7 @@ from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 

@@ -15,15 +15,20 @@ from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.material.anticlastic import SheetCurl
 from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.resampling import resample
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways import sideways_stability_of, stations_of_sideways
-from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
+from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, resample
+from elastica_cad.mechanics.stability.sideways import (
+    SidewaysSection,
+    sideways_stability_of,
+    stations_of_sideways,
+)
 from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.studies.imperfection import Imperfection, perturb_rod
 from elastica_cad.mechanics.studies.stability_limit import stability_limit
-from elastica_cad.mechanics.studies.tolerance_study import ToleranceRanges, tolerance_study
+from elastica_cad.mechanics.studies.tolerance_study import (
+    Imperfection,
+    ToleranceRanges,
+    perturb_rod,
+    tolerance_study,
+)
 
 pytestmark = pytest.mark.core
 

@@ -16,7 +16,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.plane_matrices import is_similarity, similarity_of, transform_points
 from elastica_cad.geometry.running_sums import numbers_in_groups
-from elastica_cad.mechanics.material.sheet_keys import require_printable
+from elastica_cad.mechanics.material.sheet_library import require_printable
 
 CUT_OUTER = "CUT_OUTER"
 CUT_INNER = "CUT_INNER"

@@ -31,7 +31,7 @@ from elastica_cad._values import require_flag
 from elastica_cad.errors import Change, StrainError
 from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
-from elastica_cad.mechanics.material.strain_rule import thinner_for
+from elastica_cad.mechanics.material.section_limits import thinner_for
 
 PLACES = 400
 """Places along a strip where a joint is tried."""

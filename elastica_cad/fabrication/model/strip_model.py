@@ -31,7 +31,7 @@ from elastica_cad.fabrication.sheets.pieces import (
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_keys import require_printable
+from elastica_cad.mechanics.material.sheet_library import require_printable
 
 MOST_PLACED = 100_000
 """Strips of one model."""

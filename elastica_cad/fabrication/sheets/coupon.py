@@ -9,7 +9,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, centred_text, text
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_keys import require_printable
+from elastica_cad.mechanics.material.sheet_library import require_printable
 
 BEST_LOAD = 5.0
 """w L^3 / EI at which a clamped strip drops by half its length: there the droop says most about E."""

@@ -24,7 +24,7 @@ from elastica_cad.geometry.paths.path_intersections import clip_across
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.polynomials.splines import knot_runs
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 

@@ -29,14 +29,14 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import SheetCurl
-from elastica_cad.mechanics.material.laminate_curl import LaminateCurl
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection, stack_stiffness
-from elastica_cad.mechanics.material.notches import dead_zone_slope
+from elastica_cad.mechanics.material.laminated_section import (
+    LaminateCurl,
+    LaminatedSection,
+    stack_stiffness,
+)
+from elastica_cad.mechanics.material.plain_section import dead_zone_slope
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
-from elastica_cad.mechanics.rod.as_bent import as_bent
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.resampling import resample
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, as_bent, resample
 
 CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""

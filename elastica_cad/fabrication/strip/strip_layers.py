@@ -27,7 +27,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
+from elastica_cad.mechanics.material.stiffness_law import LaidLeaves
 
 TICK_SHARE = 0.3
 """Of the width on each side of the middle: a mark across is kept off the edges, so that it is no notch."""

@@ -42,22 +42,18 @@ from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.material.section_limits import LayerStrain, StrainVerdict
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_keys import require_printable
-from elastica_cad.mechanics.material.strain_rule import StrainVerdict
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw
-from elastica_cad.mechanics.rod.as_bent import as_bent
-from elastica_cad.mechanics.rod.csv_text import csv_text
-from elastica_cad.mechanics.rod.resampling import resample
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.material.sheet_library import require_printable
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw
+from elastica_cad.mechanics.rod.rod_record import Rod, as_bent, csv_text, resample
 from elastica_cad.mechanics.stability.sideways import (
+    SidewaysSection,
     SidewaysStability,
     sideways_stability,
     sideways_stability_of,
     stations_of_sideways,
 )
-from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from elastica_cad.fabrication.holding.held_shape import Reactions
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, TOLD_TO
 from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.material.sheet import PLYWOOD_SOURCE, TOLD_TO
 from elastica_cad.mechanics.studies.creep import Creep
 
 LINEAR_CREEP_SHARE = 0.5

@@ -22,10 +22,11 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import (
     SAME_SCALE,
     BoundedLaw,
+    LaidLeaves,
     StiffnessLaw,
+    ThicknessLaw,
     scale_within,
 )
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"

@@ -13,8 +13,7 @@ from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.keys.values import COUNT, NUMBER
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
 
 LAW_LINE = 'kind = "thickness", limits = [3, 8], width = 20'
 """What a refused line is told to look like."""

@@ -28,10 +28,8 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
-from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, LeavesLaw
+from elastica_cad.mechanics.rod.rod_record import SEARCH_SAMPLES, Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_balance import far_too_heavy
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

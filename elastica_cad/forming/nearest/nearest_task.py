@@ -37,9 +37,7 @@ from elastica_cad.mechanics.loads.rest_curvature import (
 )
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.rod.nodal_stiffness import scaled_to_least
-from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import SEARCH_SAMPLES, Rod, scaled_to_least
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 

@@ -20,10 +20,8 @@ from elastica_cad.geometry.polynomials.splines import bezier_spans
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.rod.shooting import shoot
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights, shoot
+from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 from elastica_cad.mechanics.stiffness.optimal_balance import TangentWeight
 
 

@@ -1,4 +1,4 @@
-"""Sections of triangle meshes by planes: ordered lines in the planes' own frames.
+"""Triangle meshes, checked and welded, and their sections by planes: ordered lines in the planes' own frames.
 
 A vertex in the plane counts as lying on one side of it, as if the plane were moved aside by less than any
 number (simulation of simplicity): every face that has corners on both sides is then crossed at two of its
@@ -7,11 +7,12 @@ points themselves are those of the plane as it is.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.forming.plane_sections.section_lines import (
     IN_PLANE,
@@ -19,8 +20,195 @@ from elastica_cad.forming.plane_sections.section_lines import (
     collect_section,
     place_in_words,
 )
-from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 from elastica_cad.geometry.frame import Frame
+
+SHOWN_PLACES = 3
+"""Places that a complaint lists."""
+
+CRACK_SHARE = 1e-5
+"""Borders nearer to each other than this share of their extent are one edge that was rounded twice."""
+
+FARTHEST_MM = 1e9
+"""mm; coordinates beyond are no lengths of anything made of strips."""
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles in space, open or closed.
+
+    Corners at the same place are made one, as files often repeat them, and along borders also those nearer than
+    a hundred thousandth of the borders' extent, as rounding leaves them; triangles without area and repeated
+    ones are left out. Nothing else is moved. `reports` says what was found; none of it stops a section.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array_like
+        mm.
+    faces : (m, 3) array_like of int
+        Rows of `vertices`; their sense does not matter.
+
+    Raises
+    ------
+    InputError
+        Arrays of another shape, numbers that are not finite, faces of vertices that are not there, no face left.
+
+    Examples
+    --------
+    >>> square = Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3), (2, 2, 1)])
+    >>> square.faces.shape[0], square.reports[0]
+    (2, '1 of 3 triangles has no area: left out (the first at (1, 0.666667, 0) mm)')
+    """
+
+    vertices: FloatArray
+    faces: IntArray
+    reports: tuple[str, ...] = ()
+
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+        points, rows = _checked(vertices, faces)
+        points, index = np.unique(points + 0.0, axis=0, return_inverse=True)
+        rows = _sewn(points, index.reshape(-1)[rows])
+        reports: list[str] = []
+        area = _areas(points, rows)
+        keep = (area > 0) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
+        reports += _complaint(points, rows[~keep], len(rows), "has no area", "have no area", ": left out")
+        kept = rows[keep]
+        _, first = np.unique(np.sort(kept, axis=1), axis=0, return_index=True)
+        again = np.ones(len(kept), dtype=bool)
+        again[first] = False
+        reports += _complaint(
+            points, kept[again], len(rows), "is there twice", "are there twice", ": left out once"
+        )
+        kept = kept[~again]
+        if not len(kept):
+            raise InputError("the mesh has no triangle with an area: export it anew")
+        reports += _edge_complaints(points, kept)
+        for name, value in (("vertices", points), ("faces", kept), ("reports", tuple(reports))):
+            object.__setattr__(self, name, value)
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the bounding box, mm."""
+        return float(np.linalg.norm(np.ptp(self.vertices[np.unique(self.faces)], axis=0)))
+
+    def scaled(self, factor: float) -> "Mesh":
+        """The mesh with all lengths times `factor`.
+
+        Raises
+        ------
+        InputError
+            A factor that is not positive.
+        """
+        if not (is_number(factor) and factor > 0):
+            raise InputError(f"a mesh is scaled by a positive factor, not {factor!r}")
+        return Mesh(self.vertices * factor, self.faces)
+
+
+def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArray]:
+    try:
+        points, rows = np.asarray(vertices, dtype=float), np.asarray(faces)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError("a mesh is rows of numbers: vertices (n, 3) and triangles (m, 3)") from None
+    if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
+        raise InputError(
+            f"a mesh is vertices (n, 3) and triangles (m, 3), not {points.shape} and {rows.shape}: "
+            "cut faces of more corners into triangles first"
+        )
+    if not rows.size:
+        raise InputError("the mesh has no triangles: nothing can be cut")
+    if not np.issubdtype(rows.dtype, np.integer):
+        raise InputError("the triangles of a mesh are rows of whole numbers that count its vertices from 0")
+    if not np.all(np.isfinite(points)):
+        bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
+        raise InputError(f"vertex {bad} of the mesh is not finite: {points[bad].tolist()}")
+    far = float(np.abs(points).max())
+    if far > FARTHEST_MM:
+        bad = int(np.abs(points).max(axis=1).argmax())
+        raise InputError(
+            f"vertex {bad} of the mesh lies {far:.3g} mm from the origin: give the right unit or scale, or mend it"
+        )
+    if rows.min() < 0 or rows.max() >= len(points):
+        raise InputError(
+            f"a triangle names vertex {rows.max() if rows.min() >= 0 else rows.min()} of {len(points)}"
+        )
+    return points, rows.astype(np.intp)
+
+
+def _sewn(points: FloatArray, rows: IntArray) -> IntArray:
+    """The triangles with corners of borders that lie within a crack made one."""
+    edges, count = np.unique(
+        np.sort(np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]]), axis=1),
+        axis=0,
+        return_counts=True,
+    )
+    border = np.unique(edges[(count == 1) & (edges[:, 0] != edges[:, 1])])
+    if not border.size:
+        return rows
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    width = CRACK_SHARE * float(np.linalg.norm(np.ptp(points[border], axis=0)))
+    pairs = cKDTree(points[border]).query_pairs(width, output_type="ndarray")
+    if not len(pairs):
+        return rows
+    links = coo_array((np.ones(len(pairs)), pairs.T), shape=(border.size, border.size))
+    _, piece = connected_components(links, directed=False)
+    _, first = np.unique(piece, return_index=True)
+    own = np.arange(len(points))
+    own[border] = border[first[piece]]
+    return np.asarray(own[rows])
+
+
+def _areas(points: FloatArray, rows: IntArray) -> FloatArray:
+    a, b, c = (points[rows[:, k]] for k in range(3))
+    return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+
+
+def _complaint(points: FloatArray, rows: IntArray, total: int, one: str, many: str, then: str) -> list[str]:
+    if not len(rows):
+        return []
+    place = ", ".join(f"{v:g}" for v in points[rows[0]].mean(axis=0).round(6) + 0.0)
+    return [
+        f"{len(rows)} of {total} triangles {one if len(rows) == 1 else many}{then} (the first at ({place}) mm)"
+    ]
+
+
+def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
+    """Edges of one face or of more than two, and neighbours that are turned over against each other."""
+    directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
+    edges, index, count = np.unique(
+        np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
+    )
+    sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
+    found = []
+    border = edges[count == 1]
+    if len(border):
+        found.append(
+            f"the mesh is open along {_edges(border)} (near {_places(points, border)} mm): sections end there"
+        )
+    crowded = edges[count > 2]
+    if len(crowded):
+        found.append(
+            f"more than two faces meet at {_edges(crowded)} (near {_places(points, crowded)} mm): sections fall "
+            "apart there"
+        )
+    turned = edges[(count == 2) & (sense != 0)]
+    if len(turned):
+        found.append(
+            f"faces are turned over against their neighbours along {_edges(turned)} (near "
+            f"{_places(points, turned)} mm): sections are the same"
+        )
+    return found
+
+
+def _edges(edges: IntArray) -> str:
+    return "1 edge" if len(edges) == 1 else f"{len(edges)} edges"
+
+
+def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> str:
+    middles = [points[edge].mean(axis=0) for edge in edges[:SHOWN_PLACES]]
+    return ", ".join("(" + ", ".join(f"{v:g}" for v in middle.round(6) + 0.0) + ")" for middle in middles)
+
 
 APART = 1e-10
 """Neighbouring points of a section nearer than this share of the size are one."""

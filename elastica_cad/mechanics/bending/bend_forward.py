@@ -9,13 +9,19 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, is_one_of, require_flag
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.mechanics.bending.bifurcation import is_straight, leave_straight, stretch
-from elastica_cad.mechanics.bending.newton_continuation import Reached, follow, is_balanced, relax
+from elastica_cad.mechanics.bending.newton_continuation import (
+    Reached,
+    follow,
+    is_balanced,
+    is_straight,
+    leave_straight,
+    relax,
+    stretch,
+)
 from elastica_cad.mechanics.loads.arguments import require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.resampling import resample
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import Rod, resample
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 
 Keep = Literal["keep"]

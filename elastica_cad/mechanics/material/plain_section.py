@@ -1,4 +1,4 @@
-"""The section of one sheet, solid, with holes or as wide as a plate: E I, weight and strain by width, and back."""
+"""The width of a plain strip as stiffness, its weight and strain, and what notches leave of it."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,6 +12,35 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.material.anticlastic import SheetCurl, anticlastic_factor, plate_width
 from elastica_cad.mechanics.material.section_limits import LayerStrain, ScaleRange, positive
 from elastica_cad.mechanics.material.sheet import Sheet
+
+
+def dead_zone_slope(poisson_ratio: float) -> float:
+    """Length, over depth, of the idle triangle on either side of a cut across a bent strip.
+
+    A through crack of length 2 a in a thin plate bent by a skin stress sigma sets free the energy
+    pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E (Sih, Paris and Erdogan, J. Appl. Mech. 29, 1962; Hui and
+    Zehnder, Int. J. Fracture 61, 1993). As much is stored in a rhombus with the crack for its diagonal and the
+    slope pi (1 + nu) / (3 + nu); a cut from the edge leaves half of it idle.
+
+    Parameters
+    ----------
+    poisson_ratio : float
+        Dimensionless.
+
+    Raises
+    ------
+    InputError
+        A ratio outside 0 to 0.5.
+
+    Examples
+    --------
+    >>> round(dead_zone_slope(0.3), 3)
+    1.238
+    """
+    nu = require_number(poisson_ratio, "Poisson's ratio")
+    if not 0 <= nu <= 0.5:
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5")
+    return float(np.pi * (1 + nu) / (3 + nu))
 
 
 @dataclass(frozen=True)

@@ -1,32 +1,375 @@
-"""The rod: a bent strip as nodal arrays, in the paper's normalisation (least stiffness 1)."""
+"""The rod in balance as a record, its stiffness at the nodes, and the same rod on other nodes or as it is bent."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
-from typing import TYPE_CHECKING
+from functools import cached_property, lru_cache
+from itertools import pairwise
+from math import isclose
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_number, require_positive
+from elastica_cad._values import as_floats, numbers, require_number, require_positive
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import SURVEY_POINTS, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
+from elastica_cad.geometry.polynomials.splines import bezier_spans, spline_through
 from elastica_cad.mechanics.loads.arguments import require_gravity, require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, scale_within
-from elastica_cad.mechanics.rod.csv_text import csv_text
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
-from elastica_cad.mechanics.rod.nodal_stiffness import scaled_to_least, stiffness_profile_of
-from elastica_cad.mechanics.rod.rest_shape import edge_angles, has_even_edges, integrate_edges
+from elastica_cad.mechanics.material.stiffness_law import BendFactor, BoundedLaw, at_stations, scale_within
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, edge_positions, tangents
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+
+# A rod that is shown, cut and tested: a strip of 300 mm has a node every half millimetre, and the discrete shape is
+# off the continuous one by less than a laser's kerf (paper, section 7.1, has some hundreds).
+DEFAULT_SAMPLES = SURVEY_POINTS
+
+# A rod that is searched for: hundreds are solved on the way, whose error, nine times as large, is still far below
+# what limits allow; `editable_curve` extrapolates it away.
+SEARCH_SAMPLES = 201
+
+
+DUST_SHARE = 1e-12
+"""Of the largest value of the same unit: what rounding leaves of 0."""
+
+
+def csv_text(table: Mapping[str, Any]) -> str:
+    """Columns (n,) by name as comma-separated text with a header; names end in their unit.
+
+    Examples
+    --------
+    >>> print(csv_text({"x_mm": [0, 1], "y_mm": [1e-17, 2]}), end="")
+    x_mm,y_mm
+    0,0
+    1,2
+    """
+    columns = {name: np.asarray(column, dtype=float) for name, column in table.items()}
+    largest: dict[str, float] = {}
+    for name, column in columns.items():
+        finite = np.abs(column[np.isfinite(column)])
+        largest[_unit(name)] = max(largest.get(_unit(name), 0.0), float(finite.max(initial=0.0)))
+    cleaned: dict[str, FloatArray] = {
+        name: np.where(np.abs(column) <= DUST_SHARE * largest[_unit(name)], 0.0, column)
+        for name, column in columns.items()
+    }
+    rows = [",".join(cleaned)]
+    rows += [",".join(f"{value:.9g}" for value in row) for row in zip(*cleaned.values(), strict=True)]
+    return "\n".join(rows) + "\n"
+
+
+def _unit(name: str) -> str:
+    return name.rsplit("_", 1)[-1]
+
+
+MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
+
+
+def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
+    """K (n,) at uniform arc lengths (n,), mm; a cell that a step divides counts by the mean of its compliance.
+
+    Its angle is what it turns by, and that is the integral of M / K. So the shape depends on the place of a step
+    continuously.
+
+    Examples
+    --------
+    >>> stepped = Profile([0, 0, 5, 5, 10, 10], [1, 1, 2, 2], 1)
+    >>> _nodal_stiffness(stepped, np.linspace(0, 10, 3)).round(3).tolist()
+    [1.0, 1.333, 2.0]
+    """
+    K = profile(s)
+    steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
+    if not steps.size:
+        return K
+    middles = (s[1:] + s[:-1]) / 2
+    edges = np.concatenate([s[:1], middles, s[-1:]])
+    for i in np.unique(np.clip(np.searchsorted(edges, steps) - 1, 0, s.size - 1)):
+        cuts = np.unique(
+            np.concatenate([edges[i : i + 2], steps[(steps > edges[i]) & (steps < edges[i + 1])]])
+        )
+        turned = 0.0
+        for a, b in pairwise(cuts):
+            inside = (a + b) / 2 + (b - a) / 2 * MEAN_POINTS
+            turned += (b - a) / 2 * float(MEAN_WEIGHTS @ (1 / profile(inside)))
+        K[i] = (edges[i + 1] - edges[i]) / turned
+    return K
+
+
+def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
+    """A stiffness and its values at nodes s (n,), mm, over the least of these.
+
+    Raises
+    ------
+    InputError
+        It is not positive.
+    """
+    if not profile.is_positive:
+        raise InputError("rod stiffness must be positive everywhere along the rod")
+    K = profile(s)
+    return profile.scaled(1 / K.min()), K / K.min()
+
+
+def _stiffness_profile_of(
+    stiffness: "ArrayLike | Profile", length: float, samples: int | None
+) -> tuple[Profile, int]:
+    """A profile over [0, length] and the number of nodes it asks for.
+
+    Parameters
+    ----------
+    stiffness : float, (n,) array_like or Profile
+        One value, values at n uniform stations, or a profile over [0, length].
+    length : float
+        mm.
+    samples : int or None
+        Number of nodes; None for one a value, or the usual number.
+
+    Raises
+    ------
+    InputError
+        A profile of another length, or values that are not positive and finite.
+    """
+    if isinstance(stiffness, Profile):
+        if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
+            raise InputError(
+                f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
+            )
+        return stiffness, samples or DEFAULT_SAMPLES
+    given = as_floats(stiffness)
+    values = np.array([]) if given is None else np.atleast_1d(given)
+    if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
+        raise InputError("stiffness must be positive, finite numbers: one, or one a node")
+    n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
+    if values.size == 1:
+        values = np.full(2, values[0])
+    return Profile.interpolate(np.linspace(0.0, length, values.size), values), n
+
+
+DIFFERENCE_SHARE = 1e-7
+"""Of the largest bend: step of the differences that tell how the stiffness follows."""
+
+CURL_POINTS = 24
+"""Between rest and bend, where the energy is summed: right to 1e-9 for blanks that are flat, to 1e-3 for others."""
+
+CURL_STEPS = 8
+"""To the curvature that a moment belongs to; the stiffness follows slowly, so the last ones only round."""
+
+
+@dataclass(frozen=True, eq=False)
+class CurlingLaw(MaterialLaw):
+    """M = K m(kappa - kappa_0) at the nodes of one rod, whose K is right where each node is bent as designed.
+
+    Parameters
+    ----------
+    factor : BendFactor
+        On the stiffness of the nodes, by their curvatures.
+    designed : (n,) array
+        The factor that K has already.
+    natural_curvature : float or (n,) array
+        kappa_0 of the rod, 1/mm.
+    below : MaterialLaw, optional
+        That of the material, which the factor comes on top of.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.material.anticlastic import SheetCurl
+    >>> wide = SheetCurl(np.full(2, 40.0), 0.5, 0.3)
+    >>> law = CurlingLaw(wide, wide(np.array([0.0, 0.01])))
+    >>> law.effective_curvature([0.01, 0.01]).round(5).tolist()
+    [0.01078, 0.01]
+    """
+
+    factor: BendFactor
+    designed: FloatArray
+    natural_curvature: float | FloatArray = 0.0
+    below: MaterialLaw | None = None
+
+    def share(self, curvature: ArrayLike) -> FloatArray:
+        """What the stiffness is times that of the design (..., n), for changes of curvature (..., n), 1/mm."""
+        kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
+        return np.asarray(self.factor(kappa) / self.designed)
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; of all nodes (..., n)."""
+        return np.asarray(self._material(curvature) * self.share(curvature))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; of all nodes (n,)."""
+        return self.with_slope(curvature)[1]
+
+    def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """See `MaterialLaw`; of all nodes (n,) each."""
+        change = np.asarray(curvature, dtype=float)
+        step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
+        here, beyond = self.share(np.stack([change, change + step]))
+        m, slope = (change, 1.0) if self.below is None else self.below.with_slope(change)
+        return m * here, np.asarray(slope * here + m * (beyond - here) / step)
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; of all nodes (n,)."""
+        change = np.asarray(curvature, dtype=float)
+        x, weight = gauss_rule(CURL_POINTS)
+        root = (x + 1) / 2  # closer together near rest, where the stiffness follows soonest
+        return np.asarray(change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change)))
+
+    def curvature(self, effective: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; of all nodes (n,)."""
+        m = np.asarray(effective, dtype=float)
+        change = m if self.below is None else self.below.curvature(m)
+        for _ in range(CURL_STEPS):
+            found, slope = self.with_slope(change)
+            change = change - (found - m) / slope
+        return change
+
+    def resampled(self, s: FloatArray, at: FloatArray) -> "CurlingLaw":
+        """See `MaterialLaw`."""
+        return CurlingLaw(
+            self.factor.resampled(s, at), np.interp(at, s, self.designed),
+            at_stations(self.natural_curvature, s, at),
+            None if self.below is None else self.below.resampled(s, at),
+        )  # fmt: skip
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`."""
+        return float("inf") if self.below is None else self.below.injective_limit
+
+    def _material(self, curvature: ArrayLike) -> FloatArray:
+        change = np.asarray(curvature, dtype=float)
+        return change if self.below is None else self.below.effective_curvature(change)
+
+
+Angle: TypeAlias = Callable[[FloatArray], FloatArray]
+
+EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
+TANGENT_RAD = 1e-8  # how closely the spline follows the tangent: over the length, far below a micrometre
+DEGREE = 5  # curvature with two derivatives, which checks of equilibrium look at
+MOST_SPANS, NODES_PER_SPAN = 24, 6  # of the spline that corrects the angle: at most, at least
+REACH_LENGTHS = (
+    0.05  # in lengths: changes of curvature over that distance weigh as much as the displacement they make
+)
+NEWTON_STEPS, MET = 8, 1e-13  # at most; of angles in rad and of the end over the length: rounding
+GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(6)
+
+
+def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
+    """Are all edges of the polygon of nodes as long as the arc length between them?"""
+    h = np.diff(s)
+    return bool(np.all(np.abs(np.hypot(*np.diff(position, axis=0).T) - h) <= EVEN_EDGES * h))
+
+
+def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> PlaneCurve:
+    """The spline of unit speed that follows the edges of a discrete rod.
+
+    The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve in their middles. A curve of
+    the polygon's own length passes the nodes at h^2 |kappa| / 24 on their inner side: this one integrates a quintic
+    spline through the edge angles. That is h^2 |kappa'| / 8 off the held angles; of all smooth turns that meet
+    them and the end position, the one that displaces the curve least is added.
+
+    Parameters
+    ----------
+    s : (n,) array
+        Arc lengths of the nodes, mm, uniform.
+    position : (n, 2) array
+        Nodes, mm, with edges as long as their arc lengths.
+    angle : (n,) array
+        rad; the ends are held.
+
+    Returns
+    -------
+    PlaneCurve
+        Degree 5, its parameter is arc length (to 1e-8).
+
+    Examples
+    --------
+    >>> s = np.linspace(0.0, 30.0, 61)
+    >>> middles = (s[:-1] + s[1:]) / 20
+    >>> steps = 0.5 * np.column_stack([np.cos(middles), np.sin(middles)])
+    >>> nodes = np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
+    >>> curve = integrate_edges(s, nodes, s / 10)
+    >>> off = np.hypot(*(curve.at(s).position - nodes).T).max()
+    >>> round(curve.length, 7), bool(off < 3 * 0.5**2 / 10 / 24)
+    (30.0, True)
+    """
+    edge = _edge_angles(position, angle)
+    if edge.size == 1:
+        knots = np.repeat(s, DEGREE + 1)
+        return PlaneCurve(knots, np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
+    degree = min(DEGREE, edge.size - 1)
+    through = spline_through((s[:-1] + s[1:]) / 2, edge, degree)
+    turn = _least_turn(s, position, angle[[0, -1]], through)
+    length = float(s[-1])
+
+    def tangent(at: FloatArray) -> FloatArray:
+        return tangents(through(at) + turn(at))
+
+    knots, rows = adaptive_spline(tangent, (0.0, length), degree=DEGREE - 1, tolerance=TANGENT_RAD)
+    reach = (knots[DEGREE:] - knots[:-DEGREE]) / DEGREE  # of a basis function's integral
+    points = position[0] + np.pad(np.cumsum(reach[:, None] * rows, axis=0), ((1, 0), (0, 0)))
+    return PlaneCurve(np.pad(knots, 1, mode="edge"), points, DEGREE)
+
+
+def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: Angle) -> Angle:
+    """The spline to be added to `angle` (rad over arc length) for the ends to be met, moving the nodes least."""
+    length, h = float(s[-1]), np.diff(s)[:, None]
+    weight = h * GAUSS_WEIGHTS / 2
+    knots, places, basis, at_ends, bend = _turn_basis(length, h.size)
+    c = np.zeros(basis.shape[-1])
+    for _ in range(NEWTON_STEPS):
+        alpha = angle(places) + basis @ c
+        T = tangents(alpha.ravel()).reshape(*places.shape, 2)
+        N = np.stack([-T[..., 1], T[..., 0]], axis=-1)
+        missed = position[1:] - position[0] - np.cumsum(np.einsum("eg,egk->ek", weight, T), axis=0)
+        moves = np.cumsum(np.matmul((weight[..., None] * N).transpose(0, 2, 1), basis), axis=0)
+        across = N[:, -1]
+        rows = np.concatenate([np.einsum("ek,ekm->em", across, moves), bend])
+        wanted = np.concatenate([np.einsum("ek,ek->e", across, missed), -np.einsum("em,m->e", bend, c)])
+        held_rows = np.concatenate([at_ends, moves[-1] / length])
+        held_by = np.concatenate([held - angle(s[[0, -1]]) - at_ends @ c, missed[-1] / length])
+        if np.abs(held_by).max() < MET:
+            break
+        # by einsum, as the threads of BLAS would cost ten times the product
+        square = np.einsum("ri,rj->ij", rows, rows) / length**2 / h.size
+        pull = np.einsum("ri,r->i", rows, wanted) / length**2 / h.size
+        corner = np.zeros((held_by.size,) * 2)
+        system = np.block([[square, held_rows.T], [held_rows, corner]])
+        right = np.concatenate([pull, held_by])
+        c = c + np.linalg.lstsq(system, right, rcond=1e-13)[0][: c.size]
+    from scipy.interpolate import BSpline
+
+    turn: Angle = BSpline(knots, c, DEGREE)
+    return turn
+
+
+@lru_cache(maxsize=4)
+def _turn_basis(length: float, edges: int) -> tuple[FloatArray, ...]:
+    """Knots, Gauss points, and the turn's splines there, at the ends, and their differences between nodes."""
+    s = np.linspace(0.0, length, edges + 1)
+    h = length / edges
+    spans = max(1, min(MOST_SPANS, edges // NODES_PER_SPAN))
+    knots = np.pad(np.linspace(0.0, length, spans + 1), DEGREE, mode="edge")
+    places = s[:-1, None] + h * (1 + GAUSS_POINTS) / 2
+    turns = bezier_spans(knots, DEGREE)
+    between = np.diff(turns.basis(s), axis=0) / h * (REACH_LENGTHS * length) ** 2
+    at_places = turns.basis(places.ravel()).reshape(*places.shape, -1)
+    return knots, places, at_places, turns.basis(s[[0, -1]]), between
+
+
+def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
+    """Angles (n,) of the edges between nodes (n + 1, 2), on the turn of the nodes' angles (n + 1,)."""
+    edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
+    middle = (angle[:-1] + angle[1:]) / 2
+    return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
+
 
 BAND_SHARE = 0.02  # of the length: half the band that shows the stiffness in a notebook
 
@@ -180,7 +523,7 @@ class Rod:
             raise InputError(f"start must be two numbers, mm, got {start!r}")
         require_positive(length, "rod length")
         require_number(angle, "the angle of a rod", "rad")
-        profile, n = stiffness_profile_of(stiffness, length, samples)
+        profile, n = _stiffness_profile_of(stiffness, length, samples)
         s = np.linspace(0.0, length, n)
         profile, K = scaled_to_least(profile, s)
         tangent = np.array([np.cos(angle), np.sin(angle)])
@@ -333,7 +676,7 @@ class Rod:
         if not apart.all():
             at = float(self.s[int(np.argmin(apart))])
             raise InputError(f"two neighbouring nodes of the rod coincide at {at:.6g} mm")
-        angles = edge_angles(self.position, self.angle)
+        angles = _edge_angles(self.position, self.angle)
         force = np.zeros((angles.size, 2))
         nodal = np.zeros_like(self.force)
         if self.gravity is not None:
@@ -374,7 +717,7 @@ class Rod:
                 f"stiffness has {np.size(stiffness)} values, the rod {self.s.size} nodes: give one a node, "
                 "or a Profile"
             )
-        profile, _ = stiffness_profile_of(stiffness, self.length, self.s.size)
+        profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)
         if np.any(K <= 0):
             raise InputError(f"stiffness is not positive at {self.s[int(np.argmin(K))]:.6g} mm")
@@ -383,3 +726,49 @@ class Rod:
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()
         residual = float(imbalance / size) if size > 0 else float(imbalance > 0)
         return replace(self, stiffness=K, profile=profile, residual=residual)
+
+
+def resample(rod: Rod, samples: int) -> Rod:
+    """The same rod on another number of nodes: stiffness from its profile, the rest interpolated, its law too."""
+    whole_number(samples, "samples", 4)
+    s = np.linspace(0.0, rod.length, samples)
+    K = _nodal_stiffness(rod.profile, s)
+
+    def at(values: FloatArray) -> FloatArray:
+        return np.asarray(np.interp(s, rod.s, values))
+
+    middles = (s[:-1] + s[1:]) / 2
+    angles = np.interp(middles, (rod.s[:-1] + rod.s[1:]) / 2, rod.discrete.angles)
+    return replace(
+        rod, s=s, position=edge_positions(rod.position[0], tangents(angles), s[1]), angle=at(rod.angle),
+        curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
+        moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
+        natural_curvature=at_stations(rod.natural_curvature, rod.s, s),
+        law=None if rod.law is None else rod.law.resampled(rod.s, s),
+    )  # fmt: skip
+
+
+PROFILE_SHARE = 1e-6
+"""Error of the stiffness between the nodes, of its largest."""
+
+
+def as_bent(rod: Rod) -> Rod:
+    """A rod in balance with the stiffness that it has in its shape, whose law is the material's alone."""
+    law = rod.law
+    if not isinstance(law, CurlingLaw):
+        return rod
+    share = law.share(rod.curvature - rod.natural_curvature)
+    K, B, drawn = rod.stiffness * share, rod.bending_stiffness, rod.profile
+    least, follow = float(K.min()), Profile.interpolate(rod.s, share)
+    profile = Profile.fit(
+        lambda s: drawn(s) * follow(s) / least, rod.length, breaks=drawn.breaks, knots=drawn.knots,
+        tolerance=PROFILE_SHARE * float(K.max()) / least,
+    )  # fmt: skip
+    weight = rod.weight
+    if weight is not None:  # it stays what it is, whatever the stiffness
+        alpha, beta = weight.along(rod.s)
+        weight = replace(weight, alpha=Profile.interpolate(rod.s, alpha + beta * rod.stiffness), beta=0.0)
+    return replace(
+        rod, law=law.below, stiffness=K / least, profile=profile, weight=weight, moment=rod.moment / least,
+        force=rod.force / least, bending_stiffness=B and B * least,
+    )  # fmt: skip

@@ -1,19 +1,285 @@
-"""The verdict on a rest shape: does it stay, or does it snap away?"""
+"""Does a rod stay in its shape: its margin, its conjugate points, in words."""
 
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
+from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, solve_bordered
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.conjugate_points import (
-    Determinant,
-    conjugate_point,
-    stability_determinant,
-)
+
+
+@dataclass(frozen=True, eq=False)
+class Determinant:
+    """The stability determinant along a rod (Fig. 9).
+
+    Attributes
+    ----------
+    s : (n+1,) array
+        Midpoints of the edges and the end of the rod, mm from the start.
+    value : (n+1,) array
+        Z(s); its sign changes are the conjugate points, but for the rounding noise near s = 0, where Z has
+        a zero of high order.
+    noise : (n+1,) array
+        Rounding error of Z(s): smaller values have no sign.
+    fields : (n+2, 1+p) array
+        zeta, eta_1, .. eta_p of the Jacobi equation on the edges and the two fictitious ones.
+    integrals : (n, p, 1+p) array
+        M_i and N_ij up to the end of each edge.
+    """
+
+    s: FloatArray
+    value: FloatArray
+    noise: FloatArray
+    fields: FloatArray
+    integrals: FloatArray
+
+    @property
+    def sign_changes(self) -> FloatArray:
+        """Places (k,), mm, where Z changes sign beyond rounding noise; none before the first zero of zeta."""
+        zeta = self.fields[1:, 0]
+        beyond = np.flatnonzero(zeta <= 0)
+        if beyond.size == 0:
+            return np.zeros(0)
+        # while zeta keeps its sign no interval can be unstable (the unconstrained Jacobi test)
+        sure = np.flatnonzero(np.abs(self.value) > self.noise)
+        sure = sure[sure >= max(int(beyond[0]) - 1, 0)]
+        at, z = self.s[sure], self.value[sure]
+        k = np.flatnonzero(z[:-1] * z[1:] < 0)
+        return np.asarray(at[k] + (at[k + 1] - at[k]) * z[k] / (z[k] - z[k + 1]))
+
+
+def stability_determinant(rod: DiscreteRod) -> Determinant:
+    """The curve Z(s) by the discrete Jacobi recursion of section 7.1, started from the start of the rod.
+
+    Where the start leaves the angle free, zeta starts with slope zero; a coordinate that is not held at both
+    ends drops its rows.
+
+    Raises
+    ------
+    InputError
+        When the rod is pulled so hard that the recursion overflows.
+
+    Examples
+    --------
+    A straight, unloaded cantilever has no conjugate point.
+
+    >>> rod = DiscreteRod(np.ones(51), np.zeros(50), np.zeros(2), 1.0, Supports("free", "clamped"))
+    >>> stability_determinant(rod).sign_changes.size
+    0
+    """
+    require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
+    n, rows, lengths = rod.angles.size, rod.constraint_rows, rod.edge_lengths
+    right = np.zeros((n + 1, 1 + rows.shape[0]))
+    # first edge's value of all fields: zeta'(0) = 1 as in Eq. 7, or zeta(0) = 1 where the angle is free
+    right[0] = rod.node_lengths[0] if rod.held_angles[0] else 1.0
+    right[1:, 1:] = -rows.T
+    fields = np.zeros((n + 2, right.shape[1]))
+    fields[1:] = _solve_recursion(_recursion(rod), right)
+    integrals = np.cumsum(rows.T[:, :, None] * fields[1:-1, None, :], axis=0)
+    Z = _matrices(fields, integrals)
+    ends = np.cumsum(lengths)
+    s = np.append(ends - lengths / 2, ends[-1])
+    # rounding of a determinant: eps times the product of its columns' sizes, once its rows are scaled
+    size = np.ascontiguousarray(
+        np.abs(Z).transpose(1, 2, 0)
+    )  # numpy reduces the last axis slowly where it is short
+    largest = size.max(axis=1)
+    scaled = size / np.maximum(largest, np.finfo(float).tiny)[:, None]
+    bound = np.prod(scaled.sum(axis=0), axis=0) * np.prod(largest, axis=0)
+    return Determinant(s, _determinants(Z), 1e-15 * np.sqrt(n) * 16 * bound, fields, integrals)
+
+
+def determinant_gradient(
+    rod: DiscreteRod, *, weights: FloatArray, moments: FloatArray, load_slope: FloatArray | None = None
+) -> FloatArray:
+    """Derivative of sum_i weights_i Z(s_i) with respect to the nodal K, by the adjoint method (App. B).
+
+    The rod stays in equilibrium while K changes: its ends are held, its angles and forces follow. With
+    weights that form a bump around a conjugate point sigma (or interpolate Z there) this is dZ/dK at sigma
+    up to a positive factor, and moving along it moves sigma towards the end of the rod. It is of rods that follow
+    Hooke's law: where stiffness follows the bend it leaves out that dM/dkappa changes as the shape does.
+
+    Parameters
+    ----------
+    rod : DiscreteRod
+        In equilibrium.
+    weights : (n+1,) array
+        Weights of Z at the midpoints of the edges and at the end.
+    moments : (n+1,) array
+        M at the nodes, 1/mm.
+    load_slope : (n+1, 2) array, optional
+        Derivative of each node's weight with respect to its K, 1/mm2 (weight ~ K: load / K).
+
+    Returns
+    -------
+    (n+1,) array
+    """
+    require_record(rod, DiscreteRod, "what is asked", "a DiscreteRod")
+    for name, values in (("weights", weights), ("moments", moments)):
+        if numbers(values, name).shape != (rod.angles.size + 1,):
+            raise InputError(
+                f"{name} are numbers ({rod.angles.size + 1},) of this rod: one more than it has edges"
+            )
+    n, lengths, T, rows = rod.angles.size, rod.edge_lengths, rod.tangents, rod.constraint_rows
+    z = stability_determinant(rod)
+    X, p = z.fields, z.fields.shape[1] - 1
+
+    # back through the determinants and the running integrals
+    G = weights[:, None, None] * _cofactors(_matrices(X, z.integrals))
+    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # of what hangs on the integrals up to each edge
+    per_field = G[:, 0, :].copy()
+    per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
+    per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
+
+    # back through the recursion
+    adjoint = np.zeros((n + 2, 1 + p))
+    adjoint[1:-1] = _solve_recursion(_recursion(rod), per_field, transposed=True)[1:]
+    per_spring = np.einsum("km,km->k", np.diff(adjoint, axis=0), np.diff(X, axis=0))
+    per_pull = -np.einsum("km,km->k", adjoint[1:-1], X[1:-1])
+    per_row -= adjoint[1:-1, 1:]
+
+    # how Z depends on angles and forces directly
+    held = list(rod.held)
+    per_angle = per_pull * lengths * rod.shear - lengths * np.einsum("kp,kp->k", per_row, T[:, held])
+    per_force = (per_pull * lengths)[:, None] * T
+
+    # back through the equilibrium: its Jacobian is symmetric
+    y, _ = solve_bordered(*rod.hessian, rows, right=per_angle, below=per_force[:, held].sum(axis=0))
+    per_force -= (lengths * y)[:, None] * np.column_stack([-T[:, 1], T[:, 0]])
+    gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)
+    for node, angle_held in zip((0, -1), rod.held_angles, strict=True):
+        gradient[node] *= angle_held
+    if load_slope is not None:
+        gradient += np.einsum("kp,kp->k", load_slope, _per_load(per_force, rod.supports))
+    return np.asarray(gradient, dtype=float)
+
+
+def conjugate_point(rod: DiscreteRod) -> float | None:
+    """First isoperimetric conjugate point from the start of the rod, mm; None when there is none in (0, l].
+
+    The shortest piece [0, s] of the rod, clamped at s, on which the second variation is not positive:
+    found by bisection on the inertia of the leading pieces, so that the zero of high order that Z has at s
+    = 0 cannot be counted.
+
+    Raises
+    ------
+    InputError
+        When the end of the rod leaves the angle free; start from the other end then.
+    """
+    require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
+    if not rod.held_angles[1]:
+        raise InputError("conjugate points need an end that holds the angle: run the rod the other way round")
+    (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
+    found = _first_unstable_piece(rod)
+    if found is None:
+        return None
+    ends = np.cumsum(lengths)
+    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # where the piece of k edges is clamped
+    if found == 1:
+        return float(place[0])
+    lower, upper = (
+        float(lowest_constrained(diagonal[:k], off[: k - 1], rows[:, :k])[0][0]) if k > len(rows) else np.inf
+        for k in (found - 1, found)
+    )
+    fraction = (
+        1.0 if not np.isfinite(lower) or lower <= upper else float(np.clip(lower / (lower - upper), 0, 1))
+    )
+    return float(place[found - 2] + fraction * (place[found - 1] - place[found - 2]))
+
+
+def _first_unstable_piece(rod: DiscreteRod) -> int | None:
+    """Least number of leading edges with an unstable mode that respects the constraints; None without any."""
+    (diagonal, off), rows = rod.hessian, rod.constraint_rows
+
+    def is_unstable(k: int) -> bool:
+        return k > len(rows) and bool(constrained_inertia(diagonal[:k], off[: k - 1], rows[:, :k]))
+
+    low, high = 0, diagonal.size
+    if high <= len(rows) or not rod.unstable_modes:
+        return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if is_unstable(middle) else (middle, high)
+    return high
+
+
+def _recursion(rod: DiscreteRod) -> FloatArray:
+    """Lower triangular band (3, n+1) of the recursion for zeta_1 .. zeta_{n+1}."""
+    spring = rod.stiffness / rod.node_lengths
+    if not rod.held_angles[0]:
+        spring[0] = 0.0
+    band = np.zeros((3, rod.angles.size + 1))
+    band[0, 0] = 1.0
+    band[0, 1:] = spring[1:]
+    band[1, :-1] = rod.edge_length * rod.pull - spring[:-1] - spring[1:]
+    band[2, :-2] = spring[1:-1]
+    return band
+
+
+def _solve_recursion(band: FloatArray, right: FloatArray, *, transposed: bool = False) -> FloatArray:
+    solution, info = lapack().dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
+    if info != 0 or not np.all(np.isfinite(solution)):
+        raise InputError(
+            "the Jacobi equation overflows: the rod is pulled far too hard for Z(s) to be a number"
+        )
+    return np.asarray(solution)
+
+
+def _matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
+    """Stability matrices (n+1, 1+p, 1+p) at the edges and at the end."""
+    n, _, m = integrals.shape
+    Z = np.empty((n + 1, m, m))
+    Z[:, 0, :] = fields[1:]
+    Z[0, 1:, :] = 0.0
+    Z[1:, 1:, :] = integrals
+    return Z
+
+
+def _cofactors(Z: FloatArray) -> FloatArray:
+    """Cofactor matrices (k, m, m), m <= 3; exact where the determinant vanishes."""
+    m = Z.shape[1]
+    if m == 1:
+        return np.ones_like(Z)
+    if m == 2:
+        flipped = Z[:, ::-1, ::-1].copy()
+        flipped[:, 0, 1] *= -1
+        flipped[:, 1, 0] *= -1
+        return np.asarray(flipped)
+    return np.stack([_cross(Z[:, i - 2], Z[:, i - 1]) for i in range(3)], axis=1)
+
+
+def _determinants(Z: FloatArray) -> FloatArray:
+    first = _cross(Z[:, 1], Z[:, 2]) if Z.shape[1] == 3 else _cofactors(Z)[:, 0]
+    return np.asarray(np.einsum("km,km->k", Z[:, 0], first))
+
+
+def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Cross products (k, 3), faster than numpy's, which takes vectors of any shape."""
+    i, j = [1, 2, 0], [2, 0, 1]
+    return np.asarray(u[:, i] * v[:, j] - u[:, j] * v[:, i])
+
+
+def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
+    """Derivatives (n+1, 2) with respect to the nodal loads from those with respect to the edge forces."""
+    n = per_force.shape[0]
+    per_load = np.zeros((n + 1, 2))
+    ends = supports.ends
+    for i, axis in enumerate("xy"):
+        if getattr(ends[0], axis) and not getattr(ends[1], axis):
+            per_load[1:, i] = -np.cumsum(per_force[:, i])
+        else:
+            per_load[1:-1, i] = np.cumsum(per_force[:0:-1, i])[::-1]
+            if not getattr(ends[0], axis):
+                per_load[0, i] = per_force[:, i].sum()
+    return per_load
+
 
 SAFE_MARGIN = 5.0  # bears the inaccuracies of cutting and mounting; 0 is the border of stability
 OUT_OF_BALANCE = 0.05  # share of the moments: what is further from balance is no rest shape, stable or not

@@ -16,7 +16,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
-from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
+from elastica_cad.mechanics.rod.rod_record import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness.moment_conditions import (
     NO_GAIN_SHARE,
     SMOOTHING_SHARE,

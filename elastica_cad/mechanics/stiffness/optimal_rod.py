@@ -30,8 +30,7 @@ from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, Natural
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import (

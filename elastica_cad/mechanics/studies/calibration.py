@@ -13,7 +13,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet import Grain, Range, Sheet
-from elastica_cad.mechanics.material.sheet_keys import USUAL_RATIO
+from elastica_cad.mechanics.material.sheet_library import USUAL_RATIO
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 _NODES = 201

@@ -10,10 +10,9 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
-from elastica_cad.mechanics.studies.imperfection import feels_modulus
+from elastica_cad.mechanics.studies.tolerance_study import feels_modulus
 
 
 @dataclass(frozen=True, eq=False)

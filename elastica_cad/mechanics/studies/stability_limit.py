@@ -10,8 +10,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.bend_forward import as_steps, reach, state_of, system_of
-from elastica_cad.mechanics.bending.bifurcation import is_straight
-from elastica_cad.mechanics.bending.newton_continuation import correct, relax
+from elastica_cad.mechanics.bending.newton_continuation import correct, is_straight, relax
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal

@@ -18,7 +18,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
 from tests.campaign.finite_elements.bent_strip import middle_line, on_curve
 from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Material, solve

@@ -14,7 +14,7 @@ from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.batten import BattenSpec
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
 
 ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 

@@ -22,7 +22,7 @@ from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec, Nest
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import clip_across
 from elastica_cad.kit.kit_contents import kit_of
-from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import ThicknessLaw
 
 PLY = ec.Sheet.named("birch-plywood-4")
 ARCH = ec.PlaneCurve.spline([(0, 0), (300, 900), (1500, 1400), (2700, 900), (3000, 0)])  # 3.7 m

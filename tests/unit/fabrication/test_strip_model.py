@@ -16,8 +16,7 @@ from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.csv_text import csv_text
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import Rod, csv_text
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 

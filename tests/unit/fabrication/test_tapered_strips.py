@@ -20,7 +20,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core

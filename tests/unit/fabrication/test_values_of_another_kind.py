@@ -42,7 +42,7 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
 from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw, TabulatedLaw
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw
+from elastica_cad.mechanics.material.stiffness_law import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 pytestmark = pytest.mark.core

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.nearest.rod_map import StripGrid, spline_basis
-from elastica_cad.mechanics.rod.discrete_rod import bending_moments, edge_forces, node_weights
-from elastica_cad.mechanics.rod.shooting import shoot
+from elastica_cad.mechanics.rod.discrete_rod import bending_moments, edge_forces, node_weights, shoot
 
 pytestmark = pytest.mark.core
 

@@ -8,8 +8,7 @@ from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.plain_section import PerforatedSection, PlainSection, WidthLaw
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import StiffnessLaw
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, StiffnessLaw, ThicknessLaw
 
 pytestmark = pytest.mark.core
 

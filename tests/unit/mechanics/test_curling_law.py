@@ -11,9 +11,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
 from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw
-from elastica_cad.mechanics.rod.as_bent import as_bent
-from elastica_cad.mechanics.rod.curling_law import CurlingLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, as_bent
 
 pytestmark = pytest.mark.core
 

@@ -9,7 +9,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.conjugate_points import (
+from elastica_cad.mechanics.stability.stability_verdict import (
     conjugate_point,
     determinant_gradient,
     stability_determinant,

@@ -7,10 +7,14 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.plywood_radii import least_plywood_radius
-from elastica_cad.mechanics.material.sheet import Sheet, library_sheets, load_sheets, sheet_names
-from elastica_cad.mechanics.material.sheet_keys import KEYS, NominalRatio
-from elastica_cad.mechanics.material.sheet_library import library_files, library_folders
+from elastica_cad.mechanics.material.sheet import (
+    Sheet,
+    least_plywood_radius,
+    library_sheets,
+    load_sheets,
+    sheet_names,
+)
+from elastica_cad.mechanics.material.sheet_library import KEYS, NominalRatio, library_files, library_folders
 
 pytestmark = pytest.mark.core
 

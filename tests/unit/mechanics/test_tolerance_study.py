@@ -18,8 +18,12 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.studies import tolerance_study as tolerance
-from elastica_cad.mechanics.studies.imperfection import Imperfection, perturb_rod
-from elastica_cad.mechanics.studies.tolerance_study import ToleranceRanges, tolerance_study
+from elastica_cad.mechanics.studies.tolerance_study import (
+    Imperfection,
+    ToleranceRanges,
+    perturb_rod,
+    tolerance_study,
+)
 
 pytestmark = pytest.mark.core
 

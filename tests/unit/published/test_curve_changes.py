@@ -8,7 +8,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import curvat
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.published.curve_changes import CurveChanges
+from elastica_cad.published.control_points import CurveChanges
 
 pytestmark = pytest.mark.core
 

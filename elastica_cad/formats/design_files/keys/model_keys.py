@@ -18,7 +18,7 @@ from elastica_cad.formats.design_files.keys.values import (
     vector,
 )
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
-from elastica_cad.mechanics.material.sheet_keys import KEYS as SHEET_KEYS
+from elastica_cad.mechanics.material.sheet_library import KEYS as SHEET_KEYS
 
 TOP: Keys = {
     "schema": ({"enum": [1]}, "1: which version of these keys the file is written for"),

@@ -21,10 +21,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.chains import join_runs
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import check_places
-from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
 from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve, section_curves
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine, collect_section
+from elastica_cad.forming.plane_sections.section_spec import parallel_planes, planes_along, radial_planes
 from elastica_cad.geometry.frame import Frame
 
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}

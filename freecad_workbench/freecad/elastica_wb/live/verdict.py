@@ -15,7 +15,7 @@ from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.material.strain_rule import StrainVerdict, judge_strain
+from elastica_cad.mechanics.material.section_limits import StrainVerdict, judge_strain
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 SLENDER = 2.0  # times its width a strip must be long before it bends as a rod does

@@ -27,7 +27,7 @@ from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
-from elastica_cad.mechanics.material.strain_rule import STRAIN_SLACK
+from elastica_cad.mechanics.material.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
