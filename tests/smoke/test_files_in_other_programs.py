@@ -191,11 +191,10 @@ def librecad_lines(folder, file, layer):
     """The lines (n, 2), mm, that LibreCAD prints of one layer, while all others are frozen."""
     target = folder / f"librecad-{file.replace('/', '-')}-{layer}"
     target.mkdir()
-    text, papers = re.subn(
-        r"(\$PLIMMAX\s+10\s+)\S+(\s+20\s+)\S+",
-        rf"\g<1>{PAPER_MM[0]}\g<2>{PAPER_MM[1]}",
-        (folder / file).read_text(),
-    )
+    text, paper = (folder / file).read_text(), f"$PLIMMAX\n 10\n{PAPER_MM[0]}\n 20\n{PAPER_MM[1]}"
+    if "$PLIMMAX" not in text:  # R12 is written without a size of the paper
+        text = text.replace("  9\n$EXTMIN", f"  9\n{paper}\n  9\n$EXTMIN")
+    text, papers = re.subn(r"\$PLIMMAX\s+10\s+\S+\s+20\s+\S+", paper, text)
     table = r"(\n  0\nLAYER\n(?:(?!  0\n).*\n.*\n)*?  2\n(.*)\n 70\n)0\n"
     text, layers = re.subn(table, lambda found: f"{found[1]}{int(found[2] != layer)}\n", text)
     assert papers == 1
