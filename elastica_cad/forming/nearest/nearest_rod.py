@@ -79,7 +79,7 @@ class SearchSettings(NamedTuple):
     """
 
     steps: int = 600
-    unmet_steps: int = 250
+    unmet_steps: int = 160
     tensions: tuple[float, float] = (0.6, 0.0)
     follows: float = 0.009
     longer: float = 1.03
