@@ -44,16 +44,9 @@ def round_corners(path: Path, radius: float) -> Path:
     >>> round(plate.area - (60 - 4), 6)  # four squares less, four quarter circles more
     3.141593
     """
-    return round_all_corners([path], radius)[0]
-
-
-def round_all_corners(paths: Sequence[Path], radius: float) -> list[Path]:
-    """The same of many closed paths, their corners searched at one go. Errors as `round_corners`."""
-    rounded = []
-    for path, found in zip(paths, rounded_where_they_fit(paths, radius), strict=True):
-        if found is None:
-            raise too_small_for(radius, path)
-        rounded.append(found)
+    (rounded,) = rounded_where_they_fit([path], radius)
+    if rounded is None:
+        raise too_small_for(radius, path)
     return rounded
 
 

@@ -215,7 +215,7 @@ class Arc:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2."""
         origin = point(origin, "origin")
-        return float(swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
+        return float(_swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
 
     def reversed(self) -> "Arc":
         """The arc run the other way."""
@@ -376,7 +376,7 @@ def points_on_circles(
     return np.asarray(centers + reach * np.stack([np.cos(angles), np.sin(angles)], axis=-1), dtype=float)
 
 
-def swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
+def _swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
     """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
     triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
     segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
@@ -435,14 +435,9 @@ def _even(segment: Line | Arc, tolerance: float) -> FloatArray:
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return np.array([0.0, 1.0])
-    return np.linspace(0.0, 1.0, int(arc_parts(segment.radius, segment.sweep, tolerance)) + 1)
-
-
-def arc_parts(radius: float | FloatArray, sweep: float | FloatArray, tolerance: float) -> FloatArray:
-    """In how many even parts (...) arcs of these radii (...), mm, and turns (...), rad, are cut."""
     # a third of a turn at most, so that a circle keeps an inside
-    half = np.arccos(np.clip(1 - tolerance / radius, 0.5, 1 - 1e-15))
-    return np.asarray(np.ceil(np.abs(sweep) / (2 * half) - 1e-9))
+    half = np.arccos(np.clip(1 - tolerance / segment.radius, 0.5, 1 - 1e-15))
+    return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
 
 
 def _spline_chords(segment: Spline, tolerance: float) -> tuple[FloatArray, FloatArray]:

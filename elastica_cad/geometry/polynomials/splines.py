@@ -41,22 +41,11 @@ def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: in
     >>> clamped_knots(np.array([0.0, 1.0, 2.0]), {1.0: 0}, 2).tolist()
     [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0]
     """
-    return edges.repeat(knot_repeats(edges, continuity, degree))
-
-
-def knot_repeats(edges: FloatArray, continuity: Mapping[float, int], degree: int) -> IntArray:
-    """How often (k,) each edge stands among the `clamped_knots`.
-
-    Examples
-    --------
-    >>> knot_repeats(np.array([0.0, 1.0, 2.0]), {1.0: 0}, 2).tolist()
-    [3, 2, 3]
-    """
     counts = np.ones(edges.size, dtype=int)
     repeats = [min(max(degree - order, 1), degree + 1) for order in continuity.values()]
     counts[edges.searchsorted(list(continuity))] = repeats
     counts[[0, -1]] = degree + 1
-    return counts
+    return edges.repeat(counts)
 
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:
