@@ -9,7 +9,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross, norm, turn_between
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, chord_points, place, trim_segment
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, chord_points, place, trim_segment
 
 SMOOTH_RAD = 0.02
 """Corners that turn by less stay: fitted sides meet so."""
@@ -67,7 +67,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
         return []
-    sizes = _sizes(segments)
+    sizes, motion = _sizes(segments), _Motion(segments)
     ends = np.cumsum([len(path.segments) for path in paths])
     rings = [
         list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
@@ -78,7 +78,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
         before = np.array([k for ring in left.values() for k in ring.sides])
         after = np.array([k for ring in left.values() for k in (*ring.sides[1:], ring.sides[0])])
         gaps = [gap for ring in left.values() for gap in ring.gaps]
-        corners = _corners(segments, before, after, np.array([bool(gap) for gap in gaps]), radius)
+        corners = _corners(motion, before, after, np.array([bool(gap) for gap in gaps]), radius)
         first, last = np.zeros(len(segments)), np.ones(len(segments))
         last[corners.before], first[corners.after] = corners.leaving, corners.entering
         short = set(np.flatnonzero(first > last).tolist())
@@ -154,11 +154,11 @@ class _Corners:
 
 
 def _corners(
-    segments: Sequence[Segment], before: IntArray, after: IntArray, gaps: BoolArray, radius: float
+    motion: "_Motion", before: IntArray, after: IntArray, gaps: BoolArray, radius: float
 ) -> _Corners:
     """Arcs where sides (n,) turn into those behind them, at the end of one or over a gap."""
-    s = _motion(segments, before, np.ones(before.size))[1]
-    t = _motion(segments, after, np.zeros(after.size))[1]
+    s = motion(before, np.ones(before.size))[1]
+    t = motion(after, np.zeros(after.size))[1]
     turn = turn_between(s, t)
     sharp = (np.abs(turn) >= SMOOTH_RAD) | gaps
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
@@ -170,8 +170,8 @@ def _corners(
     ends = np.zeros((4, before.size, 2))
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
     for _ in range(MOST_STEPS):
-        near = _motion(segments, before[open_], x[open_, 0])
-        far = _motion(segments, after[open_], x[open_, 1])
+        near = motion(before[open_], x[open_, 0])
+        far = motion(after[open_], x[open_, 1])
         ends[:, open_] = *near, *far
         gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
@@ -201,11 +201,48 @@ def _corners(
     return _Corners(before, after, x[:, 0], x[:, 1], arcs)
 
 
-def _motion(segments: Sequence[Segment], which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Points and their derivatives by u (n, 2), mm, at places u (n,) of segments (n,)."""
-    rows = [segments[i].motion_at(at) for i, at in zip(which.tolist(), u.tolist(), strict=True)]
-    points, velocities = np.array(rows).reshape(-1, 2, 2).swapaxes(0, 1)
-    return points, velocities
+class _Motion:
+    """Points and their derivatives by u (n, 2), mm, at places u (n,) of segments (n,): thousands at a time.
+
+    Lines and splines are one piecewise polynomial in homogeneous coordinates, segment i from 2 i to 2 i + 1.
+    """
+
+    def __init__(self, segments: Sequence[Segment]) -> None:
+        from scipy.interpolate import BPoly
+
+        self.arcs = {i: segment for i, segment in enumerate(segments) if isinstance(segment, Arc)}
+        degree = max([1, *(one.curve.degree for one in segments if isinstance(one, Spline))])
+        nothing = np.tile([0.0, 0.0, 1.0], (1, degree + 1, 1))
+        breaks, pieces = [], []
+        for i, segment in enumerate(segments):
+            edges, points = np.array([0.0, 1.0]), nothing
+            if isinstance(segment, Spline):
+                edges, points = segment.curve.bezier_table
+                edges = (edges - edges[0]) / (edges[-1] - edges[0])
+            elif isinstance(segment, Line):
+                points = np.array([[[*segment.start, 1.0], [*segment.end, 1.0]]])
+            for k in range(points.shape[1], degree + 1):  # the same curve as one of a degree more
+                share = np.arange(k + 1)[:, None] / k
+                ahead, behind = (
+                    np.pad(points, ((0, 0), (0, 1), (0, 0))),
+                    np.pad(points, ((0, 0), (1, 0), (0, 0))),
+                )
+                points = (1 - share) * ahead + share * behind
+            breaks += [2 * i + edges]
+            pieces += [points, nothing]
+        self.place = BPoly(
+            np.concatenate(pieces).swapaxes(0, 1), np.append(np.concatenate(breaks), 2 * len(segments))
+        )
+        self.pace = self.place.derivative()
+
+    def __call__(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+        at = np.minimum(2.0 * which + u, np.nextafter(2.0 * which + 1, 0.0))
+        (x, weight), (v, change) = ((row[:, :2], row[:, 2:]) for row in (self.place(at), self.pace(at)))
+        points = x / weight
+        velocities = (v - points * change) / weight
+        for k in np.flatnonzero(np.isin(which, list(self.arcs))):
+            points[k], velocities[k] = self.arcs[int(which[k])].motion_at(float(u[k]))
+        return points, velocities
 
 
 def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:

@@ -1,12 +1,12 @@
 """The layers of a strip: what is cut out of each sheet, and how it is drawn."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
@@ -24,7 +24,7 @@ from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import trim_off
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline
+from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import LaidLeaves
@@ -33,9 +33,8 @@ TICK_SHARE = 0.3
 """Of the width on each side of the middle: a mark across is kept off the edges, so that it is no notch."""
 
 
-SPAN_CHORDS, FLAT_MM = 16, 1e-4
-"""Chords for each span of a spline, and how near they come to an arc: widths are right to a few parts in a million.
-"""
+FLAT_MM = 1e-4
+"""How near the chords come to the cuts by which widths are measured."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,38 +83,22 @@ class Layer:
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
 
     def material(self, s: ArrayLike) -> FloatArray:
-        """Summed width (n,), mm, that is really left at stations `s` (n,)."""
+        """Summed width (n,), mm, that is really left at stations `s` (n,).
+
+        At a station where a loop has an edge straight across, the side beyond it counts.
+
+        Examples
+        --------
+        >>> sheet, hole = Sheet.named("card-200gsm"), Path.rectangle(10, 4, corner=(5, 3))
+        >>> Layer(sheet, Path.rectangle(40, 10), (hole,)).material([2.0, 8.0]).round(6).tolist()
+        [10.0, 6.0]
+        """
         if (stations := numbers(s, "stations")).ndim > 1:
             raise InputError(f"stations are numbers (n,) in mm, not of shape {stations.shape}")
-        return _material_width(self.outline, self.holes, stations)
-
-
-def _material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:
-    """Summed width (n,), mm, of what a straight cut across at the stations `s` (n,) meets.
-
-    Parameters
-    ----------
-    outline, holes : Path
-        Closed loops of a flat pattern, x along the strip.
-    s : (n,) array_like
-        mm; at a station where a loop has an edge straight across, the side beyond it counts.
-
-    Examples
-    --------
-    >>> plate = Path.rectangle(40, 10)
-    >>> _material_width(plate, [Path.rectangle(10, 4, corner=(5, 3))], [2.0, 8.0]).round(6).tolist()
-    [10.0, 6.0]
-    """
-    s = np.atleast_1d(numbers(s, "stations"))
-    return _widths([outline], s) - _widths(tuple(holes), s)
-
-
-def _widths(loops: Sequence[Path], s: FloatArray) -> FloatArray:
-    """Lengths (n,) inside loops of the lines across at `s`, summed: each loop's signed sum of its crossings' y."""
-    order = np.argsort(s, kind="stable")
-    at, total = s[order], np.zeros(s.size)
-    for loop in loops:
-        (x, y), (x1, y1) = (points := _chords(loop)).T, np.roll(points, -1, axis=0).T
+        stations = np.atleast_1d(stations)
+        order = np.argsort(stations, kind="stable")
+        at = stations[order]
+        loop, (x, y), (x1, y1) = self._chords
         # which chord meets which of the sorted stations: min <= s < max
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
@@ -124,23 +107,19 @@ def _widths(loops: Sequence[Path], s: FloatArray) -> FloatArray:
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
         # a loop is run round either way
-        total += np.sign(crossing.sum()) * np.bincount(station, crossing, minlength=at.size)
-    found = np.empty(s.size)
-    found[order] = total
-    return found
+        sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
+        sign[1:] *= -1
+        left = np.empty(at.size)
+        left[order] = np.bincount(station, sign[loop[line]] * crossing, minlength=at.size)
+        return left
 
-
-def _chords(loop: Path) -> FloatArray:
-    """Where the chords of a closed loop begin (n, 2)."""
-    rows = []
-    for segment in loop.segments:
-        parts = 1
-        if isinstance(segment, Spline):
-            parts = SPAN_CHORDS * (np.unique(segment.curve.knots).size - 1)
-        elif isinstance(segment, Arc):
-            parts = int(np.ceil(abs(segment.sweep) * np.sqrt(segment.radius / (8 * FLAT_MM))))
-        rows.append(segment.at(np.arange(parts) / parts))
-    return np.concatenate(rows)
+    @cached_property
+    def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
+        """Of all cuts, the outline first: the numbers (m,) of their loops, where they start and end (2, m)."""
+        lines = [loop.points(FLAT_MM) for loop in (self.outline, *self.holes)]
+        ends = [np.roll(line, -1, axis=0) for line in lines]
+        loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
+        return loop, np.concatenate(lines).T, np.concatenate(ends).T
 
 
 def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:
