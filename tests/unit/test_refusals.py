@@ -19,6 +19,7 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.refusals import Lengths, in_digits, note, sentences
 
 FAR = InputError(
     "the ends are {distance} apart: bring them closer",
@@ -68,3 +69,21 @@ def test_old_names_are_refused_with_the_new_ones():
         click.Context(elastica) as context,
     ):
         elastica.commands["strip"].make_context("strip", ["a.dxf", "--anyway"], parent=context)
+
+
+def test_sentences_that_are_put_together_can_be_taken_apart():
+    near = note("it rests {far} away", far=Length(1.234), severity="warning")
+    both = sentences([near, "", note("it is heavy")])
+    assert both == "it rests 1.23 mm away; it is heavy"
+    again = pickle.loads(pickle.dumps(both))
+    assert again == both
+    assert again.values["part0"].values["far"] == 1.234
+    assert again.values["part0"].severity == "warning"
+    assert sentences([near]) is near
+    assert InputError(near).refusal.values == near.values
+
+
+def test_lengths_are_listed_with_their_unit_once():
+    assert f"at {Lengths([1.0, 22.22, 1234.5])}" == "at 1, 22.2 and 1230 mm"
+    assert f"at {Lengths(range(9))}" == "at 0, 1, 2, 3, 4, 5 and 3 more mm"
+    assert in_digits(0.000123456) == "0.000123"

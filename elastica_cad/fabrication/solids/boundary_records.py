@@ -157,7 +157,7 @@ class Boundary:
         return all(sorted(way) == [-1, 1] for way in ways)
 
 
-def plane_face(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame | None = None) -> Boundary:
+def _plane_face(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame | None = None) -> Boundary:
     """An open boundary of one face in the xy plane of a frame, seen from above.
 
     Parameters
@@ -169,7 +169,7 @@ def plane_face(outline: Path, holes: Sequence[Path], frame: Frame, surface: Fram
 
     Examples
     --------
-    >>> face = plane_face(Path.rectangle(4.0, 2.0), [Path.circle((2.0, 1.0), 0.5)], Frame())
+    >>> face = _plane_face(Path.rectangle(4.0, 2.0), [Path.circle((2.0, 1.0), 0.5)], Frame())
     >>> len(face.vertices), len(face.edges), [len(loop) for loop in face.faces[0].loops]
     (5, 5, [4, 1])
     """

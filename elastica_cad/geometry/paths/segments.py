@@ -245,7 +245,7 @@ class Arc:
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
     def _on(self, angle: FloatArray | float) -> FloatArray:
-        return points_on_circles(self.center, self.radius, angle)
+        return _points_on_circles(self.center, self.radius, angle)
 
 
 @dataclass(frozen=True, eq=False)
@@ -362,14 +362,14 @@ def point(value: ArrayLike, name: str) -> FloatArray:
     return p
 
 
-def points_on_circles(
+def _points_on_circles(
     centers: FloatArray, radii: FloatArray | float, angles: FloatArray | float
 ) -> FloatArray:
     """Points (..., 2) at angles (...), rad, from the x axis.
 
     Examples
     --------
-    >>> points_on_circles(np.array([[3.0, 4.0]]), np.array([2.0]), np.array([0.0])).tolist()
+    >>> _points_on_circles(np.array([[3.0, 4.0]]), np.array([2.0]), np.array([0.0])).tolist()
     [[5.0, 4.0]]
     """
     reach = np.asarray(radii)[..., None]
@@ -449,14 +449,14 @@ def _spline_chords(segment: Spline, tolerance: float) -> tuple[FloatArray, Float
         inner = u[:-1, None] + np.diff(u)[:, None] * PROBES
         points = segment.at(np.concatenate([u, inner.ravel()]))
         ends = points[: u.size]
-        bad = chord_errors(ends[:-1], ends[1:], points[u.size :].reshape(*inner.shape, 2)) > 0.95 * tolerance
+        bad = _chord_errors(ends[:-1], ends[1:], points[u.size :].reshape(*inner.shape, 2)) > 0.95 * tolerance
         if not bad.any():
             return u, ends
         u = np.sort(np.concatenate([u, (u[:-1] + np.diff(u) / 2)[bad]]))
     return u, segment.at(u)
 
 
-def chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
+def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
     """Largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]

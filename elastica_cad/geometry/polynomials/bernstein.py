@@ -11,7 +11,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 @lru_cache(maxsize=64)
 def binomials(degree: int) -> FloatArray:
-    """Numbers (degree + 1,) by which the Bernstein polynomials are larger than `scaled_bernstein`."""
+    """Numbers (degree + 1,) by which the Bernstein polynomials are larger than `_scaled_bernstein`."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
@@ -19,7 +19,7 @@ _SPLIT = 0.46875
 """Where an interval is cut: off the middle, where symmetric curves have their zeros, and exact in binary."""
 
 
-def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
+def _scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
     """Values (n, degree + 1) of u^i (1 - u)^(degree - i): Bernstein polynomials without their binomials."""
     powers = np.empty((degree + 1, 2, u.size))
     powers[0] = 1.0
@@ -47,8 +47,8 @@ def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
 
 
 def sums_in_pieces(series: FloatArray, piece: IntArray, u: FloatArray) -> FloatArray:
-    """Values (n, c) of polynomials by `scaled_bernstein` (p, degree + 1, c) at u (n,) of pieces (n,)."""
-    basis = scaled_bernstein(series.shape[1] - 1, u)
+    """Values (n, c) of polynomials by `_scaled_bernstein` (p, degree + 1, c) at u (n,) of pieces (n,)."""
+    basis = _scaled_bernstein(series.shape[1] - 1, u)
     return np.asarray(np.einsum("nj,njc->nc", basis, series.take(piece, axis=0)))
 
 
