@@ -272,6 +272,7 @@ def test_the_flower_pot_on_the_published_surface(example, reference_data):
         assert any("beyond the 0.50 %" in text for text in strip.warnings)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("name", ["flower_pot", "shell", "lamp", "carpet", "facade", "vase"])
 def test_surfaces_bend_both_ways(name, built):
     """Every strip has an inflection, as those of the paper."""

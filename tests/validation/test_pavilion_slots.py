@@ -120,6 +120,7 @@ def _widened_as_told(made_up, model):
         )
 
 
+@pytest.mark.campaign
 def test_the_design_file_with_its_feet_is_made_up_for(tmp_path, project_root):
     """Its first seven strips, narrow tabs and slots beside them: no joint is lost, nothing gets too thin to cut."""
     text = (project_root / "examples" / "pavilion" / "pavilion.toml").read_text()

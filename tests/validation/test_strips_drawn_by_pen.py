@@ -42,7 +42,10 @@ def as_cubics(rod, pieces):
     return smooth_path(place, np.degrees(np.arctan2(velocity[:, 1], velocity[:, 0])), handle, handle)
 
 
-@pytest.mark.parametrize(("pieces", "decimals"), [(5, 3), (12, 2), (16, 3), (40, 3)])
+@pytest.mark.parametrize(
+    ("pieces", "decimals"),
+    [(5, 3), *(pytest.param(*one, marks=pytest.mark.campaign) for one in ((12, 2), (16, 3), (40, 3)))],
+)
 def test_bent_strips_drawn_again_are_strips(tmp_path, pieces, decimals):
     """Drawn up to 150 m from the origin, as in plans of sites: rounding there must not hide a strip."""
     rng = np.random.default_rng(pieces)

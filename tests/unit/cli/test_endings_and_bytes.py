@@ -54,6 +54,7 @@ def test_ctrl_c_ends_with_130(monkeypatch):
     assert ended.value.code == 130
 
 
+@pytest.mark.campaign
 def test_the_same_bytes_in_every_run(tmp_path):
     """Handles, dates, ids, pictures, bodies, page: nothing tells when or with which seed they were written.
 

@@ -208,6 +208,7 @@ def test_a_mistyped_command_is_told_the_near_one():
     assert "Did you mean 'check'?" in refused.output
 
 
+@pytest.mark.campaign
 def test_pieces_between_corners_carry_the_number_of_the_joint(desk, tmp_path):
     words = "strip corner.svg --split-corners --sheet card-200gsm --max-width 12 --json"
     made = typed([*words.split(), "-o", str(tmp_path)], desk)

@@ -254,6 +254,7 @@ def test_names_of_any_language(tmp_path):
     assert (out / "Öse 字.dxf").stat().st_size > 1000
 
 
+@pytest.mark.campaign
 def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
     good = ("--sheet", "card-200gsm", "--max-width", "20", "-o", tmp_path / "out")
     cases = [
