@@ -52,7 +52,14 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
     if not (is_number(value) and value > 0):
         told = repr(value) if isinstance(value, str) else value
         wanted = "positive" if is_number(value) else "a number above 0"
-        raise InputError(f"{what} is {told}: it must be {wanted}, in {unit}", where={"field": what})
+        raise InputError(
+            "{what} is {told}: it must be {wanted}, in {unit}",
+            what=what,
+            told=told,
+            wanted=wanted,
+            unit=unit,
+            where={"field": what},
+        )
 
 
 def require_number(value: object, what: str, unit: str = "") -> float:
@@ -65,7 +72,9 @@ def require_number(value: object, what: str, unit: str = "") -> float:
     """
     if not is_number(value):
         told = quoted(value) if isinstance(value, str) else value
-        raise InputError(f"{what} is {told}: give a finite number{unit and f', in {unit}'}")
+        raise InputError(
+            "{what} is {told}: give a finite number{unit}", what=what, told=told, unit=unit and f", in {unit}"
+        )
     return float(value)
 
 
@@ -92,7 +101,7 @@ def numbers(values: object, what: str) -> FloatArray:
     """
     array = None if values is None else as_floats(values)  # numpy takes None for NaN
     if array is None:
-        raise InputError(f"{what} must be numbers, not {quoted(values)}")
+        raise InputError("{what} must be numbers, not {values}", what=what, values=quoted(values))
     return array
 
 
@@ -114,7 +123,9 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
         np.broadcast_shapes(*(array.shape for array in arrays))
     except ValueError:
         shapes = " and ".join(f"{name} {array.shape}" for name, array in zip(values, arrays, strict=True))
-        raise InputError(f"the shapes of {shapes} do not go together: give as many of each, or one") from None
+        raise InputError(
+            "the shapes of {shapes} do not go together: give as many of each, or one", shapes=shapes
+        ) from None
     return arrays
 
 
@@ -127,7 +138,7 @@ def require_flag(value: object, what: str) -> bool:
         `what` names the value.
     """
     if not isinstance(value, bool | np.bool_ | int):
-        raise InputError(f"{what} is {quoted(value)}: give True or False")
+        raise InputError("{what} is {value}: give True or False", what=what, value=quoted(value))
     return bool(value)
 
 
@@ -151,7 +162,7 @@ def require_record(value: object, record: type[Any] | UnionType, what: str, cure
         `what` names the value.
     """
     if not isinstance(value, record):
-        raise InputError(f"{what} is a {type(value).__name__}: give {cure}")
+        raise InputError("{what} is a {name}: give {cure}", what=what, name=type(value).__name__, cure=cure)
 
 
 def require_path(path: object) -> Path:
@@ -163,7 +174,9 @@ def require_path(path: object) -> Path:
         Something else, such as a number or None.
     """
     if not isinstance(path, str | PathLike):
-        raise InputError(f"the name of a file or folder is needed, such as 'arch.dxf', not {path!r}")
+        raise InputError(
+            "the name of a file or folder is needed, such as 'arch.dxf', not {path!r}", path=path
+        )
     return Path(path)
 
 
@@ -183,5 +196,11 @@ def several(
     found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for one in found:
         if not isinstance(one, record):
-            raise InputError(f"{name} hold {quoted(one)}: give {kind} records{cure and f', {cure}'}")
+            raise InputError(
+                "{name} hold {one}: give {kind_} records{cure}",
+                name=name,
+                one=quoted(one),
+                kind_=kind,
+                cure=cure and f", {cure}",
+            )
     return found

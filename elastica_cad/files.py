@@ -111,7 +111,10 @@ def read_drawing(
         if suffix in KERNEL_SUFFIXES:
             return _kernel_drawing(file, unit)
     raise InputError(
-        f"{path} ends in {suffix!r}, which is no curve file known here: use {', '.join(CURVE_SUFFIXES)}"
+        "{path} ends in {suffix!r}, which is no curve file known here: use {curve_suffixes}",
+        path=path,
+        suffix=suffix,
+        curve_suffixes=", ".join(CURVE_SUFFIXES),
     )
 
 
@@ -142,7 +145,10 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
         if suffix not in MESH_SUFFIXES:
             known = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
             raise InputError(
-                f"{path} ends in {suffix!r}, which is no mesh or CAD body known here: use {known}"
+                "{path} ends in {suffix!r}, which is no mesh or CAD body known here: use {known}",
+                path=path,
+                suffix=suffix,
+                known=known,
             )
         return mesh_surface(path, unit=unit, scale=scale)
     try:
@@ -164,7 +170,11 @@ def step_trouble() -> str:
 
 
 def _no_kernel(path: Path) -> MissingDependencyError:
-    return MissingDependencyError(f"reading {path.name} needs a CAD kernel: {how_to_install('build123d')}")
+    return MissingDependencyError(
+        "reading {name} needs a CAD kernel: {how_to_install}",
+        name=path.name,
+        how_to_install=how_to_install("build123d"),
+    )
 
 
 def save(drawing: "Drawing", path: str | Path, **options: Any) -> Path:

@@ -225,8 +225,10 @@ def register() -> None:
     for owner, method in methods.items():
         if getattr(owner, METHOD, method) is not method:
             raise InputError(
-                f"cq.{owner.__name__} has an {METHOD} of another library already: use the functions of "
-                "elastica_cad.cadquery instead"
+                "cq.{name} has an {method} of another library already: use the functions of "
+                "elastica_cad.cadquery instead",
+                name=owner.__name__,
+                method=METHOD,
             )
     for owner, method in methods.items():
         setattr(owner, METHOD, method)
@@ -266,7 +268,7 @@ def _workplane_strip(
         are tagged "start" and "end".
     """
     if form not in get_args(Form):
-        raise InputError(f"form {form!r} is not known: choose flat, bent or outline")
+        raise InputError("form {form!r} is not known: choose flat, bent or outline", form=form)
     if form == "outline" and combine:
         raise InputError(
             "an outline is a face, which joins no solid: extrude it first, or choose form='flat'"

@@ -28,6 +28,7 @@ from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
 from elastica_cad.kit.kit_files import left_out
 from elastica_cad.mechanics.material.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
+from elastica_cad.refusals import Length
 
 LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
 MOST_STATIONS = 1000
@@ -75,7 +76,7 @@ def batten(**chosen: Any) -> None:
     """
     name = chosen["name"]
     if "/" in name or "\\" in name:
-        raise InputError(f"the name {name!r} is to name files: leave out / and \\")
+        raise InputError("the name {name!r} is to name files: leave out / and \\", name=name)
     spec = BattenSpec(
         chosen["length"],
         chosen["camber"] / 100,
@@ -177,8 +178,10 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
         return np.linspace(0.0, length, chosen["stations"])
     if not length / MOST_STATIONS <= every <= length:
         raise InputError(
-            f"--every is {every:g} mm: give {rounded_up(length / MOST_STATIONS, 3)} mm to the batten's "
-            f"{length:g} mm"
+            "--every is {every:g}: give {rounded_up} mm to the batten's {length:g}",
+            every=Length(every),
+            rounded_up=rounded_up(length / MOST_STATIONS, 3),
+            length=Length(length),
         )
     return np.unique(np.append(np.arange(0.0, length, every), length))
 

@@ -97,7 +97,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             if chosen[name] is not None and chosen[name] is not False
         ]
         if idle:
-            raise InputError(f"{idle[0]} is of a drawn CURVE, and --straight has none: leave it out")
+            raise InputError(
+                "{idle} is of a drawn CURVE, and --straight has none: leave it out", idle=idle[0]
+            )
     if chosen["gravity"] and chosen["sheet"] is None:
         raise InputError("--gravity needs to know the material: add --sheet NAME")
     if not chosen["gravity"]:

@@ -196,7 +196,7 @@ def _refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:
     """Refuse nan and inf among the options of the running command: Python reads them as numbers."""
     for option in click.get_current_context().command.params:
         if not all(np.isfinite(number) for number in _numbers(chosen.get(str(option.name)))):
-            raise InputError(f"{option.opts[0]} is given as nan or infinite: give finite numbers")
+            raise InputError("{opts} is given as nan or infinite: give finite numbers", opts=option.opts[0])
 
 
 def _refuse_huge_numbers(chosen: Mapping[str, Any]) -> None:
@@ -209,7 +209,12 @@ def _refuse_huge_numbers(chosen: Mapping[str, Any]) -> None:
             if abs(number) > most:
                 unit = " mm" if is_length else ""
                 raise InputError(
-                    f"{option.opts[0]} is {number:.3g}{unit}: give {what} of at most {most:g}{unit}"
+                    "{opts} is {number:.3g}{unit}: give {what} of at most {most:g}{unit}",
+                    opts=option.opts[0],
+                    number=number,
+                    unit=unit,
+                    what=what,
+                    most=most,
                 )
 
 

@@ -81,7 +81,7 @@ def coupon(
     """
     known = _known(sheet, thickness, density, name)
     if name and ("/" in name or "\\" in name):
-        raise InputError(f"the name {name!r} is to name a file too: leave out / and \\")
+        raise InputError("the name {name!r} is to name a file too: leave out / and \\", name=name)
     if measured:
         own = {
             "grain": grain or known.grain,
@@ -104,7 +104,9 @@ def coupon(
     own_options = {"--least-radius": least_radius, "--kerf": kerf, "--grain": grain, "--keep": keep or None}
     for option, value in own_options.items():
         if value is not None:
-            raise InputError(f"{option} belongs to a measurement: give --measured OVERHANG DROOP too")
+            raise InputError(
+                "{option} belongs to a measurement: give --measured OVERHANG DROOP too", option=option
+            )
     drawing = coupon_drawing(known, overhang=overhang, width=width, clamp=clamp)
     names = [f"{drawing.name}.dxf", f"{drawing.name}.svg"]
     with write_together(output, names, force=force) as workshop:

@@ -101,10 +101,13 @@ def _map(
     if not handles:
         options = ", ".join(map(option_name, CORNERS))
         raise InputError(
-            f"say where a corner of the box around the curve goes ({options}), or give four --handle"
+            "say where a corner of the box around the curve goes ({options}), or give four --handle",
+            options=options,
         )
     if len(handles) != 4:
-        raise InputError(f"--handle is given {len(handles)} times: a map of this kind has four handles")
+        raise InputError(
+            "--handle is given {count} times: a map of this kind has four handles", count=len(handles)
+        )
     return four_point_map([one[:2] for one in handles], [one[2:] for one in handles])
 
 

@@ -138,7 +138,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         curves, reports = spec.curves(surface)
     except InputError as problem:
         told = str(problem) if str(mesh) in str(problem) else f"{mesh}: {problem}"
-        raise InputError(f"{told}{_option_for(told, chosen)}") from None
+        raise InputError("{told}{option_for}", told=told, option_for=_option_for(told, chosen)) from None
     verdicts = [_verdict(curve) for curve in curves]
     for one in verdicts:
         say(f"{one['name']}: {_sentence(one)}")
@@ -173,15 +173,22 @@ def _family_named(chosen: dict[str, Any]) -> str:
             + (f", not {' and '.join(given)}" if given else "")
         )
     if chosen["count"] is not None and chosen["along"] is None:
-        raise InputError(f"--count is of planes along a path, and {given[0]} takes none: leave it out")
+        raise InputError(
+            "--count is of planes along a path, and {given} takes none: leave it out", given=given[0]
+        )
     for option in _IDLE[given[0]]:
         if chosen[option] is not None:
-            raise InputError(f"--{option} says nothing of the planes of {given[0]}: leave it out")
+            raise InputError(
+                "--{option} says nothing of the planes of {given}: leave it out",
+                option=option,
+                given=given[0],
+            )
     if chosen["sheet"] is None:
         lost = [option for option in ("margin", "gravity") if chosen[option]]
         if lost:
             raise InputError(
-                f"--{lost[0]} is for the design file, which is written with --sheet: add --sheet NAME"
+                "--{lost} is for the design file, which is written with --sheet: add --sheet NAME",
+                lost=lost[0],
             )
     return given[0]
 
@@ -263,10 +270,19 @@ def _path_points(path: Path) -> list[list[float]]:
                 continue
             row = []
         if len(row) != 3 or not np.all(np.isfinite(row)):
-            raise InputError(f"{path}, line {number}: {line.strip()[:40]!r} is no point x, y, z in mm")
+            raise InputError(
+                "{path}, line {number}: {strip!r} is no point x, y, z in mm",
+                path=path,
+                number=number,
+                strip=line.strip()[:40],
+            )
         rows.append(row)
     if len(rows) < 2:
-        raise InputError(f"{path} holds {len(rows)} points: a path needs two or more, a row x, y, z each")
+        raise InputError(
+            "{path} holds {count} points: a path needs two or more, a row x, y, z each",
+            path=path,
+            count=len(rows),
+        )
     return rows
 
 

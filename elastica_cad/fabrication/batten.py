@@ -25,6 +25,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # while the taper is sought, and of the curve that is handed on
@@ -83,21 +84,31 @@ class BattenSpec:
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.length) and self.length > 0):
-            raise InputError(f"the batten's length is {self.length:g}: it must be positive, in mm")
+            raise InputError(
+                "the batten's length is {length:g}: it must be positive, in mm", length=self.length
+            )
         if not 0 < self.camber <= MOST_CAMBER:
             raise InputError(
-                f"the camber is {100 * self.camber:g} % of the chord: give 1 to {100 * MOST_CAMBER:g}"
+                "the camber is {camber:g} % of the chord: give 1 to {most_camber:g}",
+                camber=100 * self.camber,
+                most_camber=100 * MOST_CAMBER,
             )
         if not 0 < self.place < 1:
-            raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
+            raise InputError(
+                "the camber's place is {place:g} % of the chord: give 1 to 99", place=100 * self.place
+            )
         if not 0 <= self.full <= MOST_FULL:
             raise InputError(
-                f"{100 * self.full:g} % of the batten is to keep its full size: give 0 to {100 * MOST_FULL:g}"
+                "{full:g} % of the batten is to keep its full size: give 0 to {most_full:g}",
+                full=100 * self.full,
+                most_full=100 * MOST_FULL,
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
-            raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
+            raise InputError("stock is {stock!r}: give a ThicknessLaw or a RoundLaw", stock=self.stock)
         if self.lying not in (None, "up", "down"):
-            raise InputError(f'lying is {self.lying!r}: give "up" or "down", which way it bulges, or None')
+            raise InputError(
+                'lying is {lying!r}: give "up" or "down", which way it bulges, or None', lying=self.lying
+            )
 
     def make(self) -> "Batten":
         """The batten: its size falls evenly towards one end, by as much as the place asks for.
@@ -131,9 +142,14 @@ class BattenSpec:
             else f"at most {np.floor(10 * within) / 10:.3g}"
         )
         return InputError(
-            f"camber at {100 * self.place:.4g} % asks for {thin} at the thin end of stock of "
-            f"{self.stock.largest:g} mm, and {self.stock.least:g} mm must be left: move the camber to "
-            f"{nearest} % of the chord, or allow less"
+            "camber at {place:.4g} % asks for {thin} at the thin end of stock of {largest:g}, "
+            "and {least:g} must be left: move the camber to {nearest} % of the chord, or allow "
+            "less",
+            place=100 * self.place,
+            thin=thin,
+            largest=Length(self.stock.largest),
+            least=Length(self.stock.least),
+            nearest=nearest,
         )
 
     @property
@@ -170,8 +186,10 @@ class BattenSpec:
             chord = np.clip(x[1] + change[1], x[1] - 0.1, (1 + x[1]) / 2)
             x = np.array([np.clip(x[0] + change[0], -4.0, 4.0), max(chord, 0.3)])
         raise NotConvergedError(
-            f"no taper brings a camber of {100 * self.camber:g} % to {100 * self.place:g} % of the chord: move it "
-            "nearer to the middle"
+            "no taper brings a camber of {camber:g} % to {place:g} % of the chord: move it "
+            "nearer to the middle",
+            camber=100 * self.camber,
+            place=100 * self.place,
         )
 
 
@@ -297,8 +315,9 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
     heavy = bend(replace(light, gravity=_level(spec.lying), weight=Weight(alpha=newtons)))
     if heavy.position[nodes // 2, 1] <= 0:
         raise NotConvergedError(
-            f"the batten does not stay bulging {spec.lying}: its own weight snaps it over; take stiffer or lighter "
-            "stock, or more camber"
+            "the batten does not stay bulging {lying}: its own weight snaps it over; take "
+            "stiffer or lighter stock, or more camber",
+            lying=spec.lying,
         )
     return heavy
 

@@ -73,7 +73,7 @@ class Placed:
         strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
         way = numbers(shift, "the shift of a strip")
         if way.shape != (3,):
-            raise InputError(f"a strip is shifted by three numbers, mm, not {shift!r}")
+            raise InputError("a strip is shifted by three numbers, mm, not {shift!r}", shift=shift)
         origin = m @ self.origin + way
         return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis)
 

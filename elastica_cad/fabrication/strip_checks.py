@@ -22,6 +22,7 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.refusals import Length
 
 AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
 """A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
@@ -47,8 +48,9 @@ def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tup
         return sheet.gravity(direction), 1.0
     if frame is None:
         raise InputError(
-            f"gravity {direction} is a direction in space: give frame, the plane of the curve, or two numbers, "
-            "the direction in the drawing",
+            "gravity {direction} is a direction in space: give frame, the plane of the curve, or "
+            "two numbers, the direction in the drawing",
+            direction=direction,
             where={"field": "gravity"},
         )
     own = sheet.elasto_gravity_length
@@ -76,8 +78,10 @@ def _direction(given: object) -> tuple[float, ...]:
     row = tuple(given) if isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) else ()
     if len(row) not in (2, 3) or not all(is_number(one) for one in row) or not any(row):
         raise InputError(
-            f"gravity is {given!r}: give True, a Gravity record, or the direction in which things fall as two "
-            "numbers in the drawing or three in space, not all zero, such as (0, -1) or (0, 0, -1)",
+            "gravity is {given!r}: give True, a Gravity record, or the direction in which things "
+            "fall as two numbers in the drawing or three in space, not all zero, such as (0, -1) "
+            "or (0, 0, -1)",
+            given=given,
             where={"field": "gravity"},
         )
     return tuple(float(one) for one in row)
@@ -93,13 +97,16 @@ def check_joint(joint: float | None, curve: PlaneCurve) -> None:
     """Refuse a place to begin that is not on the curve, or on one that is open."""
     if joint is not None and not (is_number(joint) and 0 <= joint <= curve.length):
         raise InputError(
-            f"joint is {joint!r}: give a place along the curve, 0 to {curve.length:.4g} mm, or none",
+            "joint is {joint!r}: give a place along the curve, 0 to {length:.4g}, or none",
+            joint=joint,
+            length=Length(curve.length),
             where={"field": "joint"},
         )
     if joint is not None and not curve.is_closed:
         raise InputError(
-            f"joint is {joint:g} mm, but the curve is open and begins at its own end: leave joint out, or "
-            "close the curve",
+            "joint is {joint:g}, but the curve is open and begins at its own end: leave joint "
+            "out, or close the curve",
+            joint=Length(joint),
             where={"field": "joint"},
         )
 
@@ -108,8 +115,9 @@ def check_compensate(compensate: object) -> None:
     """Refuse what is neither a truth value nor None."""
     if not (compensate is None or isinstance(compensate, bool)):
         raise InputError(
-            f"compensate is {compensate!r}: give True for all that widths can make up for, False for "
-            "nothing, or leave it out",
+            "compensate is {compensate!r}: give True for all that widths can make up for, False "
+            "for nothing, or leave it out",
+            compensate=compensate,
             where={"field": "compensate"},
         )
 
@@ -129,7 +137,9 @@ def check_law(
     other = getattr(law, "sheet", sheet)
     if other != sheet:
         raise InputError(
-            f"the law is of {other.name}, the strip of {sheet.name}: give both the same sheet",
+            "the law is of {name}, the strip of {name_2}: give both the same sheet",
+            name=other.name,
+            name_2=sheet.name,
             where={"field": "law"},
         )
 
@@ -152,8 +162,12 @@ def limits_beside(
         and limits.sheet.thickness != sheet.thickness
     ):
         raise InputError(
-            f"the limits are of {limits.sheet.name}, {limits.sheet.thickness:g} mm thick, the strip of "
-            f"{sheet.name}, {sheet.thickness:g} mm: leave sheet out of the limits, which are then of the strip's"
+            "the limits are of {name}, {thickness:g} thick, the strip of {name_2}, "
+            "{thickness_2:g}: leave sheet out of the limits, which are then of the strip's",
+            name=limits.sheet.name,
+            thickness=Length(limits.sheet.thickness),
+            name_2=sheet.name,
+            thickness_2=Length(sheet.thickness),
         )
     if limits.width is None or not isinstance(style, Plain):
         return limits
@@ -161,8 +175,12 @@ def limits_beside(
     for name, width in (("max_width", max_width), ("min_width", min_width)):
         if width is not None and not low <= width <= high:
             raise InputError(
-                f"{name} is {width:g} mm, outside the limit width of {low:g} to {high:g} mm: change one of them, "
-                "or leave the limit out",
+                "{name} is {width:g}, outside the limit width of {low:g} to {high:g}: change one of "
+                "them, or leave the limit out",
+                name=name,
+                width=Length(width),
+                low=low,
+                high=Length(high),
                 where={"field": (name, "limit width")},
             )
     narrowest, widest = min_width or low, max_width or high
@@ -182,14 +200,19 @@ def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Shop
     least = shop.width_for(sheet)
     if min_width > max_width:
         raise InputError(
-            f"min_width is {min_width:g} mm, more than max_width, {max_width:g} mm: give the larger one "
+            "min_width is {min_width:g}, more than max_width, {max_width:g}: give the larger one "
             "as max_width",
+            min_width=Length(min_width),
+            max_width=Length(max_width),
             where={"field": "max_width"},
         )
     if least >= max_width:
         raise InputError(
-            f"max_width is {max_width:g} mm, but {sheet.name} needs {least:.3g} mm at its "
-            "narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)",
+            "max_width is {max_width:g}, but {name} needs {least} at its narrowest: widen the "
+            "strip, take another sheet, or allow less with shop=Shop(least_width=...)",
+            max_width=Length(max_width),
+            name=sheet.name,
+            least=Length(least),
             where={"field": "max_width"},
             changes=[Change("max_width", float(rounded_up(2 * least, 3)))],
         )

@@ -162,7 +162,9 @@ class StripSpec(EqualByValue):
         require_curve(self.curve)
         given = Sheet.of(self.sheet)
         if not (self.frame is None or isinstance(self.frame, Frame)):
-            raise InputError(f"frame is {self.frame!r}: give a Frame, the plane of the curve, or None")
+            raise InputError(
+                "frame is {frame!r}: give a Frame, the plane of the curve, or None", frame=self.frame
+            )
         for name in ("max_width", "min_width"):
             width = getattr(self, name)
             if width is not None:
@@ -176,15 +178,18 @@ class StripSpec(EqualByValue):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
         check_joint(self.joint, self.curve)
         if not isinstance(self.label, str):
-            raise InputError(f"label is {self.label!r}: give a text, empty for none")
+            raise InputError("label is {label!r}: give a text, empty for none", label=self.label)
         if not isinstance(self.ignore_limits, bool):
             raise InputError(
-                f"ignore_limits must be True or False, got {self.ignore_limits!r}",
+                "ignore_limits must be True or False, got {ignore_limits!r}",
+                ignore_limits=self.ignore_limits,
                 where={"field": "ignore_limits"},
             )
         check_compensate(self.compensate)
         if not isinstance(self.shop, Shop):
-            raise InputError(f"shop is {self.shop!r}: give a Shop record, such as Shop(least_width=2.0)")
+            raise InputError(
+                "shop is {shop!r}: give a Shop record, such as Shop(least_width=2.0)", shop=self.shop
+            )
         settled = {
             "sheet": given,
             "loads": self.loads if isinstance(self.loads, Weight) else masses_of(self.loads),

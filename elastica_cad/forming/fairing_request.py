@@ -11,6 +11,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import Length
 
 LARGEST_SMOOTH = 1000.0
 """mm."""
@@ -100,11 +101,15 @@ def check_smooth(smooth: object) -> float | None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):
         raise InputError(
-            f"smooth is {smooth!r}: give a distance in mm, 0 for none, or None", where={"field": "smooth"}
+            "smooth is {smooth!r}: give a distance in mm, 0 for none, or None",
+            smooth=smooth,
+            where={"field": "smooth"},
         )
     if not 0 <= smooth <= LARGEST_SMOOTH:
         raise InputError(
-            f"smooth is {smooth}: a curve is made fair within 0 (not at all) to {LARGEST_SMOOTH:g} mm",
+            "smooth is {smooth}: a curve is made fair within 0 (not at all) to {largest_smooth:g}",
+            smooth=smooth,
+            largest_smooth=Length(LARGEST_SMOOTH),
             where={"field": "smooth"},
         )
     return float(smooth)

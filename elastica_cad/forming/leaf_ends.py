@@ -94,7 +94,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         No stack comes to rest between the same ends.
     """
     if not isinstance(law, LeavesLaw):
-        raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
+        raise InputError("the law is {law!r}: give a LeavesLaw(sheet, leaves, width)", law=law)
     drawn = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:
@@ -103,7 +103,8 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     found = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not found:
         raise NotConvergedError(
-            f"no stack of {law.leaves} leaves comes to rest near this curve: take more and thinner leaves"
+            "no stack of {leaves} leaves comes to rest near this curve: take more and thinner leaves",
+            leaves=law.leaves,
         )
     return min(found, key=lambda one: one.mean_deviation)
 

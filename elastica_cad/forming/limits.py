@@ -73,7 +73,9 @@ class Box:
         lower, upper = _pair("lower corner of a box", self.lower), _pair("upper corner of a box", self.upper)
         if np.any(lower >= upper):
             raise InputError(
-                f"box corners {lower.tolist()} and {upper.tolist()}: the first must be lower left"
+                "box corners {tolist} and {tolist_2}: the first must be lower left",
+                tolist=lower.tolist(),
+                tolist_2=upper.tolist(),
             )
         object.__setattr__(self, "lower", (float(lower[0]), float(lower[1])))
         object.__setattr__(self, "upper", (float(upper[0]), float(upper[1])))
@@ -147,21 +149,25 @@ class Limits:
         for name in ("ratio", "margin", "curvature", "strain"):
             value = getattr(self, name)
             if not (value is None or isinstance(value, Real)):
-                raise InputError(f"limit {name}={value!r} must be a number, or None")
+                raise InputError("limit {name}={value!r} must be a number, or None", name=name, value=value)
         if not (self.sheet is None or isinstance(self.sheet, Sheet)):
-            raise InputError(f'limit sheet={self.sheet!r}: give a Sheet record, such as Sheet.named("pom-1")')
+            raise InputError(
+                'limit sheet={sheet!r}: give a Sheet record, such as Sheet.named("pom-1")', sheet=self.sheet
+            )
         if self.ratio is not None and not (is_number(self.ratio) and self.ratio >= 1):
             raise InputError(
-                f"limit ratio={self.ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4"
+                "limit ratio={ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4",
+                ratio=self.ratio,
             )
         if self.margin is not None and not is_number(self.margin):
             raise InputError(
-                f"limit margin={self.margin} must be a number; 0 is the border of stability, try 5"
+                "limit margin={margin} must be a number; 0 is the border of stability, try 5",
+                margin=self.margin,
             )
         for name in ("curvature", "strain"):
             value = getattr(self, name)
             if value is not None and not (is_number(value) and value > 0):
-                raise InputError(f"limit {name}={value} must be positive")
+                raise InputError("limit {name}={value} must be positive", name=name, value=value)
         if self.strain is not None and self.sheet is None:
             raise InputError("a strain limit needs sheet=: the curvature it allows is 2 strain / thickness")
         for name in ("width", "length"):
@@ -170,13 +176,17 @@ class Limits:
                 continue
             low, high = _pair(f"limit {name}", value)
             if not 0 < low <= high:
-                raise InputError(f"limit {name}={value!r} must be a range (least, largest) of positive mm")
+                raise InputError(
+                    "limit {name}={value!r} must be a range (least, largest) of positive mm",
+                    name=name,
+                    value=value,
+                )
             object.__setattr__(self, name, (float(low), float(high)))
         several = is_series(self.keep_out)
         keep_out = tuple(self.keep_out) if several else (self.keep_out,)
         for region in keep_out:
             if not isinstance(region, (HalfPlane, Box)):
-                raise InputError(f"keep_out takes HalfPlane and Box records, not {region!r}")
+                raise InputError("keep_out takes HalfPlane and Box records, not {region!r}", region=region)
         object.__setattr__(self, "keep_out", keep_out)
         bounds = self.stiffness_bounds
         if bounds is not None and not (isinstance(bounds, (tuple, list)) and len(bounds) == 2):
@@ -256,10 +266,17 @@ class Keep:
             alone = isinstance(value, (bool, np.bool_))
             both = (value, value) if alone else tuple(value) if is_series(value) else ()
             if len(both) != 2 or not all(isinstance(v, (bool, np.bool_)) for v in both):
-                raise InputError(f"keep {name}={value!r}: use True, False, or a pair for (start, end)")
+                raise InputError(
+                    "keep {name}={value!r}: use True, False, or a pair for (start, end)",
+                    name=name,
+                    value=value,
+                )
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
         if not is_one_of(self.symmetry, (None, "mirror", "turn")):
-            raise InputError(f"keep symmetry={self.symmetry!r}: use 'mirror', 'turn' (a half turn) or None")
+            raise InputError(
+                "keep symmetry={symmetry!r}: use 'mirror', 'turn' (a half turn) or None",
+                symmetry=self.symmetry,
+            )
         points = np.atleast_1d(_numbers("keep points", self.points))
         if points.ndim != 1 or not np.all(np.isfinite(points)):
             raise InputError("keep points= takes arc lengths on the drawn curve, mm")
@@ -289,7 +306,7 @@ def _both(value: bool | tuple[bool, bool]) -> tuple[bool, bool]:
 def _pair(what: str, value: ArrayLike) -> FloatArray:
     pair = _numbers(what, value)
     if pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise InputError(f"{what} must be two finite numbers, not {value!r}")
+        raise InputError("{what} must be two finite numbers, not {value!r}", what=what, value=value)
     return pair
 
 
@@ -297,4 +314,4 @@ def _numbers(what: str, value: ArrayLike) -> FloatArray:
     try:
         return np.asarray(value, dtype=float)
     except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{what} must be numbers, not {quoted(value)}") from None
+        raise InputError("{what} must be numbers, not {value}", what=what, value=quoted(value)) from None

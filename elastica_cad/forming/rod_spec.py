@@ -103,7 +103,12 @@ class RodSpec(EqualByValue):
         for name, record in (("limits", Limits), ("keep", Keep)):
             value = getattr(self, name)
             if not (value is None or isinstance(value, record)):
-                raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")
+                raise InputError(
+                    "{name} is {value!r}: give a {name_2} record, or None",
+                    name=name,
+                    value=value,
+                    name_2=record.__name__,
+                )
         self._require_agreement()
 
     def _require_agreement(self) -> None:

@@ -26,6 +26,7 @@ from elastica_cad.kernel.strip_body import Point, StripBody
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.refusals import Length
 
 TURN_RAD = 2.5
 """Of the circle that a strip is bent into to be meshed: any that keeps the tabs apart."""
@@ -159,7 +160,7 @@ class Travel:
         point = np.asarray(self.end, dtype=float)
         if point.shape != (2,) or not np.all(np.isfinite(point)):
             raise InputError(
-                f"the end of a travel is {self.end!r}: give two numbers, mm, in the curve's plane"
+                "the end of a travel is {end!r}: give two numbers, mm, in the curve's plane", end=self.end
             )
         object.__setattr__(self, "end", point)
         if self.length < 1e-6:
@@ -168,8 +169,10 @@ class Travel:
         if apart > self._rod.length:
             far, long = told_apart(apart, self._rod.length, ".4g")
             raise InputError(
-                f"the travel ends {far} mm from the start of a strip that is {long} mm long: "
-                "give a nearer point"
+                "the travel ends {far} mm from the start of a strip that is {long} mm long: give a "
+                "nearer point",
+                far=far,
+                long=long,
             )
 
     @property
@@ -200,7 +203,9 @@ class Travel:
     def rods(self, frames: int) -> tuple[Rod, ...]:
         """The shapes at even places of the way, both its ends among them, each found from the one before."""
         if not isinstance(frames, int) or frames < 2:
-            raise InputError(f"a travel of {frames} frames shows no motion: give a whole number, 2 or more")
+            raise InputError(
+                "a travel of {frames} frames shows no motion: give a whole number, 2 or more", frames=frames
+            )
         shares = np.linspace(0.0, 1.0, frames)[1:, None]
         return (self._rod, *bend_path(self.strip.rod_to_bend, self._rod.position[-1] + shares * self._way))
 
@@ -209,7 +214,11 @@ class Travel:
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
-            raise InputError(f"position is {told} mm: the travel goes from 0 to {self.length:.4g} mm")
+            raise InputError(
+                "position is {told} mm: the travel goes from 0 to {length:.4g}",
+                told=told,
+                length=Length(self.length),
+            )
         near = self._stations[round(share * STATIONS)]
         return bend(near, end=self._rod.position[-1] + share * self._way)
 
@@ -240,11 +249,12 @@ class Travel:
         """
         if FilePath(path).suffix.lower() != ".glb":
             raise InputError(
-                f"{FilePath(path).name}: animations are written as binary glTF: name the file .glb"
+                "{name}: animations are written as binary glTF: name the file .glb", name=FilePath(path).name
             )
         if not (is_number(seconds) and seconds > 0):
             raise InputError(
-                f"an animation of {seconds!r} s shows nothing: give a positive number of seconds"
+                "an animation of {seconds!r} s shows nothing: give a positive number of seconds",
+                seconds=seconds,
             )
         rods = self.rods(frames)
         names = layer_names(self.strip.label or "strip", self.strip)

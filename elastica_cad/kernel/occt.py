@@ -106,7 +106,7 @@ def _only_solid(shape: Shape) -> Shape:
     """The one solid in a compound."""
     found = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(found) != 1:
-        raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
+        raise InputError("the prisms of a body leave {count} pieces: they must make one", count=len(found))
     return found[0]
 
 

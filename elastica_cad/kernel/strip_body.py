@@ -24,6 +24,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.refusals import Length
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.model.strip_model import Model
@@ -232,12 +233,16 @@ class StripBody:
             return row
         if len(row) != 3:
             raise InputError(
-                f"{name} is {point!r}: give a point in space, or two numbers in the strip's frame, mm"
+                "{name} is {point!r}: give a point in space, or two numbers in the strip's frame, mm",
+                name=name,
+                point=point,
             )
         x, y, z = self.frame.local(row).tolist()
         if abs(z) > OFF_PLANE_MM * max(1.0, hypot(x, y) / 100):
             raise InputError(
-                f"{name} lies {abs(z):.4g} mm off the plane in which the strip bends: give a point in it"
+                "{name} lies {z:.4g} off the plane in which the strip bends: give a point in it",
+                name=name,
+                z=Length(abs(z)),
             )
         return x, y
 

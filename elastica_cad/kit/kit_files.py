@@ -189,7 +189,7 @@ def save_model(
     spec = KitSpec(Nesting(sheet_size, margin), cutting, shop=shop, ignore_limits=ignore_limits)
     if not isinstance(model, Model):
         raise InputError(
-            f"the model is a {type(model).__name__}: give a Model, such as Model([Placed(strip)])"
+            "the model is a {name}: give a Model, such as Model([Placed(strip)])", name=type(model).__name__
         )
     folder = require_path(folder)
     check_kit_folder(model.name, folder, force=force)
@@ -228,8 +228,10 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
         stem = f"{PARTS}/{piece.file_stem}"
         if any(file.casefold() == f"{stem}.svg".casefold() for file in files):
             raise InputError(
-                f"{piece.name}: another part would be written to {piece.file_stem}.svg too; choose labels that "
-                "differ in more than capitals and signs"
+                "{name}: another part would be written to {file_stem}.svg too; choose labels that "
+                "differ in more than capitals and signs",
+                name=piece.name,
+                file_stem=piece.file_stem,
             )
         _add_drawing(kit, stem, piece.drawing, piece.sheet, "part")
     if step:

@@ -151,7 +151,9 @@ def write_strip(
     """
     written = tuple(folder / file for file in kit.files.values())
     if kept is not None and any(os.path.exists(path) and path.samefile(kept) for path in written):
-        raise InputError(f"{kept} holds the drawn curve and is kept: name another folder, e.g. -o out")
+        raise InputError(
+            "{kept} holds the drawn curve and is kept: name another folder, e.g. -o out", kept=kept
+        )
     with write_together(folder, kit.files.values(), force=force) as workshop:
         for kind, file in kit.files.items():
             _writer(kit, kind)(kit, workshop / file)

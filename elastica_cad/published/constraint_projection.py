@@ -86,7 +86,7 @@ def enforce_constraints(
     if line is not None:
         require_record(line, InflectionLine, "line", "an InflectionLine, or None")
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"tolerance is {tolerance!r}: it must be positive")
+        raise InputError("tolerance is {tolerance!r}: it must be positive", tolerance=tolerance)
     wanted: list[Constraint] = [
         *kept(curve if like is None else like, ends=ends, tangents=tangents, length=length)
     ]
@@ -101,8 +101,11 @@ def enforce_constraints(
     if after.size > before.size and (line is not None or after.size > 2):
         listed = ", ".join(f"{s:.4g}" for s in after)
         raise NotConvergedError(
-            f"on the way the curve got {after.size} inflections (at {listed} mm) in place of {before.size}: keep "
-            "less (ends, tangents, length), or use nearest_rod"
+            "on the way the curve got {size} inflections (at {listed} mm) in place of {size_2}: "
+            "keep less (ends, tangents, length), or use nearest_rod",
+            size=after.size,
+            listed=listed,
+            size_2=before.size,
         )
     t = np.linspace(*curve.domain, 1001)
     off = moved.evaluate(t) - curve.evaluate(t)

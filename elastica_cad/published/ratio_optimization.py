@@ -97,7 +97,7 @@ def optimize_ratio(
     require_ratio(target, "target ratio")
     require_curve(curve)
     if not (is_whole(max_steps) and max_steps >= 1):
-        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
+        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
     route = move_within(curve, Bounds(float(target)), constraints, max_steps=max_steps)
     if route.within:

@@ -110,10 +110,12 @@ def recover_stability(
     """
     require_ratio(R_max, "R_max")
     if not is_number(margin):
-        raise InputError(f"margin is {margin!r}: it must be a number; 0 is the border of stability, try 5")
+        raise InputError(
+            "margin is {margin!r}: it must be a number; 0 is the border of stability, try 5", margin=margin
+        )
     require_curve(curve)
     if not (is_whole(max_steps) and max_steps >= 1):
-        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
+        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
     route = move_within(curve, Bounds(float(R_max), float(margin)), constraints, max_steps=max_steps)
     state = route.state

@@ -52,7 +52,8 @@ def _standard_input(ctx: click.Context) -> Path:
         raise InputError("standard input is empty: pipe a drawing into it (cat arch.svg | elastica check -)")
     if len(data) > LARGEST_FILE:
         raise InputError(
-            f"standard input has more than {LARGEST_FILE // 2**20} MB: leave out what is no curve"
+            "standard input has more than {largest_file} MB: leave out what is no curve",
+            largest_file=LARGEST_FILE // 2**20,
         )
     folder = TemporaryDirectory(prefix="elastica-")
     ctx.call_on_close(folder.cleanup)

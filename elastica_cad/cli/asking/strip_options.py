@@ -232,13 +232,17 @@ def _style(chosen: Mapping[str, Any], backing: Sheet | None) -> Style:
     sizes = {"perforated": PERFORATED, "laminated": ("backing", *LAMINATED)}
     for other, names in sizes.items():
         if other != kind and (idle := [*given_of(chosen, names)]):
-            raise InputError(f"{option_name(idle[0])} is of a {other} strip: add --style {other}")
+            raise InputError(
+                "{option_name} is of a {other} strip: add --style {other}",
+                option_name=option_name(idle[0]),
+                other=other,
+            )
     if kind == "plain":
         if chosen["outer_width"] is not None:
             raise InputError("--outer-width is of a perforated or laminated strip: add --style")
         return Plain()
     if chosen["outer_width"] is None:
-        raise InputError(f"a {kind} strip has a width of its own: give --outer-width MM")
+        raise InputError("a {kind_} strip has a width of its own: give --outer-width MM", kind_=kind)
     given = given_of(chosen, sizes[kind])
     if kind == "perforated":
         return Perforated(width=chosen["outer_width"], **given)
@@ -275,7 +279,10 @@ def _gravity(chosen: Mapping[str, Any]) -> AskedGravity:
 def refuse_idle_weight(chosen: Mapping[str, Any], names: Sequence[str]) -> None:
     """Refuse options of a weight that is not asked for."""
     if idle := [*given_of(chosen, names)]:
-        raise InputError(f"{option_name(idle[0])} says how weight pulls, which is left out: add --gravity")
+        raise InputError(
+            "{option_name} says how weight pulls, which is left out: add --gravity",
+            option_name=option_name(idle[0]),
+        )
 
 
 def _loads(chosen: Mapping[str, Any]) -> tuple[PointMass, ...] | Weight:
@@ -329,7 +336,7 @@ def _refuse_both(chosen: Mapping[str, Any], flag: str, other: str, what: str) ->
     """Refuse a flag beside the option that says the same otherwise."""
     if chosen[flag] and chosen[other] is not None:
         options = " and ".join(map(option_name, (flag, other)))
-        raise InputError(f"{options} both say {what}: leave one of them out")
+        raise InputError("{options} both say {what}: leave one of them out", options=options, what=what)
 
 
 def _ends(chosen: Mapping[str, Any]) -> tuple[Tab, Tab]:
@@ -337,8 +344,8 @@ def _ends(chosen: Mapping[str, Any]) -> tuple[Tab, Tab]:
     sizes = given_of(chosen, ("tab", "tab_radius"))
     if all(own) and sizes:
         raise InputError(
-            f"{option_name(next(iter(sizes)))} is of tabs without sizes of their own, and both tabs have theirs: "
-            "leave it out"
+            "{option_name} is of tabs without sizes of their own, and both tabs have theirs: leave it out",
+            option_name=option_name(next(iter(sizes))),
         )
     usual = Tab(sizes.get("tab", TAB_LENGTH_MM), corner_radius=sizes.get("tab_radius", 0.0))
     return own[0] or usual, own[1] or usual

@@ -10,6 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross, norm, turn_between
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, chord_points, place, trim_segment
+from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02
 """Corners that turn by less stay: fitted sides meet so."""
@@ -53,8 +54,9 @@ def round_corners(path: Path, radius: float) -> Path:
 def too_small_for(radius: float, path: Path) -> InputError:
     """The refusal of a hole that the radius does not fit."""
     return InputError(
-        f"a corner radius of {radius:g} mm does not fit the hole at {place(path.bounds.mean(axis=0))}: make it "
-        "smaller"
+        "a corner radius of {radius:g} does not fit the hole at {place}: make it smaller",
+        radius=Length(radius),
+        place=place(path.bounds.mean(axis=0)),
     )
 
 

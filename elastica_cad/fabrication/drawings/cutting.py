@@ -13,6 +13,7 @@ from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import polylines_cross
 from elastica_cad.geometry.paths.segments import Segment, Spline, place, trim_segment
+from elastica_cad.refusals import Length as Mm
 
 WIDEST_KERF_MM = 15.0
 """A router's bit of half an inch is 12.7 mm wide."""
@@ -45,12 +46,13 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     10.1
     """
     if not is_number(kerf):
-        raise InputError(f"the kerf is {kerf!r}: it must be a finite number of mm, 0 for none")
+        raise InputError("the kerf is {kerf!r}: it must be a finite number of mm, 0 for none", kerf=kerf)
     require_record(drawing, Drawing, "what is cut", "a Drawing record")
     if abs(kerf) > WIDEST_KERF_MM:
         raise InputError(
-            f"the kerf is {kerf:g} mm, wider than the cut of any tool: give the width of the cut in mm, such as "
-            "0.15 for a laser"
+            "the kerf is {kerf:g}, wider than the cut of any tool: give the width of the cut in "
+            "mm, such as 0.15 for a laser",
+            kerf=Mm(kerf),
         )
     if kerf == 0:
         return drawing
@@ -71,7 +73,12 @@ def _moved(item: LayeredPath, distance: float, kerf: float, tolerance: float) ->
     try:
         return offset_path(item.path, distance, tolerance=tolerance)
     except InputError as error:
-        raise InputError(f"a kerf of {kerf:g} mm is too wide for a loop on {item.layer}: {error}") from error
+        raise InputError(
+            "a kerf of {kerf:g} is too wide for a loop on {layer}: {error}",
+            kerf=Mm(kerf),
+            layer=item.layer,
+            error=error,
+        ) from error
 
 
 def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
@@ -95,8 +102,10 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
             crossing = polylines_cross(outline(int(i)), outline(int(j)))
             if crossing is not None:
                 raise InputError(
-                    f"with a kerf of {kerf:g} mm two cut loops meet at {place(crossing)}: move them apart "
-                    "there or use a smaller kerf"
+                    "with a kerf of {kerf:g} two cut loops meet at {crossing}: move them apart there or "
+                    "use a smaller kerf",
+                    kerf=Mm(kerf),
+                    crossing=place(crossing),
                 )
 
 
@@ -132,7 +141,7 @@ class HoldingTabs:
         for name in ("width", "spacing"):
             require_positive(getattr(self, name), f"holding tab {name}")
         if not (is_whole(self.least) and self.least >= 1):
-            raise InputError(f"holding tabs: least is {self.least!r}, give a whole number from 1")
+            raise InputError("holding tabs: least is {least!r}, give a whole number from 1", least=self.least)
 
 
 def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:
@@ -193,8 +202,12 @@ class _Loop:
         count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
         if self.length < 4 * count * tabs.width:
             raise InputError(
-                f"the loop at {place(self.segments[0].start)} is {self.length:.4g} mm around: too short for "
-                f"{count} holding tabs of {tabs.width:g} mm; use fewer or narrower ones"
+                "the loop at {start} is {length:.4g} around: too short for {count} holding tabs of "
+                "{width:g}; use fewer or narrower ones",
+                start=place(self.segments[0].start),
+                length=Mm(self.length),
+                count=count,
+                width=Mm(tabs.width),
             )
         step = self.length / count
         middles = [self._off_corners((i + 0.5) * step, tabs.width, step / 4) for i in range(count)]

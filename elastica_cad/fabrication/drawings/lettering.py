@@ -52,19 +52,22 @@ class Text:
 
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
-            raise InputError(f"the text to engrave is {quoted(self.text)}: give a text")
+            raise InputError("the text to engrave is {text_}: give a text", text_=quoted(self.text))
         place = tuple(self.position) if is_series(self.position) else ()
         sizes = (*place, self.height, self.angle)
         if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
             raise InputError(
-                f"text {self.text!r} needs a finite position and angle, and a positive height in mm"
+                "text {text_!r} needs a finite position and angle, and a positive height in mm",
+                text_=self.text,
             )
         object.__setattr__(self, "position", tuple(map(float, place)))
         missing = sorted(set(self.text) - _glyphs().keys())
         if missing:
             raise InputError(
-                f"text {self.text!r}: the engraving alphabet has no {', '.join(map(repr, missing))}; "
-                "use A-Z, a-z, 0-9 and common punctuation"
+                "text {text_!r}: the engraving alphabet has no {names}; use A-Z, a-z, 0-9 and common "
+                "punctuation",
+                text_=self.text,
+                names=", ".join(map(repr, missing)),
             )
 
     @property

@@ -23,6 +23,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment
+from elastica_cad.refusals import Length
 
 LEAST_WALL_MM = 0.8
 """Two lines of a 0.4 mm nozzle."""
@@ -99,33 +100,45 @@ class EndFixture:
             require_record(self.floor, Frame, "the floor", "a Frame")
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
-            raise InputError(f"{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)")
+            raise InputError("{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)", who=who)
         least = {"clearance": 0.0, "wall": 1e-9, "foot": 0.0, "foot height": 1e-9, "screw": 0.0}
         for name, smallest in least.items():
             value = getattr(self, name.replace(" ", "_"))
             if not (is_number(value) and value >= smallest):
-                raise InputError(f"{who}: {name} is {value!r}: it must be positive, in mm")
+                raise InputError(
+                    "{who}: {name} is {value!r}: it must be positive, in mm", who=who, name=name, value=value
+                )
         if self.wall < LEAST_WALL_MM:
             raise InputError(
-                f"{who}: a wall of {self.wall:g} mm is too thin to print: make it {LEAST_WALL_MM:g} mm or more"
+                "{who}: a wall of {wall:g} is too thin to print: make it {least_wall_mm:g} or more",
+                who=who,
+                wall=Length(self.wall),
+                least_wall_mm=Length(LEAST_WALL_MM),
             )
         if self.foot and self.screw > 0.8 * min(self.foot, self.across):
             raise InputError(
-                f"{who}: a screw of {self.screw:g} mm does not fit a foot of {self.foot:g} by {self.across:.4g} "
-                "mm: make the foot longer or the screw thinner"
+                "{who}: a screw of {screw:g} does not fit a foot of {foot:g} by {across:.4g}: make "
+                "the foot longer or the screw thinner",
+                who=who,
+                screw=Length(self.screw),
+                foot=self.foot,
+                across=Length(self.across),
             )
         if self.number is None:
             object.__setattr__(self, "number", engravable(self.tab.name))
         if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
             lean = np.degrees(np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis)))))
             raise InputError(
-                f"{who}: the plane of the strip leans {lean:.3g} degrees to the floor: leave the floor out, and "
-                "the block stands square to its tab"
+                "{who}: the plane of the strip leans {lean:.3g} degrees to the floor: leave the "
+                "floor out, and the block stands square to its tab",
+                who=who,
+                lean=lean,
             )
         if self.lowest < -LEVEL:
             raise InputError(
-                f"{who}: the block reaches {-self.lowest:.4g} mm below the floor: lower the floor or shorten the "
-                "tab"
+                "{who}: the block reaches {value:.4g} below the floor: lower the floor or shorten the tab",
+                who=who,
+                value=Length(-self.lowest),
             )
 
     @classmethod
@@ -350,7 +363,7 @@ def _polygon(corners: FloatArray) -> Path:
 
 def _require_end(strip: object, end: object) -> None:
     if not is_one_of(end, ENDS):
-        raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
+        raise InputError('a strip has the ends "start" and "end", not {end!r}', end=end)
     require_record(strip, Strip, "the strip", "a Strip")
 
 

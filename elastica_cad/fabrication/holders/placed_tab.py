@@ -114,13 +114,14 @@ def require_ends(ends: object) -> None:
     """Refuse what names no ends of strips."""
     named = ends if isinstance(ends, Sequence) and not isinstance(ends, str) else (ends,)
     if not all(isinstance(end, str) and end in ENDS for end in named):
-        raise InputError(f'ends are {ends!r}: give a list of "start" and "end" of the records')
+        raise InputError('ends are {ends!r}: give a list of "start" and "end" of the records', ends=ends)
 
 
 def require_holdable(strip: Strip, name: str | None = None) -> None:
     """Refuse a strip whose ends fit none of our holders."""
     if strip.layout.stack is not None:
         raise InputError(
-            f"{name or strip.label or 'strip'}: a stack of leaves lies on one side of its curve, where none of "
-            "our holders is: hold its ends in clamps, and name the other strips as those that are held"
+            "{name}: a stack of leaves lies on one side of its curve, where none of our holders "
+            "is: hold its ends in clamps, and name the other strips as those that are held",
+            name=name or strip.label or "strip",
         )

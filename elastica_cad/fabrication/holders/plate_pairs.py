@@ -35,6 +35,7 @@ from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length
 
 LEAN_ROUNDS = 6
 """Most rounds of moving slots: three serve."""
@@ -145,7 +146,7 @@ def ring_pair(
 def require_gap(gap: float) -> None:
     """Refuse a gap between two plates that is none."""
     if not (is_number(gap) and gap > 0):
-        raise InputError(f"the gap between two plates is {gap!r} mm: it must be positive")
+        raise InputError("the gap between two plates is {gap!r} mm: it must be positive", gap=gap)
 
 
 def _add_second(
@@ -178,8 +179,11 @@ def _add_second(
     if short:
         needed = max(needed_length(tab, first, gap) for tab in short)
         raise InputError(
-            f"{first.name}: the tab of {short[0].name} does not reach through the second plate: make it "
-            f"{needed:.0f} mm long, or the gap smaller"
+            "{name}: the tab of {name_2} does not reach through the second plate: make it "
+            "{needed:.0f} long, or the gap smaller",
+            name=first.name,
+            name_2=short[0].name,
+            needed=Length(needed),
         )
     slots = [
         tab_slot(tab, ground, sheet.thickness, play=play, clearance=clearance, least=least, name=first.name)
@@ -382,8 +386,11 @@ def through_slots(
         tip = float(frame.local(tab.tip)[2])
         if tab.length <= 0 or tip > -0.5 * sheet.thickness:
             raise InputError(
-                f"{name}: the tab of {tab.name} ends {max(tip, 0.0):.4g} mm in front of the plate or within it: "
-                "give that strip a longer tab, or bring the ends of the strips into a plane"
+                "{name}: the tab of {name_2} ends {tip:.4g} in front of the plate or within it: give "
+                "that strip a longer tab, or bring the ends of the strips into a plane",
+                name=name,
+                name_2=tab.name,
+                tip=Length(max(tip, 0.0)),
             )
     return [tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs]
 
@@ -391,7 +398,9 @@ def through_slots(
 def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     """The plane that suits the tabs: through the lowest of their origins, z against the way they go."""
     if not tabs:
-        raise InputError(f"{name}: no tab of these strips can be held: give placed strips with tabs")
+        raise InputError(
+            "{name}: no tab of these strips can be held: give placed strips with tabs", name=name
+        )
     points = np.array([tab.frame.origin for tab in tabs])
     outs = np.array([tab.frame.x_axis for tab in tabs])
     down = outs.mean(axis=0)
@@ -405,8 +414,9 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     fit = [float((outs @ n).max()) < -np.sin(FLATTEST_RAD) for n in normals]
     if not any(fit):
         raise InputError(
-            f"{name}: the tabs point in too many directions for one plate: hold them with fixtures, or "
-            "give their ends more alike directions"
+            "{name}: the tabs point in too many directions for one plate: hold them with "
+            "fixtures, or give their ends more alike directions",
+            name=name,
         )
     spread = [float(np.ptp(points @ n)) if ok else np.inf for n, ok in zip(normals, fit, strict=True)]
     better = len(spread) > 1 and spread[1] < spread[0] - LEVEL_GAIN_MM

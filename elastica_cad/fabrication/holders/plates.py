@@ -30,6 +30,7 @@ from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length as Mm
 
 FLATTEST_RAD = np.radians(15.0)
 """Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
@@ -210,19 +211,24 @@ def base_plate(
     slot_width = 0.0 if slot_width is None else slot_width
     _check_sizes(name, play=play, clearance=clearance, slot_width=slot_width, border=border)
     if not is_one_of(shape, ("hull", "rectangle", "ring")):
-        raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
+        raise InputError(
+            '{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}', name=name, shape=shape
+        )
     require_ends(ends)
     widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
-        raise InputError(f"{name}: there is no strip for it to hold: name other strips or ends")
+        raise InputError("{name}: there is no strip for it to hold: name other strips or ends", name=name)
     standing = [(tab, wide) for tab, wide in zip(tabs, widths, strict=True) if _stands_in(tab, ground)]
     if not standing:
         heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
         raise InputError(
-            f"{name}: no tab of the model goes down through the plate, their tips are {min(heights):.0f} to "
-            f"{max(heights):.0f} mm above its upper face: move the plate to where the strips end, give the strips "
-            "longer tabs, or hold ends that come from below by rings"
+            "{name}: no tab of the model goes down through the plate, their tips are "
+            "{heights:.0f} to {heights_2:.0f} above its upper face: move the plate to where the "
+            "strips end, give the strips longer tabs, or hold ends that come from below by rings",
+            name=name,
+            heights=min(heights),
+            heights_2=Mm(max(heights)),
         )
     slots = tuple(
         tab_slot(tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width, name=name)
@@ -243,7 +249,12 @@ def _check_sizes(name: str, **sizes: float) -> None:
     """Refuse sizes of a plate below 0."""
     for what, value in sizes.items():
         if not (is_number(value) and value >= 0):
-            raise InputError(f"{name}: {what.replace('_', ' ')} is {value!r}: it must be 0 mm or more")
+            raise InputError(
+                "{name}: {replace} is {value!r}: it must be 0 mm or more",
+                name=name,
+                replace=what.replace("_", " "),
+                value=value,
+            )
 
 
 def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
@@ -324,8 +335,12 @@ def tab_slot(
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(
-            f"{name}: the tab of {tab.name} leans to {np.degrees(np.arcsin(max(0.0, down))):.3g} degrees from the "
-            f"plate: at {np.degrees(FLATTEST_RAD):.0f} degrees or less a slot cannot hold it; use a fixture there"
+            "{name}: the tab of {name_2} leans to {value:.3g} degrees from the plate: at "
+            "{flattest_rad:.0f} degrees or less a slot cannot hold it; use a fixture there",
+            name=name,
+            name_2=tab.name,
+            value=np.degrees(np.arcsin(max(0.0, down))),
+            flattest_rad=np.degrees(FLATTEST_RAD),
         )
     edges = ground.local(tab.edges)
     step = ground.local(tab.frame.origin + tab.frame.x_axis) - ground.local(tab.frame.origin)
@@ -351,8 +366,13 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     for i, j in met[:1].tolist():
         x, y = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
-            f"{name}: the slots of {slots[j].name} and {slots[i].name} run into each other near "
-            f"({x:.1f}, {y:.1f}): give the strips narrower tabs or move them apart"
+            "{name}: the slots of {name_2} and {name_3} run into each other near ({x:.1f}, "
+            "{y:.1f}): give the strips narrower tabs or move them apart",
+            name=name,
+            name_2=slots[j].name,
+            name_3=slots[i].name,
+            x=x,
+            y=y,
         )
 
 
@@ -575,10 +595,10 @@ def ring_plate(
     _check_sizes(name, border=border, play=play, clearance=clearance)
     tabs = several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
-        raise InputError(f"{name}: there is no tab for it to hold: give it PlacedTab records")
+        raise InputError("{name}: there is no tab for it to hold: give it PlacedTab records", name=name)
     first = tabs[0]
     if first.length == 0:
-        raise InputError(f"{name}: strips without tabs cannot be held by a ring: give them tabs")
+        raise InputError("{name}: strips without tabs cannot be held by a ring: give them tabs", name=name)
     height, rise = float(first.frame.origin[2]), float(first.frame.x_axis[2])
     if abs(rise) >= np.sin(FLATTEST_RAD):
         frame = _facing(height, up=rise < 0)
@@ -591,8 +611,13 @@ def ring_plate(
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
-            f"{name}: the tabs meet its plane at {lean:.3g} degrees, too flat for slots and too steep to lie on "
-            f"it: end strips where it is more than {steep:.0f} or less than {flat:.0f}"
+            "{name}: the tabs meet its plane at {lean:.3g} degrees, too flat for slots and too "
+            "steep to lie on it: end strips where it is more than {steep:.0f} or less than "
+            "{flat:.0f}",
+            name=name,
+            lean=lean,
+            steep=steep,
+            flat=flat,
         )
     below = middle > height
     frame = _facing(height + (-0.5 if below else 0.5) * first.thickness, up=below)
@@ -651,8 +676,10 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
     along, across = seat @ out, np.abs(seat @ np.array([-out[1], out[0]]))
     if np.any(across >= along * np.tan(np.pi / count)):
         raise InputError(
-            f"{name}: the tabs lie over each other {along.min():.3g} mm from the axis: end the strips at a larger "
-            "ring, or give them shorter or narrower tabs"
+            "{name}: the tabs lie over each other {least} from the axis: end the strips at a "
+            "larger ring, or give them shorter or narrower tabs",
+            name=name,
+            least=Mm(along.min()),
         )
 
 

@@ -27,6 +27,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import self_crossing
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length as Mm
 
 SHOULDER_MM = 5.0
 """How far a rib reaches beside its tongue, to rest against the rail."""
@@ -189,17 +190,26 @@ def slotted_frame(
     for name, value in sizes.items():
         least = 0.0 if name in ("play", "clearance", "border") else 1.0
         if not (is_number(value) and value >= least):
-            raise InputError(f"frame {name} is {value!r}: it must be {least:g} mm or more")
+            raise InputError(
+                "frame {name} is {value!r}: it must be {least:g} or more",
+                name=name,
+                value=value,
+                least=Mm(least),
+            )
     if not (is_whole(ribs) and 2 <= ribs <= MOST_RIBS):
         raise InputError(
-            f"a frame of {ribs!r} ribs: two rails need 2 or more to stay apart, {MOST_RIBS} at most"
+            "a frame of {ribs!r} ribs: two rails need 2 or more to stay apart, {most_ribs} at most",
+            ribs=ribs,
+            most_ribs=MOST_RIBS,
         )
     if gap is not None:
         require_gap(gap)
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
     if tongue <= 2 * step:
         raise InputError(
-            f"frame tongue is {tongue:g}: between two rails it must be more than {2 * step:g} mm"
+            "frame tongue is {tongue:g}: between two rails it must be more than {step:g}",
+            tongue=tongue,
+            step=Mm(2 * step),
         )
     rails = [_RailPlan.of(placed, end, sheet, play=play, clearance=clearance) for end in ENDS]
     outer = [] if gap is None else [
@@ -321,7 +331,8 @@ class _RibPlan:
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
-            f"{self.name}: the rails face each other, so that no rib can join them from behind: use fixtures"
+            "{name}: the rails face each other, so that no rib can join them from behind: use fixtures",
+            name=self.name,
         )
 
 
@@ -416,7 +427,11 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     """
     plates = several("plates", plates, BasePlate, "BasePlate")
     if not (is_number(size) and size >= LEAST_GLUED_MM):
-        raise InputError(f"feet are {size!r} mm: make them {LEAST_GLUED_MM:g} mm or larger")
+        raise InputError(
+            "feet are {size!r} mm: make them {least_glued_mm:g} or larger",
+            size=size,
+            least_glued_mm=Mm(LEAST_GLUED_MM),
+        )
     glued = tuple(replace(plate, glued=True) for plate in plates)
     return (*glued, *_distinctly_named([foot for plate in plates for foot in _feet(plate, size)]))
 
@@ -439,8 +454,10 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
             reach = min(size, tab.length - begin)
             if reach < LEAST_GLUED_MM:
                 raise InputError(
-                    f"{plate.name}: the tab of {tab.name} is too short to glue feet to: make it "
-                    f"{np.ceil(begin + LEAST_GLUED_MM):.0f} mm long"
+                    "{name}: the tab of {name_2} is too short to glue feet to: make it {ceil:.0f} long",
+                    name=plate.name,
+                    name_2=tab.name,
+                    ceil=Mm(np.ceil(begin + LEAST_GLUED_MM)),
                 )
             corner = np.array([begin, face])
             past = float(((walls[:, :2] - corner) @ (side * level)).max())

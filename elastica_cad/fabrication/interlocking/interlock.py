@@ -15,6 +15,7 @@ from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed, strip_names
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM, Relief, Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.refusals import Length
 
 MOST_STEPS = 30
 """Of Newton's method with the slopes at the centre line: each leaves what a strip turns over a slot's width."""
@@ -185,9 +186,9 @@ def interlock(
         than a strip.
     """
     if not is_one_of(fit, ("exact", "paper")):
-        raise InputError(f'fit is "exact" or "paper", not {fit!r}')
+        raise InputError('fit is "exact" or "paper", not {fit!r}', fit=fit)
     if not (is_number(clearance) and clearance >= 0):
-        raise InputError(f"clearance is {clearance!r}: it must be 0 mm or more")
+        raise InputError("clearance is {clearance!r}: it must be 0 mm or more", clearance=clearance)
     placed = require_placed(placed)
     up = None if above is None else numbers(above, "above")
     if up is not None and not (up.shape == (3,) and np.all(np.isfinite(up)) and np.any(up != 0)):
@@ -220,10 +221,19 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
     found = []
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
         if not isinstance(pair, Sequence) or len(pair) != 2 or not all(map(is_whole, pair)):
-            raise InputError(f"pair {pair!r}: name two different strips by their places 0 to {count - 1}")
+            raise InputError(
+                "pair {pair!r}: name two different strips by their places 0 to {count}",
+                pair=pair,
+                count=count - 1,
+            )
         i, j = pair
         if not (0 <= i < count and 0 <= j < count and i != j):
-            raise InputError(f"pair ({i}, {j}): name two different strips by their places 0 to {count - 1}")
+            raise InputError(
+                "pair ({i}, {j}): name two different strips by their places 0 to {count}",
+                i=i,
+                j=j,
+                count=count - 1,
+            )
         found.append((min(i, j), max(i, j)))
     return sorted(set(found))
 
@@ -261,8 +271,11 @@ class _Cutter:
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):
                 raise InputError(
-                    f"a clearance of {self.clearance:g} mm is larger than {names[which]} is wide at "
-                    f"{rows[0, 0]:.6g} mm: make it smaller"
+                    "a clearance of {clearance:g} is larger than {names} is wide at {rows:.6g}: make it "
+                    "smaller",
+                    clearance=Length(self.clearance),
+                    names=names[which],
+                    rows=Length(rows[0, 0]),
                 )
             side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
             mate = self.strips[members[1 - which]].label
@@ -286,8 +299,12 @@ class _Cutter:
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.names[i] for i in members]
             raise InputError(
-                f"{names[0]} and {names[1]} cross at {s:.6g} mm of {names[0]}, but one of them ends before the "
-                "crossing comes to its edge, so that no slot can open there: shorten, move or turn one of them"
+                "{names} and {names_2} cross at {s:.6g} of {names}, but one of them ends before the "
+                "crossing comes to its edge, so that no slot can open there: shorten, move or turn "
+                "one of them",
+                names=names[0],
+                names_2=names[1],
+                s=Length(s),
             )
         if abs(costs[0] - costs[1]) > FORCED_SHARE:
             return ((0, 1), (1, 0))[int(np.argmin(costs))]
@@ -376,6 +393,8 @@ def _refuse_faults(strip: Strip, name: str) -> None:
         whole = strip.outline.closed
     except InputError as error:
         own = f"{strip.label or 'strip'}: "
-        raise InputError(f"{name}: {str(error).removeprefix(own)}") from error
+        raise InputError(
+            "{name}: {removeprefix}", name=name, removeprefix=str(error).removeprefix(own)
+        ) from error
     if not whole:
-        raise InputError(f"{name}: the slots open its outline")
+        raise InputError("{name}: the slots open its outline", name=name)

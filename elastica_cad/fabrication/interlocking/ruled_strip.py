@@ -11,6 +11,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.refusals import Length
 
 STATIONS = 400
 """Fewest samples of a strip from which crossings are found: turns closer than these are missed."""
@@ -134,7 +135,7 @@ def _over_arc_length(curve: PlaneCurve, length: float) -> tuple[FloatArray, Floa
             return curve.arc_length(nodes) * scale, pieces * powers
         count *= 2
     raise NotConvergedError(
-        f"the curve of a strip {length:.6g} mm long is too wild to be followed: smooth it"
+        "the curve of a strip {length:.6g} long is too wild to be followed: smooth it", length=Length(length)
     )
 
 

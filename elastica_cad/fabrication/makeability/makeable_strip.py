@@ -22,6 +22,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import clip_across, trim_across
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import turns_along
+from elastica_cad.refusals import Length as Mm
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.strip.as_made import LapPlates
@@ -246,13 +247,17 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     name = strip.label or "strip"
     if strip.layout.size is not None:
         raise InputError(
-            f"{name}: strips of a law are not cut in pieces, for their plates would have to taper too: take a "
-            "larger stock, or a strip of one sheet"
+            "{name}: strips of a law are not cut in pieces, for their plates would have to taper "
+            "too: take a larger stock, or a strip of one sheet",
+            name=name,
         )
     longest = (stock, backing_stock or stock)[: len(strip.layers)]
     if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
         raise InputError(
-            f"{name}: a lap of {lap:g} mm: give a length above 0 and below a third of {min(longest):g} mm"
+            "{name}: a lap of {lap:g}: give a length above 0 and below a third of {longest:g}",
+            name=name,
+            lap=Mm(lap),
+            longest=Mm(min(longest)),
         )
     s = np.linspace(lap / 2, strip.rod.length - lap / 2, PLACES)
     clear = np.ones(PLACES, dtype=bool)
@@ -270,8 +275,11 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
         joints = _placed(s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap)
         if joints is None:
             raise InputError(
-                f"{name}: there is no room for {count} joints of {lap:g} mm between its slots: take a shorter "
-                "lap or a larger stock"
+                "{name}: there is no room for {count} joints of {lap:g} between its slots: take a "
+                "shorter lap or a larger stock",
+                name=name,
+                count=count,
+                lap=Mm(lap),
             )
         found.append(joints)
     return Splice(strip, found[0], lap, found[1] if len(found) > 1 else ())

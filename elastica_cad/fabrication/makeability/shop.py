@@ -56,12 +56,14 @@ class Shop:
         for name in ("least_width", "least_ligament", "least_bridge", "lap"):
             value = getattr(self, name)
             if value is not None and not (is_number(value) and value > 0):
-                raise InputError(f"{name} is {value!r}: give a positive width in mm")
+                raise InputError("{name} is {value!r}: give a positive width in mm", name=name, value=value)
         if self.stock is None:
             return
         sides = self.stock if isinstance(self.stock, Sequence) else ()
         if len(sides) != 2 or not all(is_number(side) and side > 0 for side in sides):
-            raise InputError(f"the stock is {self.stock!r}: give the two sides of the sheet in mm")
+            raise InputError(
+                "the stock is {stock!r}: give the two sides of the sheet in mm", stock=self.stock
+            )
         object.__setattr__(self, "stock", (float(max(sides)), float(min(sides))))
 
     def width_for(self, sheet: Sheet | None) -> float:

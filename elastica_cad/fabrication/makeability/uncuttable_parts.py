@@ -207,7 +207,8 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         raise InputError(
-            f"{_tell_faults(faults)} To make it all the same, set ignore_limits (--ignore-limits).",
+            "{tell_faults} To make it all the same, set ignore_limits (--ignore-limits).",
+            tell_faults=_tell_faults(faults),
             kind="fault",
             changes=[*changes],
         )

@@ -137,7 +137,9 @@ def revolve(
     require_record(meridian, Meridian, "what is turned", "a Meridian, as meridian_through makes one")
     if not (is_whole(strips) and 3 <= strips <= MOST_STRIPS):
         raise InputError(
-            f"strips={strips!r}: a surface of revolution is tiled by 3 strips or more, {MOST_STRIPS} at most"
+            "strips={strips!r}: a surface of revolution is tiled by 3 strips or more, {most_strips} at most",
+            strips=strips,
+            most_strips=MOST_STRIPS,
         )
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
@@ -145,7 +147,7 @@ def revolve(
     if ends is not None:
         ends = several("ends", ends, Tab, "Tab")
         if len(ends) != 2:
-            raise InputError(f"ends are {len(ends)} tabs: give two, for start and end")
+            raise InputError("ends are {count} tabs: give two, for start and end", count=len(ends))
     if gap is not None:
         require_number(gap, "gap", "mm")
     asked = _Asked(strips, sheet, ends, rings, gap, shop, ignore_limits)
@@ -156,7 +158,9 @@ def revolve(
         if works is None:
             raise
         said = f"{problem}".rstrip(".")
-        raise InputError(f"{said}; ring={works} is the smallest, in whole mm, that works here") from problem
+        raise InputError(
+            "{said}; ring={works} is the smallest, in whole mm, that works here", said=said, works=works
+        ) from problem
     return Model(placed, name=name, plates=plates, reports=told)
 
 

@@ -80,7 +80,9 @@ def stand(
             problem = str(error)
     blocks = end_fixtures(placed)
     if not blocks:
-        raise InputError(f"nothing can hold strips without tabs: give them ends of some length ({problem})")
+        raise InputError(
+            "nothing can hold strips without tabs: give them ends of some length ({problem})", problem=problem
+        )
     return Stand(blocks, f"held by a printed block at every end, for plates cannot hold all tabs: {problem}")
 
 
@@ -92,7 +94,7 @@ def _plates_apart(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any
         # one only, of a single slot
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
-            raise InputError(f"{plate.name}: the slots lie in a row, so that the plate would tip")
+            raise InputError("{name}: the slots lie in a row, so that the plate would tip", name=plate.name)
     return plates
 
 

@@ -65,7 +65,10 @@ def rotate(
         raise InputError("a rotation pattern needs a count of 1 or more and an axis that is not zero")
     if p is None or not (step is None or is_number(step)):
         raise InputError(
-            f"a rotation pattern turns about a point of three numbers by a step in rad, not {point!r} and {step!r}"
+            "a rotation pattern turns about a point of three numbers by a step in rad, not "
+            "{point!r} and {step!r}",
+            point=point,
+            step=step,
         )
     angle = 2 * np.pi / count if step is None else float(step)
     k = k / np.linalg.norm(k)
@@ -80,18 +83,21 @@ def rotate(
 def repeat(placed: Sequence[Placed], count: int, step: ArrayLike) -> tuple[Placed, ...]:
     """The strips `count` times, the first where they are, each `step` (3,) mm further."""
     if not (is_whole(count) and count >= 1):
-        raise InputError(f"a pattern repeats 1 time or more, not {count}")
+        raise InputError("a pattern repeats 1 time or more, not {count}", count=count)
     _refuse_too_many(count, len(placed))
     d = _vector(step)
     if d is None:
-        raise InputError(f"a pattern repeats at a step of three numbers in mm, not {step!r}")
+        raise InputError("a pattern repeats at a step of three numbers in mm, not {step!r}", step=step)
     return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)
 
 
 def _refuse_too_many(count: int, of: int) -> None:
     if is_whole(count) and count * of > MOST_PLACED:
         raise InputError(
-            f"a pattern of {of} strips, {quoted(count)} times: a model holds {MOST_PLACED} at most"
+            "a pattern of {of} strips, {count} times: a model holds {most_placed} at most",
+            of=of,
+            count=quoted(count),
+            most_placed=MOST_PLACED,
         )
 
 
@@ -135,7 +141,7 @@ class Model:
         object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
         require_printable(self.name, "the model's name")
         if not self.placed:
-            raise InputError(f"the model {self.name!r} has no strips")
+            raise InputError("the model {name!r} has no strips", name=self.name)
 
     @property
     def strips(self) -> tuple[Strip, ...]:
@@ -153,7 +159,9 @@ class Model:
     def _place(self, index: int) -> int:
         if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
             raise InputError(
-                f"{index!r} is no strip of this model: give one of the places 0 to {len(self.placed) - 1}"
+                "{index!r} is no strip of this model: give one of the places 0 to {value}",
+                index=index,
+                value=len(self.placed) - 1,
             )
         return index
 
@@ -187,7 +195,9 @@ class Model:
         new = several("strips", strips, Strip, "Strip")
         if len(new) != len(self.placed):
             raise InputError(
-                f"the model has {len(self.placed)} strips, not {len(new)}: give a Strip record for each"
+                "the model has {count} strips, not {count_2}: give a Strip record for each",
+                count=len(self.placed),
+                count_2=len(new),
             )
         pairs = zip(self.placed, new, strict=True)
         return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
@@ -261,7 +271,9 @@ class Model:
     def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
         if self.plates:
             raise InputError(
-                f"the model {self.name!r} has {self.plates[0].name}, made for its strips where they are: repeat "
-                "the strips without rings"
+                "the model {name!r} has {name_2}, made for its strips where they are: repeat the "
+                "strips without rings",
+                name=self.name,
+                name_2=self.plates[0].name,
             )
         return replace(self, placed=placed)

@@ -12,6 +12,7 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, line_crossings
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.refusals import Length
 
 WIDTH_MM = 1e-5
 """Largest error of a width: a thousandth of what lasers keep."""
@@ -71,7 +72,9 @@ def touching_widths(
     """
     require_number(gap, "the gap", "mm")
     if not (isinstance(strips, Sequence) and all(isinstance(p, Placed | tuple) for p in strips)):
-        raise InputError(f"strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)")
+        raise InputError(
+            "strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)", strips=strips
+        )
     pairs = [(p.strip.rod.curve, p.frame) if isinstance(p, Placed) else p for p in strips]
     names = [
         p.strip.label or f"strip {i + 1}" if isinstance(p, Placed) else f"strip {i + 1}"
@@ -101,7 +104,11 @@ def _bound(
     normal = z - r  # of the points as far from either plane, on the sides that face each other
     pace = float(normal @ z)
     if not (np.any(z) and np.any(r)) or pace < PARALLEL:
-        raise InputError(f"{names[0]} and {names[1]} lie in the same plane: no plane passes between them")
+        raise InputError(
+            "{names} and {names_2} lie in the same plane: no plane passes between them",
+            names=names[0],
+            names_2=names[1],
+        )
     offset = z @ frame.origin - r @ opposite.origin - gap * np.linalg.norm(normal)
     return _Bound(
         float(offset - normal @ frame.origin) / pace,
@@ -131,7 +138,11 @@ def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -
         s = np.linspace(0.0, curve.length, 2001)
         at = float(s[int(np.argmin(half(s)))])
         raise InputError(
-            f"{name}: nothing is left of its width at {at:.6g} mm ({least:.4g} mm) with a gap of {gap:g} mm: make "
-            "the gap smaller or end the strip before"
+            "{name}: nothing is left of its width at {at:.6g} ({least:.4g}) with a gap of "
+            "{gap:g}: make the gap smaller or end the strip before",
+            name=name,
+            at=Length(at),
+            least=Length(least),
+            gap=Length(gap),
         )
     return width

@@ -10,6 +10,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import require_printable
+from elastica_cad.refusals import Length
 
 BEST_LOAD = 5.0
 """w L^3 / EI at which a clamped strip drops by half its length: there the droop says most about E."""
@@ -82,18 +83,26 @@ def coupon_drawing(
         require_positive(value, f"coupon {name}")
     if free < 2 * TICK_MM:
         raise InputError(
-            f"a coupon of {free:g} mm overhang is too short for its scale: use {2 * TICK_MM:g} mm or more"
+            "a coupon of {free:g} overhang is too short for its scale: use {tick_mm:g} or more",
+            free=Length(free),
+            tick_mm=Length(2 * TICK_MM),
         )
     if free > MOST_OVERHANG_MM:
         raise InputError(
-            f"a coupon of {free:g} mm overhang is longer than any board: use {MOST_OVERHANG_MM:g} mm or less"
+            "a coupon of {free:g} overhang is longer than any board: use {most_overhang_mm:g} or less",
+            free=Length(free),
+            most_overhang_mm=Length(MOST_OVERHANG_MM),
         )
     if width < 8.0:
-        raise InputError(f"a coupon of {width:g} mm width is too narrow for its engraving: use 8 mm or more")
+        raise InputError(
+            "a coupon of {width:g} width is too narrow for its engraving: use 8 mm or more",
+            width=Length(width),
+        )
     if width > free:
         raise InputError(
-            f"a coupon of {width:g} mm width and {free:g} mm overhang is a plate: make it narrower than it "
-            "is long"
+            "a coupon of {width:g} width and {free:g} overhang is a plate: make it narrower than it is long",
+            width=Length(width),
+            free=Length(free),
         )
     scale, figures = _scale(free, width)
     name = sheet.name if label is None else require_printable(label, "the label")
@@ -125,7 +134,11 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
         require_positive(value, f"reference bar {name}")
     figure, height = f"{length:g} mm", 0.4 * width
     if text_width(figure, height) > 0.9 * length:
-        raise InputError(f"a reference bar of {length:g} by {width:g} mm is too short for its figures")
+        raise InputError(
+            "a reference bar of {length:g} by {width:g} is too short for its figures",
+            length=length,
+            width=Length(width),
+        )
     start = (length - text_width(figure, height)) / 2
     text = Text((start, (width - height) / 2), figure, height, 0.0, ENGRAVE)
     return Drawing("reference-bar", (LayeredPath(CUT_OUTER, Path.rectangle(length, width)),), (text,))

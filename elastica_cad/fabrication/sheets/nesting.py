@@ -12,6 +12,7 @@ from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPat
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length
 
 SLACK_MM = 1e-9
 """Rounding that a piece as large as its row may have."""
@@ -136,16 +137,22 @@ def nest_pieces(
     """
     sides = tuple(sheet_size) if is_series(sheet_size) else ()
     if len(sides) != 2 or not all(map(is_number, sides)):
-        raise InputError(f"sheet size is {sheet_size!r}: give its width and height, two finite numbers of mm")
+        raise InputError(
+            "sheet size is {sheet_size!r}: give its width and height, two finite numbers of mm",
+            sheet_size=sheet_size,
+        )
     width, height = map(float, sides)
     if not (kerf is None or is_number(kerf)):
-        raise InputError(f"the kerf is {kerf!r}: it must be a finite number of mm, 0 for none")
+        raise InputError("the kerf is {kerf!r}: it must be a finite number of mm, 0 for none", kerf=kerf)
     if not is_number(margin):
-        raise InputError(f"the margin is {margin!r}: it must be 0 mm or more")
+        raise InputError("the margin is {margin!r}: it must be 0 mm or more", margin=margin)
     if not (min(width, height) > 0 and margin >= 0):
         raise InputError(
-            f"sheet size is {width:g} by {height:g} mm with a margin of {margin:g} mm: sizes must be positive and "
-            "the margin 0 or more"
+            "sheet size is {width:g} by {height:g} with a margin of {margin:g}: sizes must be "
+            "positive and the margin 0 or more",
+            width=width,
+            height=Length(height),
+            margin=Length(margin),
         )
     groups: dict[Sheet, list[Piece]] = {}
     for piece in several("pieces", pieces, Piece, "Piece"):

@@ -17,6 +17,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of, place, trim_segment
 from elastica_cad.geometry.polynomials.splines import spline_through
 from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.refusals import Length
 
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines: a tenth of what drawings tell apart."""
@@ -31,7 +32,7 @@ Relief = Literal["square", "round"]
 def _center_line(path: object, widths: object, here: str) -> tuple[FloatArray, FloatArray]:
     rows, across = numbers(path, f"{here}: path"), numbers(widths, f"{here}: widths")
     if rows.ndim != 2 or rows.shape[1] != 2 or len(rows) < 2 or across.shape != (len(rows),):
-        raise InputError(f"{here}: path has two or more rows (x, y), widths one number for each")
+        raise InputError("{here}: path has two or more rows (x, y), widths one number for each", here=here)
     return rows, across
 
 
@@ -85,23 +86,32 @@ class Slot:
     def __post_init__(self) -> None:
         for name in ("at", "width", "lean", *(() if self.depth is None else ("depth",))):
             if not is_number(getattr(self, name)):
-                raise InputError(f"slot {name} is {getattr(self, name)!r}: it must be a finite number")
+                raise InputError(
+                    "slot {name} is {getattr!r}: it must be a finite number",
+                    name=name,
+                    getattr=getattr(self, name),
+                )
         here = f"slot at {self.at:.6g} mm"
         if self.width <= 0 or (self.depth is not None and self.depth <= 0):
-            raise InputError(f"{here}: width and depth must be positive, in mm")
+            raise InputError("{here}: width and depth must be positive, in mm", here=here)
         if not (is_one_of(self.side, ("upper", "lower")) and is_one_of(self.relief, ("square", "round"))):
             raise InputError(
-                f'{here}: side is "upper" or "lower" and relief "square" or "round", not {self.side!r} and '
-                f"{self.relief!r}"
+                '{here}: side is "upper" or "lower" and relief "square" or "round", not {side!r} and '
+                "{relief!r}",
+                here=here,
+                side=self.side,
+                relief=self.relief,
             )
         if abs(self.lean) >= np.pi / 2:
-            raise InputError(f"{here}: lean is {self.lean:g} rad: it must stay within a quarter turn")
+            raise InputError(
+                "{here}: lean is {lean:g} rad: it must stay within a quarter turn", here=here, lean=self.lean
+            )
         if (self.path is None) != (self.widths is None):
-            raise InputError(f"{here}: path and widths go together")
+            raise InputError("{here}: path and widths go together", here=here)
         if self.path is not None:
             path, widths = (array.copy() for array in _center_line(self.path, self.widths, here))
             if not np.all(np.isfinite(path)) or not np.all(widths > 0):
-                raise InputError(f"{here}: path and widths must be finite, widths positive, in mm")
+                raise InputError("{here}: path and widths must be finite, widths positive, in mm", here=here)
             for name, array in (("path", path), ("widths", widths)):
                 array.setflags(write=False)
                 object.__setattr__(self, name, array)
@@ -287,13 +297,20 @@ class _Edge:
             low, high = float(self.low[:, 0].min()), float(self.high[:, 0].max())
             if not low < slot.at < high:
                 raise InputError(
-                    f"{name}: the slot at {slot.at:.6g} mm is not on the strip, which goes from {low:.4g} to "
-                    f"{high:.4g} mm with its tabs: move it"
+                    "{name}: the slot at {at:.6g} is not on the strip, which goes from {low:.4g} to "
+                    "{high:.4g} with its tabs: move it",
+                    name=name,
+                    at=Length(slot.at),
+                    low=low,
+                    high=Length(high),
                 )
             fault = "does not open at the edge" if len(crossings) < 2 else "cuts through to another edge"
             raise InputError(
-                f"{name}: the slot at {slot.at:.6g} mm {fault}: make it "
-                f"{'deeper' if len(crossings) < 2 else 'shallower or narrower'} or move it"
+                "{name}: the slot at {at:.6g} {fault}: make it {value} or move it",
+                name=name,
+                at=Length(slot.at),
+                fault=fault,
+                value="deeper" if len(crossings) < 2 else "shallower or narrower",
             )
         (first, a), (second, b) = sorted(crossings, key=lambda pair: (pair[1].segment, pair[1].u))
         points = np.concatenate([c.points for c in chords[a.segment : b.segment + 1]])
@@ -356,8 +373,10 @@ def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: 
             at = polylines_cross(cuts[i], np.concatenate([loop, loop[:1]]))
             if at is not None:
                 raise InputError(
-                    f"{name}: the slot at {opening.slot.at:.6g} mm meets a hole at {place(at)}: "
-                    "move one of them"
+                    "{name}: the slot at {at:.6g} meets a hole at {at_2}: move one of them",
+                    name=name,
+                    at=Length(opening.slot.at),
+                    at_2=place(at),
                 )
 
 

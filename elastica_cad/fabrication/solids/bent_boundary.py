@@ -38,6 +38,7 @@ from elastica_cad.geometry.polynomials.splines import (
 )
 from elastica_cad.geometry.running_sums import numbers_in_groups, turns_along
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 DEGREE = 5  # of the bent faces
 POSITION_TOLERANCE = 1e-6  # mm, of the centre line
@@ -215,8 +216,11 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
-                f"the radius at {s[i]:.4g} mm is {1 / abs(kappa[i]):.4g} mm, but the strip's face lies "
-                f"{reach:g} mm off the curve and would fold over: take a thinner sheet or a gentler curve"
+                "the radius at {s:.4g} is {value:.4g}, but the strip's face lies {reach:g} off the "
+                "curve and would fold over: take a thinner sheet or a gentler curve",
+                s=Length(s[i]),
+                value=Length(1 / abs(kappa[i])),
+                reach=Length(reach),
             )
 
 
@@ -281,8 +285,9 @@ def _fitted(
         if edges.size > MOST_SPANS:
             at = float(edges[:-1][bad][0])
             raise NotConvergedError(
-                f"the bent strip cannot follow its curve near {at:.6g} mm: the curve changes too fast there; "
-                "smooth it"
+                "the bent strip cannot follow its curve near {at:.6g}: the curve changes too fast "
+                "there; smooth it",
+                at=Length(at),
             )
         # the error falls with the power degree + 1 of the width
         parts = np.where(bad, np.clip(np.ceil(SPARE * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)

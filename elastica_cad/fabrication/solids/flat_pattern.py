@@ -16,6 +16,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import encloses
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.polynomials.splines import interpolated, interpolation_sites, knot_runs
+from elastica_cad.refusals import Length
 
 SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
@@ -361,8 +362,8 @@ class _Cutter:
                     k += step
                     if not 0 <= k < len(row):
                         raise InputError(
-                            f"the flat pattern does not close at x = {self.points[loop[-1].end][0]:.6g} mm: "
-                            "its loops cross there"
+                            "the flat pattern does not close at x = {points:.6g}: its loops cross there",
+                            points=Length(self.points[loop[-1].end][0]),
                         )
                     loop.append(self._seam(row[k - step], row[k], step > 0))
                 chain = starts[row[k]]
@@ -377,7 +378,9 @@ class _Cutter:
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step
-        raise InputError(f"the flat pattern has an open loop at x = {self.points[corner][0]:.6g} mm")
+        raise InputError(
+            "the flat pattern has an open loop at x = {points:.6g}", points=Length(self.points[corner][0])
+        )
 
     def _seam(self, start: int, end: int, upward: bool) -> Piece:
         low, high = (start, end) if upward else (end, start)

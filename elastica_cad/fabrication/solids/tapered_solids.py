@@ -27,6 +27,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
+from elastica_cad.refusals import Length
 
 FACE_MM = 1e-4
 """How closely the faces follow half the thickness off the curve: far below what a plane takes off."""
@@ -96,8 +97,9 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
     if tight.max() >= 1:
         at = float(strip.rod.s[int(tight.argmax())])
         raise InputError(
-            f"at {at:.4g} mm the strip bends to a radius below half its thickness: draw a gentler curve, or allow "
-            "less thickness"
+            "at {at:.4g} the strip bends to a radius below half its thickness: draw a gentler "
+            "curve, or allow less thickness",
+            at=Length(at),
         )
 
     def face(s: FloatArray) -> FloatArray:

@@ -22,6 +22,7 @@ from elastica_cad.mechanics.material.laminated_section import BoundedBacking, La
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 SLACK = 3e-4
 """Share by which a rod's own stiffness, fitted at fewer stations, may pass what fits; it is brought to that."""
@@ -69,7 +70,7 @@ class Laminated:
             object.__setattr__(self, "backing", Sheet.named(self.backing))
         require_positive(self.least_backing, "least_backing")
         if not (is_number(self.dots) and self.dots >= 0):
-            raise InputError(f"dots are {self.dots!r} mm across: give a diameter, 0 for none")
+            raise InputError("dots are {dots!r} mm across: give a diameter, 0 for none", dots=self.dots)
 
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
@@ -128,8 +129,11 @@ class Laminated:
         i = int(np.argmin(w1))
         if w1[i] < least:
             raise InputError(
-                f"the base is {w1[i]:.4g} mm wide at {s[i]:.1f} mm, narrower than the least backing of "
-                f"{least:g} mm: widen it there"
+                "the base is {w1:.4g} wide at {s:.1f}, narrower than the least backing of {least:g}: "
+                "widen it there",
+                w1=Length(w1[i]),
+                s=Length(s[i]),
+                least=Length(least),
             )
         fits = section.scale_range(w1, K, least_backing=least)
         if not fits.feasible:
@@ -140,20 +144,32 @@ class Laminated:
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise InputError(
-                f"a backing of at least {least:g} mm at {low:.1f} mm is wider than max_width {most:g} mm at "
-                f"{high:.1f} mm: raise max_width"
+                "a backing of at least {least:g} at {low:.1f} is wider than max_width {most:g} at "
+                "{high:.1f}: raise max_width",
+                least=Length(least),
+                low=Length(low),
+                most=Length(most or 0.0),
+                high=Length(high),
             )
         scale = rod.bending_stiffness or fits.highest
         if scale > fits.highest * (1 + SLACK):
             raise InputError(
-                f"the rod's bending stiffness of {scale:.4g} N mm2 asks for a backing wider than fits at "
-                f"{high:.1f} mm, where {fits.highest:.4g} N mm2 is the most: use thicker or stiffer sheets, or "
-                "widen the base"
+                "the rod's bending stiffness of {scale:.4g} N mm2 asks for a backing wider than fits "
+                "at {high:.1f}, where {highest:.4g} N mm2 is the most: use thicker or stiffer "
+                "sheets, or widen the base",
+                scale=scale,
+                high=Length(high),
+                highest=fits.highest,
             )
         if scale < fits.lowest * (1 - SLACK):
             raise InputError(
-                f"the rod's bending stiffness of {scale:.4g} N mm2 leaves a backing narrower than {least:g} mm at "
-                f"{low:.1f} mm, where {fits.lowest:.4g} N mm2 is the least: use thinner sheets, or narrow the base"
+                "the rod's bending stiffness of {scale:.4g} N mm2 leaves a backing narrower than "
+                "{least:g} at {low:.1f}, where {lowest:.4g} N mm2 is the least: use thinner sheets, "
+                "or narrow the base",
+                scale=scale,
+                least=Length(least),
+                low=Length(low),
+                lowest=fits.lowest,
             )
         return float(np.clip(scale, fits.lowest, fits.highest))
 

@@ -17,6 +17,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.polynomials.splines import greville, knot_runs
+from elastica_cad.refusals import Length
 
 StripEnd: TypeAlias = Literal["start", "end"]
 ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
@@ -46,7 +47,11 @@ class Hole:
     def __post_init__(self) -> None:
         for name in ("at", "diameter", "across"):
             if not is_number(getattr(self, name)):
-                raise InputError(f"hole {name} is {getattr(self, name)!r}: it must be a finite number, in mm")
+                raise InputError(
+                    "hole {name} is {getattr!r}: it must be a finite number, in mm",
+                    name=name,
+                    getattr=getattr(self, name),
+                )
 
 
 @dataclass(frozen=True)
@@ -82,12 +87,15 @@ class TSlot:
             raise InputError("a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall")
         if self.nut[0] <= self.screw:
             raise InputError(
-                f"a nut of {self.nut[0]:g} mm is held by nothing in a slot of {self.screw:g} mm: make it wider"
+                "a nut of {nut:g} is held by nothing in a slot of {screw:g}: make it wider",
+                nut=Length(self.nut[0]),
+                screw=Length(self.screw),
             )
         if self.depth < self.wall + self.nut[1]:
             raise InputError(
-                f"a T-slot of {self.depth:g} mm ends before its nut is in, at "
-                f"{self.wall + self.nut[1]:g} mm: make it deeper"
+                "a T-slot of {depth:g} ends before its nut is in, at {wall:g}: make it deeper",
+                depth=Length(self.depth),
+                wall=Length(self.wall + self.nut[1]),
             )
 
     def side(self, edge: float) -> list[tuple[float, float]]:
@@ -139,7 +147,7 @@ class Tab:
     def __post_init__(self) -> None:
         object.__setattr__(self, "holes", several("holes", self.holes, Hole, "Hole"))
         if not (self.t_slot is None or isinstance(self.t_slot, TSlot)):
-            raise InputError(f"t_slot is {self.t_slot!r}: give a TSlot record, or None")
+            raise InputError("t_slot is {t_slot!r}: give a TSlot record, or None", t_slot=self.t_slot)
         sizes = {
             "length": self.length,
             "corner radius": self.corner_radius,
@@ -148,10 +156,12 @@ class Tab:
         }
         for name, value in sizes.items():
             if not (is_number(value) and value >= 0):
-                raise InputError(f"tab {name} is {value!r}: it must be 0 mm or more")
+                raise InputError("tab {name} is {value!r}: it must be 0 mm or more", name=name, value=value)
         if 0 < self.length < SHORTEST_MM:
             raise InputError(
-                f"tab length is {self.length!r}: use 0 for no tab, or {SHORTEST_MM:g} mm or more"
+                "tab length is {length!r}: use 0 for no tab, or {shortest_mm:g} or more",
+                length=self.length,
+                shortest_mm=Length(SHORTEST_MM),
             )
         if self.width is not None:
             require_positive(self.width, "tab width")
@@ -161,22 +171,33 @@ class Tab:
             raise InputError("a tab that tapers has neither corner radius nor chamfer")
         if self.t_slot is not None and self.t_slot.depth >= self.length:
             raise InputError(
-                f"a T-slot of {self.t_slot.depth:g} mm does not fit a tab of {self.length:g} mm: lengthen the tab"
+                "a T-slot of {depth:g} does not fit a tab of {length:g}: lengthen the tab",
+                depth=Length(self.t_slot.depth),
+                length=Length(self.length),
             )
         for hole in self.holes:
             r = hole.diameter / 2
             if r <= 0:
-                raise InputError(f"hole diameter is {hole.diameter}: it must be positive, in mm")
+                raise InputError(
+                    "hole diameter is {diameter}: it must be positive, in mm", diameter=hole.diameter
+                )
             if hole.at - r <= 0 or hole.at + r >= self.length:
                 raise InputError(
-                    f"a {hole.diameter:g} mm hole {hole.at:g} mm into the tab does not fit its length of "
-                    f"{self.length:g} mm: move it or lengthen the tab"
+                    "a {diameter:g} hole {at:g} into the tab does not fit its length of {length:g}: move "
+                    "it or lengthen the tab",
+                    diameter=Length(hole.diameter),
+                    at=Length(hole.at),
+                    length=Length(self.length),
                 )
         for one, other in combinations(self.holes, 2):
             if hypot(one.at - other.at, one.across - other.across) <= (one.diameter + other.diameter) / 2:
                 raise InputError(
-                    f"holes of {one.diameter:g} mm and {other.diameter:g} mm, {one.at:g} and {other.at:g} mm into "
-                    "the tab, meet: move one of them"
+                    "holes of {diameter:g} and {diameter_2:g}, {at:g} and {at_2:g} into the tab, meet: "
+                    "move one of them",
+                    diameter=Length(one.diameter),
+                    diameter_2=Length(other.diameter),
+                    at=one.at,
+                    at_2=Length(other.at),
                 )
 
     def mirrored(self) -> "Tab":
@@ -192,11 +213,16 @@ class Tab:
         cut = self.corner_radius or self.chamfer
         if cut > length or 2 * cut > w:
             raise InputError(
-                f"tab corners of {cut:g} mm do not fit a tab of {length:g} by {w:g} mm: make them smaller"
+                "tab corners of {cut:g} do not fit a tab of {length:g} by {w:g}: make them smaller",
+                cut=Length(cut),
+                length=length,
+                w=Length(w),
             )
         if 2 * self.taper >= w:
             raise InputError(
-                f"a taper of {self.taper:g} mm leaves nothing of a tab {w:.4g} mm wide: make it smaller"
+                "a taper of {taper:g} leaves nothing of a tab {w:.4g} wide: make it smaller",
+                taper=Length(self.taper),
+                w=Length(w),
             )
         if length == 0:
             return lines_through([(0.0, -w / 2), (0.0, w / 2)])
@@ -221,8 +247,10 @@ class Tab:
             return list(ends)
         if self.t_slot.nut[0] / 2 >= far:
             raise InputError(
-                f"the nut of a T-slot, {self.t_slot.nut[0]:g} mm, is wider than the tab's outer edge of "
-                f"{2 * far:.4g} mm: make the tab wider"
+                "the nut of a T-slot, {nut:g}, is wider than the tab's outer edge of {far:.4g}: make "
+                "the tab wider",
+                nut=Length(self.t_slot.nut[0]),
+                far=Length(2 * far),
             )
         side = self.t_slot.side(self.length)
         return [ends[0], *side, *((x, -y) for x, y in reversed(side)), ends[1]]
@@ -243,8 +271,11 @@ class Tab:
         for hole in self.holes:
             if self.depth_at(hole.at, hole.across, w) <= hole.diameter / 2:
                 raise InputError(
-                    f"a {hole.diameter:g} mm hole {hole.across:g} mm off the centre line breaks the edge of a "
-                    f"{w:.4g} mm wide tab: make it smaller or the tab wider"
+                    "a {diameter:g} hole {across:g} off the centre line breaks the edge of a {w:.4g} "
+                    "wide tab: make it smaller or the tab wider",
+                    diameter=Length(hole.diameter),
+                    across=Length(hole.across),
+                    w=Length(w),
                 )
             slot = self.t_slot
             if slot is not None and (
@@ -252,7 +283,9 @@ class Tab:
                 and hole.at + hole.diameter / 2 > self.length - slot.depth
             ):
                 raise InputError(
-                    f"a {hole.diameter:g} mm hole {hole.at:g} mm into the tab meets its T-slot: move it aside"
+                    "a {diameter:g} hole {at:g} into the tab meets its T-slot: move it aside",
+                    diameter=Length(hole.diameter),
+                    at=Length(hole.at),
                 )
         return tuple(Path.circle((hole.at, hole.across), hole.diameter / 2) for hole in self.holes)
 
@@ -274,7 +307,8 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
     found = several("ends", tabs, Tab, "Tab")
     if len(found) != 2:
         raise InputError(
-            f"ends are {counted(len(found), 'tab')}: give two, for the start and the end; Tab(0) is none"
+            "ends are {counted}: give two, for the start and the end; Tab(0) is none",
+            counted=counted(len(found), "tab"),
         )
     return found[0], found[1]
 

@@ -33,6 +33,7 @@ from elastica_cad.mechanics.material.plain_section import PerforatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length as Mm
 
 FIT_MM = 2e-5
 """Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""
@@ -110,8 +111,12 @@ class DiamondPattern:
     def __post_init__(self) -> None:
         if self.side_length <= self.bridge:
             raise InputError(
-                f"{self.rows} rows are {self.row_length:.3g} mm long each: diamonds with bridges of "
-                f"{self.bridge:g} mm between their tips need more than {4 * self.bridge:g} mm; use fewer rows"
+                "{rows} rows are {row_length} long each: diamonds with bridges of {bridge:g} between "
+                "their tips need more than {bridge_2:g}; use fewer rows",
+                rows=self.rows,
+                row_length=Mm(self.row_length),
+                bridge=Mm(self.bridge),
+                bridge_2=Mm(4 * self.bridge),
             )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
@@ -367,16 +372,23 @@ class Perforated:
             count = getattr(self, name)
             if count is not None and not (is_number(count) and count == int(count) and count >= 1):
                 raise InputError(
-                    f"{name} is {count!r}: a perforated strip has a whole number of them, from 1"
+                    "{name} is {count!r}: a perforated strip has a whole number of them, from 1",
+                    name=name,
+                    count=count,
                 )
         if not (is_number(self.hole_ratio) and 0 < self.hole_ratio < 1):
-            raise InputError(f"hole_ratio is {self.hole_ratio!r}: it must lie between 0 and 1")
+            raise InputError(
+                "hole_ratio is {hole_ratio!r}: it must lie between 0 and 1", hole_ratio=self.hole_ratio
+            )
         for name in ("least_ligament", "least_hole"):
             require_positive(getattr(self, name), name)
         if not (is_number(self.corner_radius) and self.corner_radius >= 0):
-            raise InputError(f"corner_radius is {self.corner_radius!r}: it must be 0 mm or more")
+            raise InputError(
+                "corner_radius is {corner_radius!r}: it must be 0 mm or more",
+                corner_radius=self.corner_radius,
+            )
         if not is_one_of(self.sides, ("spline", "arc")):
-            raise InputError(f'sides are "spline" or "arc", not {self.sides!r}')
+            raise InputError('sides are "spline" or "arc", not {sides!r}', sides=self.sides)
 
     @property
     def ligaments(self) -> int:
@@ -470,9 +482,15 @@ class _Fit:
         i = int(np.argmin(room))
         if room[i] <= style.ligaments * style.least_ligament:
             raise InputError(
-                f"the outline is {self.w[i]:.4g} mm wide at {self.s[i]:.1f} mm: {style.ligaments} ligaments of "
-                f"{style.least_ligament:g} mm and {style.columns} columns of holes need more than "
-                f"{self.holes + style.ligaments * style.least_ligament:.4g} mm; widen it or use fewer columns"
+                "the outline is {w:.4g} wide at {s:.1f}: {ligaments} ligaments of {least_ligament:g} "
+                "and {columns} columns of holes need more than {holes:.4g}; widen it or use fewer "
+                "columns",
+                w=Mm(self.w[i]),
+                s=Mm(self.s[i]),
+                ligaments=style.ligaments,
+                least_ligament=Mm(style.least_ligament),
+                columns=style.columns,
+                holes=Mm(self.holes + style.ligaments * style.least_ligament),
             )
         self.by_ligaments = self.section.scale_range(room, self.K)
         most = self.section.bending_stiffness(room)
@@ -492,21 +510,29 @@ class _Fit:
             if asked > scale * (1 + SLACK):
                 i = self.by_ligaments.highest_at
                 raise InputError(
-                    f"the rod's bending stiffness asks for {asked * self.K[i] / rigidity:.4g} mm of material at "
-                    f"{self.s[i]:.1f} mm, {scale * self.K[i] / rigidity:.4g} mm fit: widen the outline or raise "
-                    "max_width"
+                    "the rod's bending stiffness asks for {rigidity:.4g} of material at {s:.1f}, "
+                    "{rigidity_2:.4g} fit: widen the outline or raise max_width",
+                    rigidity=Mm(asked * self.K[i] / rigidity),
+                    s=Mm(self.s[i]),
+                    rigidity_2=Mm(scale * self.K[i] / rigidity),
                 )
             scale = asked
         if scale < self.lowest * (1 - SLACK):
             way = "raise max_width" if self.rod.bending_stiffness is None else "use a thinner or softer sheet"
             raise InputError(
-                f"{self._too_little(scale)}: the ligaments need {self.lowest * high / rigidity:.4g} mm in all "
-                f"where they are widest, not {scale * high / rigidity:.4g} mm; {way}"
+                "{too_little}: the ligaments need {rigidity:.4g} in all where they are widest, not "
+                "{rigidity_2:.4g}; {way}",
+                too_little=self._too_little(scale),
+                rigidity=Mm(self.lowest * high / rigidity),
+                rigidity_2=Mm(scale * high / rigidity),
+                way=way,
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
             raise InputError(
-                f"the ligaments are {scale * low / rigidity:.4g} mm in all at the narrowest place, below min_width "
-                f"{min_width:g} mm: widen the outline or lower the stiffness ratio"
+                "the ligaments are {rigidity:.4g} in all at the narrowest place, below min_width "
+                "{min_width:g}: widen the outline or lower the stiffness ratio",
+                rigidity=Mm(scale * low / rigidity),
+                min_width=Mm(min_width),
             )
         return scale
 

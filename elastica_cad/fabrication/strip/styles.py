@@ -28,6 +28,7 @@ from elastica_cad.mechanics.material.stiffness_law import (
     scale_within,
 )
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
 """An outer width: one number, or a profile or function of arc length, all in mm."""
@@ -248,7 +249,8 @@ def require_style(style: object) -> None:
     """Refuse what lays out no strip."""
     if not callable(getattr(style, "laid_out", None)):
         raise InputError(
-            f"style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
+            "style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)",
+            style=style,
         )
 
 
@@ -268,13 +270,19 @@ def _within(
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         raise InputError(
-            f"the narrowest place is {narrow:.4g} mm, below min_width {min_width:g} mm: the ratio is "
-            f"{rod.ratio:.3g}, so max_width must be {rounded_up(min_width * wide / narrow)} mm or more"
+            "the narrowest place is {narrow:.4g}, below min_width {min_width:g}: the ratio is "
+            "{ratio:.3g}, so max_width must be {rounded_up} mm or more",
+            narrow=Length(narrow),
+            min_width=Length(min_width),
+            ratio=rod.ratio,
+            rounded_up=rounded_up(min_width * wide / narrow),
         )
     if max_width is not None and wide > max_width * (1 + slack):
         raise InputError(
-            f"the rod's bending stiffness asks for a width of {wide:.4g} mm, above max_width "
-            f"{max_width:g} mm: choose a thicker or stiffer sheet"
+            "the rod's bending stiffness asks for a width of {wide:.4g}, above max_width "
+            "{max_width:g}: choose a thicker or stiffer sheet",
+            wide=Length(wide),
+            max_width=Length(max_width),
         )
 
 
@@ -326,7 +334,12 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
     """
     if isinstance(width, Profile):
         if not np.isclose(width.length, length, rtol=1e-6):
-            raise InputError(f"{name} is given over {width.length:.6g} mm, the strip is {length:.6g} mm long")
+            raise InputError(
+                "{name} is given over {length:.6g}, the strip is {length_2:.6g} long",
+                name=name,
+                length=Length(width.length),
+                length_2=Length(length),
+            )
         profile = width
     elif callable(width):
         profile = Profile.fit(width, length, tolerance=WIDTH_MM)
@@ -338,7 +351,10 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
         s = stations_of(length, profile)
         at = float(s[int(np.argmin(profile(s)))])
         raise InputError(
-            f"{name} is {float(profile(at)):.4g} mm at {at:.4g} mm: it must be positive everywhere"
+            "{name} is {value:.4g} at {at:.4g}: it must be positive everywhere",
+            name=name,
+            value=Length(float(profile(at))),
+            at=Length(at),
         )
     return profile
 

@@ -156,11 +156,23 @@ class DrawnFile:
         if not found:
             asked = " on layer ".join(word for word in (which or "", layer or "") if word)
             raise InputError(
-                f"{self.path} holds {len(self.curves)} {plural}, and {asked} is not among them: choose one with "
-                f"{how}; {_known(self.curves)}"
+                "{path} holds {count} {plural}, and {asked} is not among them: choose one with "
+                "{how}; {known}",
+                path=self.path,
+                count=len(self.curves),
+                plural=plural,
+                asked=asked,
+                how=how,
+                known=_known(self.curves),
             )
         if len(found) > 1:
-            raise InputError(f"{self.path} holds {len(found)} curves: choose one with {how}; {_known(found)}")
+            raise InputError(
+                "{path} holds {count} curves: choose one with {how}; {known}",
+                path=self.path,
+                count=len(found),
+                how=how,
+                known=_known(found),
+            )
         return found[0]
 
     def read(self) -> "CurveList":

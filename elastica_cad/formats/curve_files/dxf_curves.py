@@ -71,7 +71,10 @@ def _refuse_many_inserts(document: "Drawing") -> None:
 def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
     """Entities of a layout, blocks expanded; never more than a billion."""
     if depth > DEEPEST_BLOCK:
-        raise InputError(f"blocks are nested more than {DEEPEST_BLOCK} deep: explode them before export")
+        raise InputError(
+            "blocks are nested more than {deepest_block} deep: explode them before export",
+            deepest_block=DEEPEST_BLOCK,
+        )
     from ezdxf.lldxf.const import DXFError
 
     total = 0
@@ -155,7 +158,9 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
             skipped[f"{kind} that cannot be read ({error})"] += 1
             continue
         except (*ODDITIES, DXFError):
-            bad.append(InputError(f"has a {kind} that breaks off or makes no sense: draw it anew"))
+            bad.append(
+                InputError("has a {kind_} that breaks off or makes no sense: draw it anew", kind_=kind)
+            )
             skipped[f"{kind} that breaks off or makes no sense"] += 1
             continue
         good += 1
@@ -172,7 +177,9 @@ def _opened(path: Path) -> "Drawing":
         from ezdxf.lldxf.const import DXFError
     except ImportError as error:
         raise MissingDependencyError(
-            f"reading {path.name} needs ezdxf, which is not installed: {how_to_install('ezdxf')}"
+            "reading {name} needs ezdxf, which is not installed: {how_to_install}",
+            name=path.name,
+            how_to_install=how_to_install("ezdxf"),
         ) from error
     # what ezdxf meets in a file cut short or overwritten in places
     damage = (
@@ -206,7 +213,7 @@ def _opened(path: Path) -> "Drawing":
         said = re.sub(
             '"(.*)"(?= near line)', lambda found: quoted(found[1]), guessed[0].message, flags=re.DOTALL
         )
-        raise InputError(f"is damaged ({said}): export it anew")
+        raise InputError("is damaged ({said}): export it anew", said=said)
     return document
 
 
@@ -218,8 +225,9 @@ def _unit_code(document: "Drawing") -> int:
         code = -1
     if code not in _INSUNITS:
         raise InputError(
-            "is drawn in a unit that is not known here ($INSUNITS = "
-            f'{code if -1 < code < 1000 else "no number from 0 to 21"}): say which, --unit mm or unit = "mm"'
+            "is drawn in a unit that is not known here ($INSUNITS = {value}): say which, --unit "
+            'mm or unit = "mm"',
+            value=code if -1 < code < 1000 else "no number from 0 to 21",
         )
     return code
 
@@ -277,7 +285,10 @@ def _entities(
                 continue
             yield from _entities(shown, depth + 1, skipped, hidden, size * stretch, layer)
         else:
-            raise InputError(f"blocks are nested more than {DEEPEST_BLOCK} deep: explode them before export")
+            raise InputError(
+                "blocks are nested more than {deepest_block} deep: explode them before export",
+                deepest_block=DEEPEST_BLOCK,
+            )
 
 
 def _run(entity: Any) -> Run | None:
@@ -367,7 +378,9 @@ def _through(points: FloatArray, ends: Any) -> Edge:
     apart = chords > 0
     chords_needed, places = (3, "three") if isinstance(ends, str) else (1, "two")
     if np.count_nonzero(apart) < chords_needed:
-        raise InputError(f"a SPLINE has fewer than {places} fit points that differ: draw it anew")
+        raise InputError(
+            "a SPLINE has fewer than {places} fit points that differ: draw it anew", places=places
+        )
     at = np.append(0.0, np.cumsum(chords[apart]))
     spline = make_interp_spline(at, points[np.append(True, apart)], k=3, bc_type=ends)
     return Edge(spline.t, spline.c, 3)

@@ -65,18 +65,24 @@ class Edge:
         count = len(points)
         if self.degree < 1 or count <= self.degree:
             raise InputError(
-                f"a spline of degree {self.degree} has {count} control points; "
-                f"it needs {self.degree + 1}: draw it anew"
+                "a spline of degree {degree} has {count} control points; it needs {degree_2}: draw it anew",
+                degree=self.degree,
+                count=count,
+                degree_2=self.degree + 1,
             )
         if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
             raise InputError(
-                f"a spline of degree {self.degree} with {count} control points has {knots.size} knots; "
-                f"it needs {count + self.degree + 1}, never decreasing: export it anew, or draw it anew"
+                "a spline of degree {degree} with {count} control points has {size} knots; it needs "
+                "{value}, never decreasing: export it anew, or draw it anew",
+                degree=self.degree,
+                count=count,
+                size=knots.size,
+                value=count + self.degree + 1,
             )
         if not knots[self.degree] < knots[count]:
             raise InputError(
-                f"all knots of a spline are {knots[count]:g}; its parameter must run over an interval: "
-                "draw it anew"
+                "all knots of a spline are {knots:g}; its parameter must run over an interval: draw it anew",
+                knots=knots[count],
             )
         object.__setattr__(self, "knots", knots)
         object.__setattr__(self, "points", points)
@@ -84,8 +90,9 @@ class Edge:
             weights = np.array(self.weights, dtype=float)
             if weights.shape != (count,) or not np.all(np.isfinite(weights)) or not np.all(weights > 0):
                 raise InputError(
-                    f"a spline of {count} control points needs {count} weights, all positive and finite, or none: "
-                    "export it anew, or draw it anew"
+                    "a spline of {count} control points needs {count} weights, all positive and finite, "
+                    "or none: export it anew, or draw it anew",
+                    count=count,
                 )
             same = np.ptp(weights) <= 1e-14 * weights[0]
             object.__setattr__(self, "weights", None if same else weights)

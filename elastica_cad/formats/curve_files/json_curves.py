@@ -52,10 +52,13 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     except RecursionError as error:
         raise InputError("nests lists or records too deep: give a file that elastica wrote") from error
     except ValueError as error:  # a whole number of thousands of digits too
-        raise InputError(f"is not JSON ({str(error).partition(';')[0]}): export it anew") from error
+        raise InputError(
+            "is not JSON ({partition}): export it anew", partition=str(error).partition(";")[0]
+        ) from error
     if not isinstance(data, dict):
         raise InputError(
-            f"holds no record with the schema {CURVES_SCHEMA!r}: give a file that elastica wrote"
+            "holds no record with the schema {curves_schema!r}: give a file that elastica wrote",
+            curves_schema=CURVES_SCHEMA,
         )
     scale = _scale(data, unit)
     if "curve" in data:
@@ -73,11 +76,15 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
     name, _, version = str(schema).partition("/")
     if name not in ("elastica-curves", "elastica-report"):
         raise InputError(
-            f"has the schema {quoted(schema)}; curves are read from {CURVES_SCHEMA!r} and from reports of strips: "
-            "give one of those"
+            "has the schema {schema}; curves are read from {curves_schema!r} and from reports of "
+            "strips: give one of those",
+            schema=quoted(schema),
+            curves_schema=CURVES_SCHEMA,
         )
     if version != "1":
-        raise InputError(f"has the schema {quoted(schema)}, which is newer than this program: update it")
+        raise InputError(
+            "has the schema {schema}, which is newer than this program: update it", schema=quoted(schema)
+        )
     given = data.get("units", "mm")
     if isinstance(given, dict):
         given = given.get("length", "mm")
@@ -86,25 +93,29 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
 
 def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
     if not isinstance(record, dict):
-        raise InputError(f"{where} is not a record of degree, knots, control_points and weights")
+        raise InputError(
+            "{where_} is not a record of degree, knots, control_points and weights", where_=where
+        )
     for key in ("degree", "knots", "control_points"):
         if key not in record:
-            raise InputError(f"{where} has no {key!r}")
+            raise InputError("{where_} has no {key!r}", where_=where, key=key)
     degree = record["degree"]
     if not isinstance(degree, int) or isinstance(degree, bool):
-        raise InputError(f"{where}: degree is {quoted(degree)}; it must be a whole number")
+        raise InputError(
+            "{where_}: degree is {degree}; it must be a whole number", where_=where, degree=quoted(degree)
+        )
     try:
         knots = np.array(record["knots"], dtype=float)
         points = np.array(record["control_points"], dtype=float)
         weights = None if record.get("weights") is None else np.array(record["weights"], dtype=float)
     except (TypeError, ValueError, OverflowError, RecursionError) as error:
-        raise InputError(f"{where} has an entry that is not a number") from error
+        raise InputError("{where_} has an entry that is not a number", where_=where) from error
     if points.ndim != 2 or points.shape[1] != 2:
-        raise InputError(f"{where}: control_points must be rows of x and y")
+        raise InputError("{where_}: control_points must be rows of x and y", where_=where)
     try:
         check_count(len(points), 4 * MOST_PIECES, "control points", "leave some out")
         check_degree(degree)
         check_size(scale * points)
         return PlaneCurve(knots, scale * points, degree, weights)
     except InputError as error:
-        raise InputError(f"{where}: {error}") from error
+        raise InputError("{where_}: {error}", where_=where, error=error) from error

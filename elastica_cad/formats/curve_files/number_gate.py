@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.refusals import Length
 
 SMALLEST_SIZE, LARGEST_SIZE = 1e-3, 1e6
 """Sizes of curves that are read, mm: a thousandth of a millimetre to a kilometre."""
@@ -50,8 +51,10 @@ def check_places(points: FloatArray) -> FloatArray:
     if bad.any():
         value = points[bad].flat[0]
         raise InputError(
-            f"a coordinate is {value:.3g} mm; they must be finite and at most {FARTHEST:g} mm: check the unit, or "
-            "export it anew"
+            "a coordinate is {value}; they must be finite and at most {farthest:g}: check the "
+            "unit, or export it anew",
+            value=Length(value),
+            farthest=Length(FARTHEST),
         )
     return points
 
@@ -62,15 +65,24 @@ def check_size(points: FloatArray) -> None:
     size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
         raise InputError(
-            f"a curve is {size:.3g} mm large; {SMALLEST_SIZE:g} to {LARGEST_SIZE:g} mm are read: check the unit "
-            "(--unit), or leave it out"
+            "a curve is {size} large; {smallest_size:g} to {largest_size:g} are read: check the "
+            "unit (--unit), or leave it out",
+            size=Length(size),
+            smallest_size=SMALLEST_SIZE,
+            largest_size=Length(LARGEST_SIZE),
         )
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
     """A count that is no larger than is worked on."""
     if count > most:
-        raise InputError(f"has {_whole(count)} {what}, and at most {most} are read: {instead}")
+        raise InputError(
+            "has {whole} {what}, and at most {most} are read: {instead}",
+            whole=_whole(count),
+            what=what,
+            most=most,
+            instead=instead,
+        )
     return count
 
 
@@ -78,7 +90,9 @@ def check_degree(degree: int) -> int:
     """The degree of a spline, 1 or more."""
     if not 1 <= degree <= MOST_DEGREE:
         raise InputError(
-            f"a spline has degree {_whole(degree)}; 1 to {MOST_DEGREE} are read: export it with degree 3"
+            "a spline has degree {whole}; 1 to {most_degree} are read: export it with degree 3",
+            whole=_whole(degree),
+            most_degree=MOST_DEGREE,
         )
     return degree
 
@@ -87,7 +101,9 @@ def check_tolerance(value: float, name: str = "tolerance") -> float:
     """A distance in mm that readers join ends or fit points within."""
     if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
         raise InputError(
-            f"the {name} for reading is {value!r}: it must be positive, 1e-9 to 1000 mm, e.g. 0.01"
+            "the {name} for reading is {value!r}: it must be positive, 1e-9 to 1000 mm, e.g. 0.01",
+            name=name,
+            value=value,
         )
     return float(value)
 

@@ -12,6 +12,7 @@ from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs
 from elastica_cad.formats.curve_files.edges import Edge, Run
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import Length
 
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
@@ -46,8 +47,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     off = float(np.abs(centred @ normal).max())
     if off > tolerance:
         raise InputError(
-            f"a curve leaves its plane by {off:.3g} mm (its z runs over {np.ptp(points[:, 2]):.4g} mm): "
-            "a strip bends in one plane only; project the curve onto a plane first"
+            "a curve leaves its plane by {off} (its z runs over {ptp:.4g}): a strip bends in one "
+            "plane only; project the curve onto a plane first",
+            off=Length(off),
+            ptp=Length(np.ptp(points[:, 2])),
         )
     up = np.array([0.0, 0.0, 1.0])
     y_axis = up - (up @ normal) * normal
@@ -116,13 +119,18 @@ def place_chain(
         if turn > TANGENT:
             if len(run) > 2 and all(edge.degree == 1 for edge in run):
                 raise InputError(
-                    f"the edges are a polyline of {len(run)} straight pieces, with corners between them: draw a "
-                    "spline through its points for the strip to follow"
+                    "the edges are a polyline of {count} straight pieces, with corners between them: "
+                    "draw a spline through its points for the strip to follow",
+                    count=len(run),
                 )
             x, y, z = before.end
             raise InputError(
-                f"edges meet at a corner of {np.degrees(turn):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) "
-                "mm: make them tangent or round the corner"
+                "edges meet at a corner of {turn:.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm: "
+                "make them tangent or round the corner",
+                turn=np.degrees(turn),
+                x=x,
+                y=y,
+                z=z,
             )
     frame = _side_of(run, turned) if plane is None else _within(run, plane)
     across = frame.axes[:2]
@@ -160,8 +168,9 @@ def _within(run: Sequence[Edge], plane: Frame) -> Frame:
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
         raise InputError(
-            f"the curve lies up to {np.abs(off).max():.3g} mm off the plane that is given for it: give the one in "
-            "which it is drawn, or none"
+            "the curve lies up to {most} off the plane that is given for it: give the one in "
+            "which it is drawn, or none",
+            most=Length(np.abs(off).max()),
         )
     return plane
 

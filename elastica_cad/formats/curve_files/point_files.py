@@ -82,17 +82,26 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     number, head = rows[0]
     if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
         raise InputError(
-            f"line {number} is {quoted(' '.join(head))}; it must be two whole numbers, degree and count of "
-            "control points (measured points belong into a .csv file)"
+            "line {number} is {value}; it must be two whole numbers, degree and count of control "
+            "points (measured points belong into a .csv file)",
+            number=number,
+            value=quoted(" ".join(head)),
         )
     if max(len(word) for word in head) > 9:
         raise InputError(
-            f"line {number} has a number of {max(len(w) for w in head)} digits: it cannot be meant"
+            "line {number} has a number of {most} digits: it cannot be meant",
+            number=number,
+            most=max(len(w) for w in head),
         )
     degree, count = check_degree(int(head[0])), int(head[1])
     check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
     if len(rows) - 1 != count:
-        raise InputError(f"line {number} announces {count} control points, but {len(rows) - 1} lines follow")
+        raise InputError(
+            "line {number} announces {count} control points, but {value} lines follow",
+            number=number,
+            count=count,
+            value=len(rows) - 1,
+        )
     points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
     check_size(scale * points)
     digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
@@ -139,7 +148,9 @@ def _rows(text: str) -> tuple[_Rows, tuple[str, ...]]:
 def _one_unit(named: tuple[str, ...]) -> str | None:
     """The unit that a heading names; None where it names none."""
     if len(set(named)) > 1:
-        raise InputError(f"its heading names {' and '.join(dict.fromkeys(named))}: give x and y in one unit")
+        raise InputError(
+            "its heading names {names}: give x and y in one unit", names=" and ".join(dict.fromkeys(named))
+        )
     return named[0] if named else None
 
 
@@ -159,8 +170,9 @@ def _blocks(rows: _Rows) -> list[FloatArray]:
         height = np.ptp(block[:, 2])
         if height > 1e-6 * max(1.0, float(np.ptp(block[:, :2], axis=0).max())):
             raise InputError(
-                f"the third column runs over {height:.4g}: only curves in a plane z = const are read; "
-                "turn the points into the xy plane"
+                "the third column runs over {height:.4g}: only curves in a plane z = const are read; "
+                "turn the points into the xy plane",
+                height=height,
             )
     return [block[:, :2] for block in filled]
 
@@ -193,14 +205,22 @@ def _numbers(cells: list[str], row: int, most: int) -> FloatArray:
     """x, y (and z, 0 where there is none, when `most` is 3) of one row."""
     if not 2 <= len(cells) <= most:
         raise InputError(
-            f"row {row} has {len(cells)} columns; it needs x and y{' (and z)' if most == 3 else ''}"
+            "row {row} has {count} columns; it needs x and y{value}",
+            row=row,
+            count=len(cells),
+            value=" (and z)" if most == 3 else "",
         )
     for cell in cells:
         if not _is_number(cell):
             raise InputError(
-                f"row {row} has {cell!r} where a number is needed: write digits alone, 12.5, or # before a remark"
+                "row {row} has {cell!r} where a number is needed: write digits alone, 12.5, or # "
+                "before a remark",
+                row=row,
+                cell=cell,
             )
     values = np.array([float(cell) for cell in cells])
     if not np.all(np.isfinite(values)):
-        raise InputError(f"row {row} is not finite ({', '.join(cells)}): leave it out or mend it")
+        raise InputError(
+            "row {row} is not finite ({cells}): leave it out or mend it", row=row, cells=", ".join(cells)
+        )
     return np.append(values, [0.0] * (most - len(values)))

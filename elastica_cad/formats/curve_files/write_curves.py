@@ -52,12 +52,14 @@ def write_curves(curves: Sequence[PlaneCurve], path: str | os.PathLike[str], *, 
     suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if not curves:
-        raise InputError(f"{path}: there are no curves to write")
+        raise InputError("{path}: there are no curves to write", path=path)
     if suffix == ".json":
         return write_atomically(path, curves_json(curves).encode(), force)
     if suffix not in WRITTEN_SUFFIXES:
         raise InputError(
-            f"{path} can't be written as curves: end its name with {', '.join(WRITTEN_SUFFIXES)}"
+            "{path} can't be written as curves: end its name with {written_suffixes}",
+            path=path,
+            written_suffixes=", ".join(WRITTEN_SUFFIXES),
         )
     drawn = tuple(LayeredPath(MARK, Chain((Spline(curve),), closed=curve.is_closed)) for curve in curves)
     drawing = Drawing(Path(path).stem, drawn)

@@ -207,11 +207,13 @@ def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | N
         kit = read_kit(top, sheets)
     slips.tell()
     if not entries and revolution is None:
-        raise InputError(f"{top.where} has no strips: write at least one table [[strips]]")
+        raise InputError("{where_} has no strips: write at least one table [[strips]]", where_=top.where)
     twice = sorted({w.label for w in entries if sum(w.label == v.label for v in entries) > 1})
     if twice:
         raise InputError(
-            f"{path}: two strips are labelled {twice[0]!r}; give each its own label, with {{i}} for the count"
+            "{path}: two strips are labelled {twice!r}; give each its own label, with {{i}} for the count",
+            path=path,
+            twice=twice[0],
         )
     return Design(
         name=top.text("name", path.stem),
@@ -230,14 +232,19 @@ def _parse(path: Path) -> dict[str, Any]:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         return tomllib.loads(text)
     except UnicodeDecodeError as error:
-        raise InputError(f"{path} is no TOML file, which are UTF-8: save it as text in UTF-8") from error
+        raise InputError(
+            "{path} is no TOML file, which are UTF-8: save it as text in UTF-8", path=path
+        ) from error
     except RecursionError as error:
         raise InputError(
-            f"{path} nests lists or tables too deep: write them one within a few others"
+            "{path} nests lists or tables too deep: write them one within a few others", path=path
         ) from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(
-            f"{path} is no TOML file: {error}; {toml_slip(text, error)}, or begin with one of `elastica new`"
+            "{path} is no TOML file: {error}; {toml_slip}, or begin with one of `elastica new`",
+            path=path,
+            error=error,
+            toml_slip=toml_slip(text, error),
         ) from error
 
 
@@ -325,7 +332,7 @@ def _only_sections(table: Table) -> Table:
     """The table of sections, which say themselves how many there are and where they lie."""
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
-        raise InputError(f"{table.place(idle[0])} means nothing beside sections: leave it out")
+        raise InputError("{place} means nothing beside sections: leave it out", place=table.place(idle[0]))
     return table.table("sections")
 
 
@@ -333,7 +340,9 @@ def _pattern(table: Table) -> tuple[str, dict[str, Any]]:
     """One of mirror, rotate and repeat."""
     table.only(*_PATTERNS)
     if len(table.data) != 1:
-        raise InputError(f"{table.where} must hold one of {', '.join(_PATTERNS)}")
+        raise InputError(
+            "{where_} must hold one of {patterns}", where_=table.where, patterns=", ".join(_PATTERNS)
+        )
     (kind,) = table.data
     inner = table.table(kind).only(*MODEL_TABLES[kind])
     if kind == "mirror":

@@ -89,15 +89,24 @@ class Formula:
     def _parsed(self) -> "_Parsed":
         if len(self.text) > MOST_LETTERS:
             raise InputError(
-                f"{self.where}: a formula of {len(self.text)} letters is too long; use let to name parts"
+                "{where_}: a formula of {count} letters is too long; use let to name parts",
+                where_=self.where,
+                count=len(self.text),
             )
         try:
             return _parsed(self.text)
         except SyntaxError as error:
             at = f"letter {error.offset}" if error.offset else "its end"
-            raise InputError(f"{self.where}: {self.text!r} is no formula: it breaks off at {at}") from error
+            raise InputError(
+                "{where_}: {text_!r} is no formula: it breaks off at {at}",
+                where_=self.where,
+                text_=self.text,
+                at=at,
+            ) from error
         except (ValueError, RecursionError, MemoryError) as error:
-            raise InputError(f"{self.where}: {self.text[:60]!r} is no formula that can be read") from error
+            raise InputError(
+                "{where_}: {text_!r} is no formula that can be read", where_=self.where, text_=self.text[:60]
+            ) from error
 
     def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
         """The value for names given as a mapping or as keywords; arrays are computed element by element.
@@ -116,7 +125,9 @@ class Formula:
             result = np.asarray(_value(tree, known), dtype=float)
         if not np.all(np.isfinite(result)):
             raise InputError(
-                f"{self.where}: {self.text!r} gives no finite number: a division by 0 or a root below 0?"
+                "{where_}: {text_!r} gives no finite number: a division by 0 or a root below 0?",
+                where_=self.where,
+                text_=self.text,
             )
         return float(result) if result.ndim == 0 else result
 
@@ -175,7 +186,13 @@ def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
 
 
 def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
-    return InputError(f"{formula.where}: {formula.text[:80]!r}, letter {node.col_offset + 1}: {fault}")
+    return InputError(
+        "{where_}: {text_!r}, letter {col_offset}: {fault}",
+        where_=formula.where,
+        text_=formula.text[:80],
+        col_offset=node.col_offset + 1,
+        fault=fault,
+    )
 
 
 def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:

@@ -47,7 +47,7 @@ class Cutting:
         """
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
-                f"no kerf is known for {sheet.name}: give a number of mm instead of the word sheet"
+                "no kerf is known for {name}: give a number of mm instead of the word sheet", name=sheet.name
             )
         kerf = sheet.kerf if self.kerf is None else self.kerf
         return {"kerf": kerf, "curves": self.curves, "tolerance": self.tolerance, "holding": self.holding}
@@ -109,7 +109,10 @@ class HolderSpec:
         if not placed:
             labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
             raise InputError(
-                f"{self.where}: no strip is called {' or '.join(self.strips)}: there are {labels}"
+                "{where_}: no strip is called {strips}: there are {labels}",
+                where_=self.where,
+                strips=" or ".join(self.strips),
+                labels=labels,
             )
         if self.sheet is None:
             return end_fixtures(placed, **self.options), ""

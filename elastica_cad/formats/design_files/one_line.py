@@ -36,7 +36,10 @@ def parse_line(
         data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(
-            f"{where}: {quoted(line)} cannot be read: write keys and values, such as {example}"
+            "{where_}: {line} cannot be read: write keys and values, such as {example}",
+            where_=where,
+            line=quoted(line),
+            example=example,
         ) from error
     table = Table(data["line"], where, {})
     with table.naming():

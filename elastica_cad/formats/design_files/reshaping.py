@@ -11,6 +11,7 @@ from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
+from elastica_cad.refusals import Length
 
 CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 """Handles of the box around the drawn curves, by name."""
@@ -38,12 +39,16 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
     """
     for name in places:
         if name not in CORNERS:
-            raise InputError(f"a box has no corner {name!r}: use {', '.join(CORNERS)}")
+            raise InputError(
+                "a box has no corner {name!r}: use {corners}", name=name, corners=", ".join(CORNERS)
+            )
     (left, low), (right, high) = _box_around_curves(curves)
     if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
         raise InputError(
-            f"the box around the curve measures {right - left:.4g} by {high - low:.4g} mm: too thin for handles "
-            "at its corners; give four handles of your own"
+            "the box around the curve measures {left:.4g} by {low:.4g}: too thin for handles at "
+            "its corners; give four handles of your own",
+            left=right - left,
+            low=Length(high - low),
         )
     before = [(left, low), (right, low), (right, high), (left, high)]
     after = [np.asarray(places.get(name, corner)) for name, corner in zip(CORNERS, before, strict=True)]
@@ -63,8 +68,10 @@ def reshape_curve(curve: PlaneCurve, table: Table) -> PlaneCurve:
     corners = {name: table.vector(name, 2) for name in CORNERS if table.has(name)}
     if bool(own) == bool(corners) or len(own) == 1:
         raise InputError(
-            f"{table.where} must hold corners of the curve's box with their new places ({', '.join(CORNERS)}), "
-            "or four points as handles and four as to"
+            "{where_} must hold corners of the curve's box with their new places ({corners}), or "
+            "four points as handles and four as to",
+            where_=table.where,
+            corners=", ".join(CORNERS),
         )
     with table.naming():
         if corners:

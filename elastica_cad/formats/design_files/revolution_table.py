@@ -98,7 +98,9 @@ def read_revolution(
     ways = [way for way in ("points", "curve", "a") if table.has(way)]
     if len(ways) != 1:
         raise InputError(
-            f"{table.where} must hold one of points, curve, or {', '.join(OWN_KEYS)}: what the meridian is to be"
+            "{where_} must hold one of points, curve, or {own_keys}: what the meridian is to be",
+            where_=table.where,
+            own_keys=", ".join(OWN_KEYS),
         )
     try:
         with table.naming():
@@ -111,7 +113,7 @@ def read_revolution(
             else:
                 line = meridian_through(read_drawn_curve(table, folder, read_curves), ring=ring)
     except NotConvergedError as problem:
-        raise NotConvergedError(f"{table.where}: {problem}") from problem
+        raise NotConvergedError("{where_}: {problem}", where_=table.where, problem=problem) from problem
     return RevolutionEntry(
         line,
         table.count("strips", 16),

@@ -20,7 +20,9 @@ def read_supports(table: Table) -> Supports:
     given = table.raw("supports", ["clamped", "clamped"])
     if not isinstance(given, list) or len(given) != 2:
         raise InputError(
-            f'{table.place("supports")} is {quoted(given)}: name two, e.g. ["clamped", "pinned"]'
+            '{place} is {given}: name two, e.g. ["clamped", "pinned"]',
+            place=table.place("supports"),
+            given=quoted(given),
         )
     with table.naming("supports"):
         return Supports(*given)
@@ -120,7 +122,11 @@ def read_rest_curvature(table: Table) -> RestCurvature:
     for key in STRIP_TABLES["blank"]:
         row = table.raw(key)
         if not isinstance(row, list) or not row:
-            raise InputError(f"{table.place(key)} is {quoted(row)}: give a list of numbers, as many of each")
+            raise InputError(
+                "{key} is {row}: give a list of numbers, as many of each",
+                key=table.place(key),
+                row=quoted(row),
+            )
         columns.append(table.vector(key, len(row)))
     with table.naming():
         return RestCurvature.linear(*columns)

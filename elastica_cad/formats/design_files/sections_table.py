@@ -44,14 +44,20 @@ def read_sections(
     found = [family for family in FAMILIES if table.has(family)]
     if len(found) != 1:
         raise InputError(
-            f"{table.where} must hold one of {', '.join(FAMILIES)}: the planes that cut the mesh"
+            "{where_} must hold one of {families}: the planes that cut the mesh",
+            where_=table.where,
+            families=", ".join(FAMILIES),
         )
     path = folder / table.text("mesh")
     if not path.is_file():
-        raise InputError(f"{table.where}: there is no file {path}; names are relative to the design file")
+        raise InputError(
+            "{where_}: there is no file {path}; names are relative to the design file",
+            where_=table.where,
+            path=path,
+        )
     scale = table.maybe("scale")
     if scale is not None and not scale > 0:
-        raise InputError(f"{table.place('scale')} is {scale:g}: it must be positive")
+        raise InputError("{place} is {scale:g}: it must be positive", place=table.place("scale"), scale=scale)
     family = table.table(found[0]).only(*STRIP_TABLES[found[0]])
     spec = SectionSpec(
         _READERS[found[0]](family),
@@ -86,7 +92,9 @@ def _split(cut: Table) -> Split:
 def _radial(table: Table) -> RadialCuts:
     """`angles`, or as many as `count` says all around."""
     if table.has("count") and table.has("angles"):
-        raise InputError(f"{table.place('count')} means nothing beside angles: leave one of them out")
+        raise InputError(
+            "{place} means nothing beside angles: leave one of them out", place=table.place("count")
+        )
     given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "axis", "zero") if table.has(key)}
     angles = _list(table, "angles") if table.has("angles") else None
     return RadialCuts(table.count("count", RadialCuts.count, MANY), angles, **given)
@@ -95,7 +103,9 @@ def _radial(table: Table) -> RadialCuts:
 def _parallel(table: Table) -> ParallelCuts:
     """`offsets` from the point, or through the middles of `count` equal slices of the surface."""
     if table.has("count") and table.has("offsets"):
-        raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
+        raise InputError(
+            "{place} means nothing beside offsets: leave one of them out", place=table.place("count")
+        )
     given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "up") if table.has(key)}
     offsets = None if table.has("count") else _list(table, "offsets")
     return ParallelCuts(_triple(table, "normal"), table.count("count", 1, MANY), offsets, **given)
@@ -120,5 +130,5 @@ def _list(table: Table, key: str) -> tuple[float, ...]:
     """Numbers, however many."""
     rows = table.raw(key)
     if not isinstance(rows, list) or not rows:
-        raise InputError(f"{table.place(key)} must be a list of numbers, at least one")
+        raise InputError("{key} must be a list of numbers, at least one", key=table.place(key))
     return table.vector(key, len(rows))

@@ -22,7 +22,9 @@ LAW_LINE = 'kind = "thickness", limits = [3, 8], width = 20'
 def find_sheet(table: Table, key: str, sheets: dict[str, Sheet]) -> Sheet:
     """One of the design's own sheets, or a built-in one."""
     if not table.has(key):
-        raise InputError(f'{table.place(key)} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"')
+        raise InputError(
+            '{key} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"', key=table.place(key)
+        )
     name = table.text(key)
     with table.naming(key):
         found = sheets[name] if name in sheets else Sheet.named(name)
@@ -47,7 +49,9 @@ def read_tabs(table: Table) -> tuple[Tab, Tab]:
     if isinstance(given, list):
         if len(given) != 2:
             raise InputError(
-                f"{table.place('ends')} lists {len(given)} tabs: give one table, or two in a list"
+                "{place} lists {count} tabs: give one table, or two in a list",
+                place=table.place("ends"),
+                count=len(given),
             )
         start, end = table.tables("ends")
         return read_tab(start), read_tab(end)

@@ -35,6 +35,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length
 
 if TYPE_CHECKING:
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
@@ -158,7 +159,8 @@ def read_drawn_curve(table: Table, folder: Path, read_curves: CurveReader) -> Pl
     given = table.raw("curve")
     if given is None:
         raise InputError(
-            f"{table.place('curve')} is missing; give a file, formulae x, y and t, an ellipse or a spline"
+            "{place} is missing; give a file, formulae x, y and t, an ellipse or a spline",
+            place=table.place("curve"),
         )
     if isinstance(given, str):
         return _from_file(Table({"file": given}, table.place("curve"), table.scope), folder, read_curves)
@@ -167,8 +169,9 @@ def read_drawn_curve(table: Table, folder: Path, read_curves: CurveReader) -> Pl
     found = [kind for kind in kinds if kind in curve.data]
     if len(found) != 1:
         raise InputError(
-            f"{curve.where} must hold one of file, x (with y and t), ellipse or spline, not "
-            f"{', '.join(curve.data) or 'nothing'}"
+            "{where_} must hold one of file, x (with y and t), ellipse or spline, not {value}",
+            where_=curve.where,
+            value=", ".join(curve.data) or "nothing",
         )
     with curve.naming():
         drawn = kinds[found[0]](curve, folder, read_curves)
@@ -179,7 +182,11 @@ def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCur
     curve.only(*STRIP_TABLES["curve file"])
     path = folder / curve.text("file")
     if not path.is_file():
-        raise InputError(f"{curve.where}: there is no file {path}; names are relative to the design file")
+        raise InputError(
+            "{where_}: there is no file {path}; names are relative to the design file",
+            where_=curve.where,
+            path=path,
+        )
     curves = read_curves(path, unit=curve.text("unit") if curve.has("unit") else None)
     number = curve.count("number", 1)
     if isinstance(curves, CurveList):
@@ -191,8 +198,11 @@ def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCur
             ).curve
     if number > len(curves) or (len(curves) > 1 and not curve.has("number")):
         raise InputError(
-            f"{curve.where}: {path.name} holds {len(curves)} curve{'s' if len(curves) > 1 else ''}: choose one "
-            f"with number = 1 .. {len(curves)}"
+            "{where_}: {name} holds {count} curve{value}: choose one with number = 1 .. {count}",
+            where_=curve.where,
+            name=path.name,
+            count=len(curves),
+            value="s" if len(curves) > 1 else "",
         )
     return curves[number - 1]
 
@@ -202,10 +212,15 @@ def _from_formulae(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurv
     x, y = (Formula(str(curve.raw(key, "")), curve.place(key)) for key in ("x", "y"))
     start, end = curve.vector("t", 2)
     if not start < end:
-        raise InputError(f"{curve.place('t')} is [{start:g}, {end:g}]: it must be a range, least first")
+        raise InputError(
+            "{place} is [{start:g}, {end:g}]: it must be a range, least first",
+            place=curve.place("t"),
+            start=start,
+            end=end,
+        )
     breaks = curve.raw("breaks", [])
     if not isinstance(breaks, list):
-        raise InputError(f"{curve.place('breaks')} must be a list of [t, continuity]")
+        raise InputError("{place} must be a list of [t, continuity]", place=curve.place("breaks"))
     pairs = [Table({"at": one}, curve.place("breaks"), curve.scope).vector("at", 2) for one in breaks]
 
     def point(t: FloatArray) -> FloatArray:
@@ -227,15 +242,21 @@ def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve
         )
     idle = [key for key in ("start", "end") if given.has(key)]
     if idle:
-        raise InputError(f"{given.place(idle[0])} means nothing beside above: leave one of them out")
+        raise InputError(
+            "{place} means nothing beside above: leave one of them out", place=given.place(idle[0])
+        )
     rise = given.number("above") - center[1]
     # y - center = a sin(rotation) cos v + b cos(rotation) sin v = reach cos(v - top)
     tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
     reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
     if not -reach < rise < reach:
         raise InputError(
-            f"{given.place('above')}: the ellipse lies between y = {center[1] - reach:.4g} and "
-            f"{center[1] + reach:.4g} mm, so y = {rise + center[1]:.4g} mm does not cut it"
+            "{place}: the ellipse lies between y = {reach:.4g} and {reach_2:.4g}, so y = "
+            "{rise:.4g} does not cut it",
+            place=given.place("above"),
+            reach=center[1] - reach,
+            reach_2=Length(center[1] + reach),
+            rise=Length(rise + center[1]),
         )
     half = float(np.arccos(rise / reach))
     return PlaneCurve.ellipse(center, axes, rotation, top - half, top + half)

@@ -38,10 +38,19 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
     if isinstance(value, str):
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(f"{where} is {quoted(value)}: it must be a number or a formula in quotes")
+        raise InputError(
+            "{where_} is {value}: it must be a number or a formula in quotes",
+            where_=where,
+            value=quoted(value),
+        )
     if not -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
         told = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
-        raise InputError(f"{where} is {told}: give a finite number of at most {LARGEST_NUMBER:g}")
+        raise InputError(
+            "{where_} is {told}: give a finite number of at most {largest_number:g}",
+            where_=where,
+            told=told,
+            largest_number=LARGEST_NUMBER,
+        )
     return float(value)
 
 
@@ -102,7 +111,9 @@ class Table:
         self, data: object, where: str, scope: Mapping[str, Value], defaults: "Table | None" = None
     ) -> None:
         if not isinstance(data, Mapping):
-            raise InputError(f"{where} must be a table of keys and values, not {quoted(data)}")
+            raise InputError(
+                "{where_} must be a table of keys and values, not {data}", where_=where, data=quoted(data)
+            )
         self.data: Mapping[str, Any] = data
         self.where = where
         self.scope = scope
@@ -156,7 +167,7 @@ class Table:
         """
         value = self.raw(key, default)
         if value is None:
-            raise InputError(f"{self.place(key)} is missing; give it a number or a formula in quotes")
+            raise InputError("{key} is missing; give it a number or a formula in quotes", key=self.place(key))
         return _compute_number(value, self.place(key), self.scope)
 
     def maybe(self, key: str) -> float | None:
@@ -167,16 +178,28 @@ class Table:
         """A whole number, 1 to `most`."""
         value = self.number(key, default)
         if value != int(value) or value < 1:
-            raise InputError(f"{self.place(key)} is {value:g}: it must be a whole number, 1 or more")
+            raise InputError(
+                "{key} is {value:g}: it must be a whole number, 1 or more", key=self.place(key), value=value
+            )
         if value > most:
-            raise InputError(f"{self.place(key)} is {value:g}, and at most {most} are made: ask for fewer")
+            raise InputError(
+                "{key} is {value:g}, and at most {most} are made: ask for fewer",
+                key=self.place(key),
+                value=value,
+                most=most,
+            )
         return int(value)
 
     def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
         """`size` numbers or formulae."""
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
-            raise InputError(f"{self.place(key)} is {quoted(value)}: it must be {size} numbers in brackets")
+            raise InputError(
+                "{key} is {value}: it must be {size} numbers in brackets",
+                key=self.place(key),
+                value=quoted(value),
+                size=size,
+            )
         return tuple(
             _compute_number(one, f"{self.place(key)}[{i}]", self.scope)
             for i, one in enumerate(value, start=1)
@@ -191,7 +214,12 @@ class Table:
         """Places of `size` numbers each: `count` of them, or however many."""
         rows = self.raw(key)
         if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
-            raise InputError(f"{self.place(key)} must be a list of {_COUNTS[count]}points {_AXES[size]}")
+            raise InputError(
+                "{key} must be a list of {counts}points {axes}",
+                key=self.place(key),
+                counts=_COUNTS[count],
+                axes=_AXES[size],
+            )
         numbered = Table({f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, self.where, self.scope)
         return [numbered.vector(name, size) for name in numbered.data]
 
@@ -203,9 +231,16 @@ class Table:
         """A word or a line of text."""
         value = self.raw(key, default)
         if not isinstance(value, str):
-            raise InputError(f"{self.place(key)} is {quoted(value)}: it must be text in quotes")
+            raise InputError(
+                "{key} is {value}: it must be text in quotes", key=self.place(key), value=quoted(value)
+            )
         if choices and value not in choices:
-            raise InputError(f"{self.place(key)} is {quoted(value)}: use one of {', '.join(choices)}")
+            raise InputError(
+                "{key} is {value}: use one of {choices}",
+                key=self.place(key),
+                value=quoted(value),
+                choices=", ".join(choices),
+            )
         return value
 
     def texts(self, key: str, default: Sequence[str]) -> tuple[str, ...]:
@@ -214,7 +249,9 @@ class Table:
         rows = [value] if isinstance(value, str) else value
         if not isinstance(rows, list) or not rows or not all(isinstance(row, str) for row in rows):
             raise InputError(
-                f"{self.place(key)} is {quoted(value)}: it must be text in quotes, or a list of texts"
+                "{key} is {value}: it must be text in quotes, or a list of texts",
+                key=self.place(key),
+                value=quoted(value),
             )
         return tuple(rows)
 
@@ -222,7 +259,9 @@ class Table:
         """True or false."""
         value = self.raw(key, default)
         if not isinstance(value, bool):
-            raise InputError(f"{self.place(key)} is {quoted(value)}: it must be true or false")
+            raise InputError(
+                "{key} is {value}: it must be true or false", key=self.place(key), value=quoted(value)
+            )
         return value
 
     def table(self, key: str) -> "Table":
@@ -233,7 +272,9 @@ class Table:
         """A list of tables."""
         value = self.raw(key, [])
         if not isinstance(value, list):
-            raise InputError(f"{self.place(key)} must be a list of tables, not {quoted(value)}")
+            raise InputError(
+                "{key} must be a list of tables, not {value}", key=self.place(key), value=quoted(value)
+            )
         return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:
@@ -241,6 +282,10 @@ class Table:
         scope = dict(self.scope)
         for name, value in Table(let, self.place("let"), scope).data.items():
             if not name.isidentifier():
-                raise InputError(f"{self.place('let')}: {name!r} is no name; use letters, digits and _")
+                raise InputError(
+                    "{place}: {name!r} is no name; use letters, digits and _",
+                    place=self.place("let"),
+                    name=name,
+                )
             scope[name] = _compute_number(value, f"{self.place('let')}.{name}", scope)
         return scope

@@ -83,7 +83,7 @@ def _section_keys(spec: SectionSpec) -> dict[str, Any]:
         case AlongPath() as cuts:
             path = np.asarray(cuts.path).tolist()
             return keys | {"along": {"path": path, "count": cuts.count, "ends": cuts.ends, "up": cuts.up}}
-    raise InputError(f"{spec.cuts!r} is no family of planes that a design file knows")
+    raise InputError("{cuts!r} is no family of planes that a design file knows", cuts=spec.cuts)
 
 
 def _split_keys(split: Split) -> dict[str, Any]:
@@ -94,7 +94,7 @@ def _split_keys(split: Split) -> dict[str, Any]:
             return {"points": np.asarray(split.points).tolist()}
         case PlaneSplit():
             return {"point": split.point, "normal": split.normal}
-    raise InputError(f"{split!r} is no split that a design file knows")
+    raise InputError("{split!r} is no split that a design file knows", split=split)
 
 
 def _degrees(angle: float) -> str:

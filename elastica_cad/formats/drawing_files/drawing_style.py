@@ -11,6 +11,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGR
 from elastica_cad.geometry.paths.approximations import as_arcs, as_cubics, as_polyline
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import require_tolerance_mm
+from elastica_cad.refusals import Length
 
 CURVES = ("spline", "arc", "polyline")
 
@@ -27,7 +28,9 @@ FINEST_MM = 1e-5
 def check_curve_style(curves: str) -> str:
     """The mode, refused unless it is one of `CURVES` or `EXACT`."""
     if not isinstance(curves, str) or curves not in (*CURVES, EXACT):
-        raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
+        raise InputError(
+            "curves is {curves!r}: use one of {curves_2}", curves=curves, curves_2=", ".join(CURVES)
+        )
     return curves
 
 
@@ -37,12 +40,16 @@ def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rationa
     With `EXACT` splines of any degree stay, where the file knows weights.
     """
     if not is_number(tolerance):
-        raise InputError(f"the tolerance is {tolerance!r}: give a number of mm, such as 0.02")
+        raise InputError(
+            "the tolerance is {tolerance!r}: give a number of mm, such as 0.02", tolerance=tolerance
+        )
     if curves == EXACT and rational:
         return list(paths)
     if 0 < tolerance < FINEST_MM and curves not in ("spline", EXACT):
         raise InputError(
-            f"the tolerance is {tolerance:g} mm: no machine cuts so finely, give {FINEST_MM:g} or more"
+            "the tolerance is {tolerance:g}: no machine cuts so finely, give {finest_mm:g} or more",
+            tolerance=Length(tolerance),
+            finest_mm=FINEST_MM,
         )
     if curves in ("spline", EXACT):
         finest = _SPLINE_TOLERANCE_MM if curves == EXACT else min(tolerance, _SPLINE_TOLERANCE_MM)
@@ -69,9 +76,15 @@ class LayerStyle:
     def __post_init__(self) -> None:
         name = self.name if isinstance(self.name, str) else ""
         if not name.strip() or re.search(r'[<>/\\":;?*|=`\x00-\x1f]', name) or len(name) > 255:
-            raise InputError(f"{self.name!r} is no name for a layer: use letters, digits, spaces, - and _")
+            raise InputError(
+                "{name!r} is no name for a layer: use letters, digits, spaces, - and _", name=self.name
+            )
         if not isinstance(self.color, str) or not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
-            raise InputError(f"{self.color!r} is no colour for layer {self.name!r}: write it as #rrggbb")
+            raise InputError(
+                "{color!r} is no colour for layer {name!r}: write it as #rrggbb",
+                color=self.color,
+                name=self.name,
+            )
         object.__setattr__(self, "color", self.color.lower())
 
     @property
@@ -111,10 +124,16 @@ def style_layers(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, 
     """
     styles = dict(_STANDARD)
     if not (choices is None or isinstance(choices, Mapping)):
-        raise InputError(f"layers are {quoted(choices)}: give a mapping such as {{'ENGRAVE': 'Raster'}}")
+        raise InputError(
+            "layers are {choices}: give a mapping such as {{'ENGRAVE': 'Raster'}}", choices=quoted(choices)
+        )
     for layer, choice in (choices or {}).items():
         if layer not in styles:
-            raise InputError(f"there is no layer {layer!r} to rename: drawings have {', '.join(LAYERS)}")
+            raise InputError(
+                "there is no layer {layer!r} to rename: drawings have {layers}",
+                layer=layer,
+                layers=", ".join(LAYERS),
+            )
         if isinstance(choice, LayerStyle):
             styles[layer] = choice
         elif isinstance(choice, str):
@@ -123,7 +142,9 @@ def style_layers(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, 
             styles[layer] = LayerStyle(*choice)
         else:
             raise InputError(
-                f"layer {layer} is {quoted(choice)}: give a name, or a name and a colour '#rrggbb'"
+                "layer {layer} is {choice}: give a name, or a name and a colour '#rrggbb'",
+                layer=layer,
+                choice=quoted(choice),
             )
     names = [style.name.casefold() for style in styles.values()]
     if len(set(names)) < len(names):

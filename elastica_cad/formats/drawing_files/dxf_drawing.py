@@ -77,7 +77,11 @@ def encode_dxf(
     curves = check_curve_style(curves)
     require_record(drawing, Drawing, "what is written", "a Drawing record")
     if not isinstance(version, str) or version not in DXF_VERSIONS:
-        raise InputError(f"there is no DXF version {version!r}: use one of {', '.join(DXF_VERSIONS)}")
+        raise InputError(
+            "there is no DXF version {version!r}: use one of {dxf_versions}",
+            version=version,
+            dxf_versions=", ".join(DXF_VERSIONS),
+        )
     styles = style_layers(layers)
     old = version == "R12"
     if old:
@@ -154,7 +158,9 @@ def _plain_ezdxf() -> Iterator[Any]:
     try:
         ezdxf = import_module("ezdxf")
     except ImportError:
-        raise MissingDependencyError(f"writing DXF needs ezdxf: {how_to_install('ezdxf')}") from None
+        raise MissingDependencyError(
+            "writing DXF needs ezdxf: {how_to_install}", how_to_install=how_to_install("ezdxf")
+        ) from None
     logger = logging.getLogger("ezdxf")
     with _OPTIONS:
         before, level = ezdxf.options.write_fixed_meta_data_for_testing, logger.level
@@ -213,7 +219,8 @@ def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
     for style in styles.values():
         if not re.fullmatch(r"[A-Za-z0-9_$-]{1,31}", style.name):
             raise InputError(
-                f"DXF R12 takes no layer named {style.name!r}: use up to 31 letters, digits, $, - and _"
+                "DXF R12 takes no layer named {name!r}: use up to 31 letters, digits, $, - and _",
+                name=style.name,
             )
 
 

@@ -67,11 +67,13 @@ def write_drawing(
         DXF without ezdxf.
     """
     if not isinstance(drawing, Drawing):
-        raise InputError(f"a {type(drawing).__name__} is no drawing: give what its .drawing() makes")
+        raise InputError(
+            "a {name} is no drawing: give what its .drawing() makes", name=type(drawing).__name__
+        )
     suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:
-        raise InputError(f"{path} can't be written as a drawing: end its name with .dxf or .svg")
+        raise InputError("{path} can't be written as a drawing: end its name with .dxf or .svg", path=path)
     cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))
     if holding is not None:
         cut = add_holding_tabs(cut, holding)

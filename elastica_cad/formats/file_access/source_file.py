@@ -51,23 +51,28 @@ def require_file(path: str | Path) -> Path:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)
     if os.path.isdir(path):  # False, not an error, for a name that no disk takes
-        raise InputError(f"{path} is a folder: name one file in it")
+        raise InputError("{path} is a folder: name one file in it", path=path)
     if os.path.exists(path) and not path.is_file():
-        raise InputError(f"{path} is no file but a device or a pipe: name a file")
+        raise InputError("{path} is no file but a device or a pipe: name a file", path=path)
     try:
         with path.open("rb") as file:
             empty = not file.read(1)
     except OSError as error:
         raise InputError(
-            f"{path} cannot be read: {error.strerror or error}; name a file that is there and may be read"
+            "{path} cannot be read: {strerror}; name a file that is there and may be read",
+            path=path,
+            strerror=error.strerror or error,
         ) from error
     if empty:
-        raise InputError(f"{path} is empty: save it anew in the program that made it")
+        raise InputError("{path} is empty: save it anew in the program that made it", path=path)
     size, most = path.stat().st_size, LARGEST_OF_KIND.get(path.suffix.lower(), LARGEST_FILE)
     if size > most:
         raise InputError(
-            f"{path} has {size / 2**20:.0f} MB, and at most {most // 2**20} MB are read: leave out what is not "
-            "needed, or simplify it"
+            "{path} has {size:.0f} MB, and at most {most} MB are read: leave out what is not "
+            "needed, or simplify it",
+            path=path,
+            size=size / 2**20,
+            most=most // 2**20,
         )
     return path
 
@@ -77,8 +82,10 @@ def require_below(path: Path) -> None:
     folders, real = _below.get(), Path(os.path.realpath(path))
     if folders and not any(real.is_relative_to(folder) for folder in folders):
         raise InputError(
-            f"{path} lies outside of {folders[0]}, and a design reads files below its own folder or the one "
-            "you work in: copy it there, or allow its folder (--below FOLDER)"
+            "{path} lies outside of {folders}, and a design reads files below its own folder or "
+            "the one you work in: copy it there, or allow its folder (--below FOLDER)",
+            path=path,
+            folders=folders[0],
         )
 
 
@@ -121,7 +128,9 @@ def look_up_unit(unit: str) -> float:
         A unit that is not known.
     """
     if unit not in MILLIMETRES:
-        raise InputError(f"unknown unit {unit!r}: use one of {', '.join(MILLIMETRES)}")
+        raise InputError(
+            "unknown unit {unit!r}: use one of {millimetres}", unit=unit, millimetres=", ".join(MILLIMETRES)
+        )
     return MILLIMETRES[unit]
 
 

@@ -42,15 +42,23 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
     require_flag(force, "force")
     target = Path(os.path.realpath(require_path(path)))
     if target.is_dir():
-        raise InputError(f"{path} is a folder: give the name of a file in it")
+        raise InputError("{path} is a folder: give the name of a file in it", path=path)
     if not target.parent.is_dir():
-        raise InputError(f"{path} can't be written: there is no folder {target.parent}; create it first")
+        raise InputError(
+            "{path} can't be written: there is no folder {parent}; create it first",
+            path=path,
+            parent=target.parent,
+        )
     if target.exists() and not force:
         raise InputError(
-            f"{path} exists already: choose another name, or allow it to be overwritten (--force, or force=True)"
+            "{path} exists already: choose another name, or allow it to be overwritten (--force, "
+            "or force=True)",
+            path=path,
         )
     if target.exists() and not os.access(target, os.W_OK):
-        raise InputError(f"{path} can't be written: no permission to change that file; choose another name")
+        raise InputError(
+            "{path} can't be written: no permission to change that file; choose another name", path=path
+        )
     return target
 
 
@@ -89,7 +97,8 @@ def write_atomically(
     """
     if not (callable(content) or isinstance(content, bytes | bytearray | memoryview)):
         raise InputError(
-            f"what is written is a {type(content).__name__}: give bytes, or a function that writes them"
+            "what is written is a {name}: give bytes, or a function that writes them",
+            name=type(content).__name__,
         )
     target = check_target(path, force=force)
     temporary = target.with_name(f".{target.name[:100]}.{os.urandom(6).hex()}.part")
@@ -109,7 +118,9 @@ def write_atomically(
                     temporary.unlink()
                 raise
     except OSError as error:
-        raise InputError(f"{path} can't be written: {reason(error)}; choose another place") from error
+        raise InputError(
+            "{path} can't be written: {reason}; choose another place", path=path, reason=reason(error)
+        ) from error
     return target
 
 
@@ -206,7 +217,9 @@ def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
         yield
     except OSError as problem:
         raise InputError(
-            f"files can't be written to {folder}: {reason(problem)}; choose another folder"
+            "files can't be written to {folder}: {reason}; choose another folder",
+            folder=folder,
+            reason=reason(problem),
         ) from problem
 
 
@@ -228,7 +241,9 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
     target = Path(os.path.realpath(os.fspath(folder)))
     # a folder that may not be looked into, or a name that no disk takes, is found here already
     if target.exists() and not target.is_dir():
-        raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
+        raise InputError(
+            "{folder} is a file, not a folder: choose another folder for the files", folder=folder
+        )
     _check(target, names, force=force)
     return target, next(parent for parent in (target, *target.parents) if parent.is_dir())
 
@@ -259,6 +274,8 @@ def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
     for path in (target / name for name in names):
         files = [one for one in path.parents if one.exists() and not one.is_dir()]
         if files:
-            raise InputError(f"{files[0]} is a file, and a folder is to be there: choose another folder")
+            raise InputError(
+                "{files} is a file, and a folder is to be there: choose another folder", files=files[0]
+            )
         if path.parent.is_dir():
             check_target(path, force=force)

@@ -136,7 +136,11 @@ def report_strip(
         if value is not None:
             require_record(value, record, what, f"a {record.__name__}, or None")
     if not (is_whole(stations) and 2 <= stations <= MOST_STATIONS):
-        raise InputError(f"stations are {stations!r}: give a whole number from 2 to {MOST_STATIONS}")
+        raise InputError(
+            "stations are {stations!r}: give a whole number from 2 to {most_stations}",
+            stations=stations,
+            most_stations=MOST_STATIONS,
+        )
     rod, sheet = strip.rod, strip.sheet
     low, high = strip.width.extremes
     return {

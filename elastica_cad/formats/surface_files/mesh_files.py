@@ -10,6 +10,7 @@ from elastica_cad.errors import InputError, MissingDependencyError, how_to_insta
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, quiet_log, require_file
 from elastica_cad.forming.plane_sections.mesh_sections import Mesh, mesh_sections
 from elastica_cad.forming.plane_sections.section_spec import Surface
+from elastica_cad.refusals import Length
 
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
 
@@ -53,16 +54,21 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
         raise InputError(
-            f"{path} ends in {suffix!r}, which is no mesh known here: use {', '.join(MESH_SUFFIXES)}"
+            "{path} ends in {suffix!r}, which is no mesh known here: use {mesh_suffixes}",
+            path=path,
+            suffix=suffix,
+            mesh_suffixes=", ".join(MESH_SUFFIXES),
         )
     if not (np.isfinite(scale) and scale > 0):
-        raise InputError(f"the scale of {path} is {scale:g}: it must be positive")
+        raise InputError("the scale of {path} is {scale:g}: it must be positive", path=path, scale=scale)
     factor = look_up_unit(unit or "mm") * scale
     try:
         from trimesh import load
     except ImportError as error:
         raise MissingDependencyError(
-            f"reading {path.name} needs trimesh: {how_to_install('trimesh')}"
+            "reading {name} needs trimesh: {how_to_install}",
+            name=path.name,
+            how_to_install=how_to_install("trimesh"),
         ) from error
     with name_source(path):
         try:
@@ -71,7 +77,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # parsers of trimesh raise errors of any kind
             raise InputError(
-                f"this is no {suffix[1:].upper()} mesh that can be read: export it anew"
+                "this is no {upper} mesh that can be read: export it anew", upper=suffix[1:].upper()
             ) from error
         if not len(faces):
             raise InputError("holds no faces: export a mesh, not points or lines")
@@ -123,7 +129,9 @@ def read_sized_surface(
     surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)
     if not LEAST_SIZE_MM <= surface.size <= MOST_SIZE_MM:
         raise InputError(
-            f"{path} measures {surface.size:.3g} mm from corner to corner with this unit and scale: nothing made "
-            "of strips does"
+            "{path} measures {size} from corner to corner with this unit and scale: nothing made "
+            "of strips does",
+            path=path,
+            size=Length(surface.size),
         )
     return surface

@@ -19,6 +19,7 @@ from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_un
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import CLONE, LENGTH, MARK, MM, SvgTree, open_svg, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.refusals import Length
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
@@ -52,7 +53,9 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
     scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
-            f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"
+            "has user units of {scale:.3g} by {scale_2}: check width, height and viewBox",
+            scale=scale[0],
+            scale_2=Length(scale[1]),
         )
     to_mm = np.diag(scale * (1.0, -1.0))
     place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
@@ -128,7 +131,9 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
         from svgelements import SVG, Shape
     except ImportError as error:
         raise MissingDependencyError(
-            f"reading {path.name} needs svgelements, which is not installed: {how_to_install('svgelements')}"
+            "reading {name} needs svgelements, which is not installed: {how_to_install}",
+            name=path.name,
+            how_to_install=how_to_install("svgelements"),
         ) from error
     shapes, count = _Shapes(tree), 0
     try:

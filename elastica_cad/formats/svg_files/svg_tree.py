@@ -235,9 +235,9 @@ def svg_tree(path: Path) -> SvgTree:
         try:
             root = ElementTree.parse(file).getroot()
         except (ElementTree.ParseError, ValueError, LookupError) as error:
-            raise InputError(f"is not an SVG file ({error}): export it anew") from error
+            raise InputError("is not an SVG file ({error}): export it anew", error=error) from error
     if tag(root) != "svg":
-        raise InputError(f"is not an SVG file: it begins with <{tag(root)}>, not with <svg>")
+        raise InputError("is not an SVG file: it begins with <{tag}>, not with <svg>", tag=tag(root))
     tree = SvgTree(root)
     _refuse_bombs(tree)
     _fit_views(root)
@@ -265,7 +265,8 @@ def open_svg(path: Path) -> BinaryIO:
             raise InputError("is packed and cannot be unpacked: save it anew, as plain SVG") from error
     if len(data) > LARGEST_FILE:
         raise InputError(
-            f"holds more than {LARGEST_FILE // 2**20} MB once unpacked: leave out what is no curve, or simplify it"
+            "holds more than {largest_file} MB once unpacked: leave out what is no curve, or simplify it",
+            largest_file=LARGEST_FILE // 2**20,
         )
     return BytesIO(data)
 
@@ -296,7 +297,9 @@ def _refuse_bombs(tree: SvgTree) -> None:
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
     for element, depth in order:  # grows while it is walked: parents before children
         if depth > _DEEPEST:
-            raise InputError(f"nests groups more than {_DEEPEST} deep: ungroup them before export")
+            raise InputError(
+                "nests groups more than {deepest} deep: ungroup them before export", deepest=_DEEPEST
+            )
         order += [(child, depth + 1) for child in element]
     clones = [e for e, _ in order if tag(e) == "use"]
     named = _cloned(tree.root, {_linked_id(e) for e in clones} - {""})

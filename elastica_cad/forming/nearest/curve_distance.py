@@ -14,6 +14,7 @@ from elastica_cad.forming.nearest.constraints import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.refusals import Length
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline
@@ -128,8 +129,10 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
     if error > _SYMMETRIC_LENGTHS:
         name = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
-            f"the drawn curve is not its own {name}: it is {error * target.size:.3g} mm off; "
-            "draw it symmetric, or do without keep symmetry"
+            "the drawn curve is not its own {name}: it is {size} off; draw it symmetric, or do "
+            "without keep symmetry",
+            name=name,
+            size=Length(error * target.size),
         )
     return centre, axis
 

@@ -9,6 +9,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 DEGREE = 4  # the least whose curvature has a slope that is continuous
 STRAIGHT_RAD = 1e-9  # over the whole length: nothing but rounding bends such a rod
@@ -64,8 +65,10 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
         edges = _refined(edges, shape.s[error > 1])
     if best is None or least > _PARDONED:
         raise NotConvergedError(
-            f"the rest shape of {rod.length:.6g} mm cannot be written as a spline of degree 4 with {_MOST_SPANS} "
-            "spans: use rod.curve, or fewer coefficients"
+            "the rest shape of {length:.6g} cannot be written as a spline of degree 4 with "
+            "{most_spans} spans: use rod.curve, or fewer coefficients",
+            length=Length(rod.length),
+            most_spans=_MOST_SPANS,
         )
     return _in_millimetres(best, rod)
 

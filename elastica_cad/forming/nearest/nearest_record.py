@@ -152,7 +152,7 @@ class NearestRod:
 
     @property
     def _no_rod(self) -> NotConvergedError:
-        return NotConvergedError(f"there is no rod for this curve: {self.message}")
+        return NotConvergedError("there is no rod for this curve: {message}", message=self.message)
 
     @property
     def met(self) -> bool:

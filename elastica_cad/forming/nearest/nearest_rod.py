@@ -128,7 +128,7 @@ def _find_rod(
     """
     if not (start is None or isinstance(start, NearestRod)):
         raise InputError(
-            f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
+            "start is {start!r}: give the record that nearest_rod gave for a like curve, or None", start=start
         )
     task = NearestTask.of(
         curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature

@@ -40,6 +40,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import SEARCH_SAMPLES, Rod, scaled_to_least
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import Length as Mm
 
 Measure: TypeAlias = Literal["mean", "closest", "max"]
 Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
@@ -111,12 +112,23 @@ class NearestTask:
         supports = require_supports(supports)
         for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
             if not (value is None or isinstance(value, record)):
-                raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")
+                raise InputError(
+                    "{name} is {value!r}: give a {name_2} record, or None",
+                    name=name,
+                    value=value,
+                    name_2=record.__name__,
+                )
         if not (section is None or hasattr(section, "bent")):
-            raise InputError(f"section is {section!r}: give a law of sections, such as ThicknessLaw, or None")
+            raise InputError(
+                "section is {section!r}: give a law of sections, such as ThicknessLaw, or None",
+                section=section,
+            )
         if whole_number(samples, "samples", 20) > _MOST_NODES:
             raise InputError(
-                f"samples={samples!r}: a rod needs 20 to {_MOST_NODES} nodes, {SEARCH_SAMPLES} are usual"
+                "samples={samples!r}: a rod needs 20 to {most_nodes} nodes, {search_samples} are usual",
+                samples=samples,
+                most_nodes=_MOST_NODES,
+                search_samples=SEARCH_SAMPLES,
             )
         target = TargetCurve.of(curve)
         if coefficients is None:
@@ -125,8 +137,10 @@ class NearestTask:
             coefficients = min(_MOST_COEFFICIENTS, wanted, (samples - 1) // 2)
         if whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
             raise InputError(
-                f"coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at most half as "
-                f"many as there are edges ({samples - 1})"
+                "coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at "
+                "most half as many as there are edges ({samples})",
+                coefficients=coefficients,
+                samples=samples - 1,
             )
         limits, keep = limits or Limits(), keep or Keep()
         scale = None
@@ -141,8 +155,10 @@ class NearestTask:
                 inside = -float(region.clearance((point * target.size + target.origin)[None])[0][0])
                 if kept and inside > 1e-9 * target.size:
                     raise InputError(
-                        f"the kept {side} of the curve lies {inside:.3g} mm inside a keep-out region: "
-                        "move the curve or the region, or free that end"
+                        "the kept {side} of the curve lies {inside} inside a keep-out region: move the curve "
+                        "or the region, or free that end",
+                        side=side,
+                        inside=Mm(inside),
                     )
         return cls(
             curve=curve, target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
@@ -275,7 +291,7 @@ class NearestTask:
     def distance(self, measure: Measure) -> Distance:
         """The measure of the distance from the target."""
         if not is_one_of(measure, ("mean", "closest", "max")):
-            raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
+            raise InputError("unknown measure {measure!r}: use 'mean', 'closest' or 'max'", measure=measure)
         if measure == "closest":
             return ClosestDistance(self.target, self._shares)
         if measure == "max":
@@ -380,6 +396,7 @@ def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatA
         array = np.full(2, float(array))
     if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):
         raise InputError(
-            f"{what} must be a finite number, values at equal distances, or a function of arc length"
+            "{what} must be a finite number, values at equal distances, or a function of arc length",
+            what=what,
         )
     return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))

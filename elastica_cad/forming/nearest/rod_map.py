@@ -23,6 +23,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights, shoot
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 from elastica_cad.mechanics.stiffness.optimal_balance import TangentWeight
+from elastica_cad.refusals import Length
 
 
 @dataclass(frozen=True)
@@ -126,7 +127,10 @@ class SectionScale:
             low = float(np.max(law.bending_stiffness(least)))
             if low > most:
                 raise InputError(
-                    f"{law.quantity} limits {least:g} and {largest:g} mm are too close: widen them"
+                    "{quantity} limits {least:g} and {largest:g} are too close: widen them",
+                    quantity=law.quantity,
+                    least=least,
+                    largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
             # what a law that follows the bend bears is no question of its size alone: its scale is settled later

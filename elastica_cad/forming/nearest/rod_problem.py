@@ -35,6 +35,7 @@ from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, Strip
 from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, Linearization, NonlinearProgram
 from elastica_cad.forming.optimizer.sqp import Outcome
 from elastica_cad.mechanics.loads.rest_curvature import LENGTHS_APART, RestCurvature
+from elastica_cad.refusals import Length
 
 _TOO_SENSITIVE = 1e50  # rad per unknown: squares of such derivatives overflow
 
@@ -256,22 +257,31 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
         )
         if least > high or most < low:
             raise InputError(
-                f"{asked} for {least * target.size:.6g} to {most * target.size:.6g} mm, but the blank is "
-                f"{blank:.6g} mm long before it is bent: give its curvature along the length that is asked for"
+                "{asked} for {size:.6g} to {size_2:.6g}, but the blank is {blank:.6g} long before it "
+                "is bent: give its curvature along the length that is asked for",
+                asked=asked,
+                size=least * target.size,
+                size_2=Length(most * target.size),
+                blank=Length(blank),
             )
     if task.keep.length:
         if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
             raise InputError(
-                f"keep length asks for {target.size:.6g} mm, outside the limit length of "
-                f"{low * target.size:.6g} to {high * target.size:.6g} mm: drop one of them"
+                "keep length asks for {size:.6g}, outside the limit length of {size_2:.6g} to "
+                "{size_3:.6g}: drop one of them",
+                size=Length(target.size),
+                size_2=low * target.size,
+                size_3=Length(high * target.size),
             )
         low = high = 1.0
     if all(task.keep.both_ends):
         chord = float(np.hypot(*(target.position[-1] - target.position[0])))
         if high < chord * (1 - 1e-12):
             raise InputError(
-                f"the rod may be at most {high * target.size:.6g} mm long, but its kept ends are "
-                f"{chord * target.size:.6g} mm apart: allow more length or free an end"
+                "the rod may be at most {size:.6g} long, but its kept ends are {size_2:.6g} apart: "
+                "allow more length or free an end",
+                size=Length(high * target.size),
+                size_2=Length(chord * target.size),
             )
     return float(low), float(high)
 
@@ -296,7 +306,11 @@ def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
         ]
     for s in keep.points:
         if not 0 <= s <= target.size * (1 + 1e-9):
-            raise InputError(f"keep point at {s:.6g} mm lies off the drawn curve of {target.size:.6g} mm")
+            raise InputError(
+                "keep point at {s:.6g} lies off the drawn curve of {size:.6g}",
+                s=Length(s),
+                size=Length(target.size),
+            )
         place = min(s / target.size, 1.0)
         point, _ = target.at(np.array([place]))
         found.append(Through(target=_pair(point[0]), place=place))
@@ -339,7 +353,9 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
     ):
         image = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
-            f"the blank is not its own {image} before it is bent: give one that is, or leave out keep symmetry"
+            "the blank is not its own {image} before it is bent: give one that is, or leave out "
+            "keep symmetry",
+            image=image,
         )
     if kind == "turn":
         if task.gravity is not None:
@@ -371,14 +387,17 @@ def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArra
         high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
     if low.min() > 1:
         raise InputError(
-            f"stiffness_bounds ask for at least {low.min():.4g} everywhere, but K / min K is 1 somewhere: "
-            "let the lower bound come down to 1"
+            "stiffness_bounds ask for at least {least:.4g} everywhere, but K / min K is 1 "
+            "somewhere: let the lower bound come down to 1",
+            least=low.min(),
         )
     if np.any(low > high):
         at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size
         raise InputError(
-            f"no stiffness is both above the lower and below the upper bound (or the ratio limit {ratio:.4g}) "
-            f"near {at:.4g} mm: widen the bounds"
+            "no stiffness is both above the lower and below the upper bound (or the ratio limit "
+            "{ratio:.4g}) near {at:.4g}: widen the bounds",
+            ratio=ratio,
+            at=Length(at),
         )
     return low, high
 

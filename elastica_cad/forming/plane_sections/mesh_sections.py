@@ -21,6 +21,7 @@ from elastica_cad.forming.plane_sections.section_lines import (
     place_in_words,
 )
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import Length
 
 SHOWN_PLACES = 3
 """Places that a complaint lists."""
@@ -99,7 +100,7 @@ class Mesh:
             A factor that is not positive.
         """
         if not (is_number(factor) and factor > 0):
-            raise InputError(f"a mesh is scaled by a positive factor, not {factor!r}")
+            raise InputError("a mesh is scaled by a positive factor, not {factor!r}", factor=factor)
         return Mesh(self.vertices * factor, self.faces)
 
 
@@ -110,8 +111,10 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         raise InputError("a mesh is rows of numbers: vertices (n, 3) and triangles (m, 3)") from None
     if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
         raise InputError(
-            f"a mesh is vertices (n, 3) and triangles (m, 3), not {points.shape} and {rows.shape}: "
-            "cut faces of more corners into triangles first"
+            "a mesh is vertices (n, 3) and triangles (m, 3), not {shape} and {shape_2}: cut "
+            "faces of more corners into triangles first",
+            shape=points.shape,
+            shape_2=rows.shape,
         )
     if not rows.size:
         raise InputError("the mesh has no triangles: nothing can be cut")
@@ -119,16 +122,22 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         raise InputError("the triangles of a mesh are rows of whole numbers that count its vertices from 0")
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-        raise InputError(f"vertex {bad} of the mesh is not finite: {points[bad].tolist()}")
+        raise InputError(
+            "vertex {bad} of the mesh is not finite: {tolist}", bad=bad, tolist=points[bad].tolist()
+        )
     far = float(np.abs(points).max())
     if far > FARTHEST_MM:
         bad = int(np.abs(points).max(axis=1).argmax())
         raise InputError(
-            f"vertex {bad} of the mesh lies {far:.3g} mm from the origin: give the right unit or scale, or mend it"
+            "vertex {bad} of the mesh lies {far} from the origin: give the right unit or scale, or mend it",
+            bad=bad,
+            far=Length(far),
         )
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(
-            f"a triangle names vertex {rows.max() if rows.min() >= 0 else rows.min()} of {len(points)}"
+            "a triangle names vertex {value} of {count}",
+            value=rows.max() if rows.min() >= 0 else rows.min(),
+            count=len(points),
         )
     return points, rows.astype(np.intp)
 
@@ -259,7 +268,7 @@ def refuse_odd_planes(planes: object) -> None:
     """Raise where planes are not a sequence of frames."""
     if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
         raise InputError(
-            f"planes must be a sequence of Frames, not {type(planes).__name__}: put one in a list"
+            "planes must be a sequence of Frames, not {name}: put one in a list", name=type(planes).__name__
         )
 
 

@@ -16,6 +16,7 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
 """Points that smoothing works on, and at most: they are one dense matrix."""
@@ -120,11 +121,15 @@ def section_curves(
     ('arch', 4, ())
     """
     if not (is_number(wavelength) and wavelength >= 0):
-        raise InputError(f"wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more")
+        raise InputError(
+            "wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more", wavelength=wavelength
+        )
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"tolerance={tolerance!r}: it must be positive, in mm")
+        raise InputError("tolerance={tolerance!r}: it must be positive, in mm", tolerance=tolerance)
     if not (is_number(false_turn) and 0 <= false_turn <= np.pi):
-        raise InputError(f"false_turn={false_turn!r}: it must be an angle from 0 to pi rad")
+        raise InputError(
+            "false_turn={false_turn!r}: it must be an angle from 0 to pi rad", false_turn=false_turn
+        )
     found: list[SectionCurve] = []
     reports: list[str] = []
     for item in several("sections", sections, PlaneSection | SectionLine, "PlaneSection or SectionLine"):
@@ -147,8 +152,12 @@ def _curve(
     if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
         x, y, z = line.places[0]
         raise InputError(
-            f"the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two ends, so "
-            f"{AT_TWO_PLACES}"
+            "the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two "
+            "ends, so {at_two_places}",
+            x=x,
+            y=y,
+            z=z,
+            at_two_places=AT_TWO_PLACES,
         )
     drawn = _filled(line.points)
     points = smooth_polyline(line.points, wavelength) if wavelength > 0 else drawn
@@ -200,7 +209,11 @@ def _refuse_corners(line: SectionLine, tolerance: float) -> None:
     turned, sides = inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
-        raise InputError(f"{_sharpest(line, turned)}; {AT_CORNERS}, export a finer mesh, or smooth it")
+        raise InputError(
+            "{sharpest}; {at_corners}, export a finer mesh, or smooth it",
+            sharpest=_sharpest(line, turned),
+            at_corners=AT_CORNERS,
+        )
 
 
 def _unfitted(line: SectionLine, tolerance: float) -> str:
@@ -276,11 +289,19 @@ def smooth_polyline(
     """
     given = numbers(points, "points to smooth")
     if given.ndim != 2 or not len(given) or not np.isfinite(given).all():
-        raise InputError(f"points to smooth are finite rows (n, 2), in mm, not of shape {given.shape}")
+        raise InputError(
+            "points to smooth are finite rows (n, 2), in mm, not of shape {shape}", shape=given.shape
+        )
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
-        raise InputError(f"count is {count!r}: smoothing gives points (k, 2), k from 4 to {MOST_SMOOTHED}")
+        raise InputError(
+            "count is {count!r}: smoothing gives points (k, 2), k from 4 to {most_smoothed}",
+            count=count,
+            most_smoothed=MOST_SMOOTHED,
+        )
     if not (is_number(wavelength) and wavelength > 0):
-        raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
+        raise InputError(
+            "smoothing needs a positive wavelength in mm, not {wavelength!r}", wavelength=wavelength
+        )
     s = lengths_along(given)
     if s[-1] == 0:
         raise InputError("the points to smooth are all the same")
@@ -353,8 +374,12 @@ def remove_false_inflections(
     named = ", ".join(f"from {a:.4g} to {b:.4g}" for a, b in bends[:3])
     more = f" and at {len(bends) - 3} more places" if len(bends) > 3 else ""
     raise NotConvergedError(
-        f"{named} mm along the curve{more} it turns by less than {np.degrees(turn):.2g} degrees between "
-        f"inflections; no smoothing that moves it by less than {most:.3g} mm takes that away"
+        "{named} mm along the curve{more} it turns by less than {turn:.2g} degrees between "
+        "inflections; no smoothing that moves it by less than {most} takes that away",
+        named=named,
+        more=more,
+        turn=np.degrees(turn),
+        most=Length(most),
     )
 
 

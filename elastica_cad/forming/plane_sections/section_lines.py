@@ -65,7 +65,7 @@ class SectionLine:
         """
         wanted = np.atleast_2d(np.asarray(points, dtype=float))
         if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
-            raise InputError(f"{self.name} is split at points (k, 2) of its plane, mm")
+            raise InputError("{name} is split at points (k, 2) of its plane, mm", name=self.name)
         return self._split(np.sort([_nearest(self.points, p) for p in wanted]))
 
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
@@ -94,7 +94,7 @@ class SectionLine:
             An angle that is not between 0 and pi.
         """
         if not 0 < turn < np.pi:
-            raise InputError(f"corners turn by an angle between 0 and pi rad, not {turn!r}")
+            raise InputError("corners turn by an angle between 0 and pi rad, not {turn!r}", turn=turn)
         points = np.concatenate([self.points, self.points[1:2]]) if self.is_closed else self.points
         corners = 1.0 + np.flatnonzero(inner_turns(points) > turn)
         if self.is_closed:
@@ -108,7 +108,9 @@ class SectionLine:
         at = np.column_stack([np.interp(cuts, index, column) for column in self.points.T])
         cuts = np.unique(cuts)
         if len(cuts) < len(at) or (not self.is_closed and (cuts[0] <= 0 or cuts[-1] >= last)):
-            raise InputError(f"{self.name} is split twice at one place, or at its very end: move the points")
+            raise InputError(
+                "{name} is split twice at one place, or at its very end: move the points", name=self.name
+            )
         marks = np.concatenate([[0], cuts, [last]])
         points = [
             np.concatenate([[start], self.points[(index > a) & (index < b)], [end]])
@@ -157,7 +159,7 @@ class PlaneSection:
         """
         if len(self.lines) != 1:
             reason = self.reports[0] if self.reports else f"{self.name} has {len(self.lines)} lines"
-            raise InputError(f"{reason}: choose from its lines")
+            raise InputError("{reason}: choose from its lines", reason=reason)
         return self.lines[0]
 
 

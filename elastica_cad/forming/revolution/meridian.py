@@ -16,6 +16,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.polynomials.splines import finite
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 EXACT_POINTS = 5
 """a, b and the start in space and direction, but for sliding along: so many points fix a meridian; one less where
@@ -421,7 +422,9 @@ class Meridian:
     def width(self, strips: int) -> Profile:
         """Width of each of so many strips, 2 tan(pi / strips) times the distance from the axis, mm."""
         if strips < 3:
-            raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
+            raise InputError(
+                "strips={strips}: a surface of revolution is tiled by 3 strips or more", strips=strips
+            )
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":
@@ -496,7 +499,9 @@ def meridian(
     p = _numbers(a, b, start, angle, length)
     if not (p[3] > 0 and p[6] > 0):
         raise InputError(
-            f"a meridian starts beside its axis and has a length: start x = {p[3]:g} mm, length = {p[6]:g} mm"
+            "a meridian starts beside its axis and has a length: start x = {p:g}, length = {p_2:g}",
+            p=Length(p[3]),
+            p_2=Length(p[6]),
         )
     _refuse_winding(p)
     end, shape = _integrated(p[:6], p[6], _floor(float(p[3]), float(p[6]), ring))
@@ -548,7 +553,9 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         curve = _curve(found, size, end)
     except NotConvergedError as problem:
         way_out = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
-        raise NotConvergedError(f"{problem}: {HOPELESS}{way_out}") from problem
+        raise NotConvergedError(
+            "{problem}: {hopeless}{way_out}", problem=problem, hopeless=HOPELESS, way_out=way_out
+        ) from problem
     closes = end < length
     if len(chosen) == len(data):
         gaps = np.hypot(*(size * found.points - data).T)
@@ -556,7 +563,10 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         gaps = distances(Spline(_curve(found, size, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
-            f"no meridian comes nearer than {gaps.max():.3g} mm to point {int(gaps.argmax()) + 1}: {HOPELESS}"
+            "no meridian comes nearer than {most} to point {value}: {hopeless}",
+            most=Length(gaps.max()),
+            value=int(gaps.argmax()) + 1,
+            hopeless=HOPELESS,
         )
     return Meridian(found.a, found.b / size, curve, closes, float(gaps.max()))
 
@@ -574,7 +584,11 @@ def _floor(start: float, length: float, ring: float | None) -> float:
     if ring is None:
         return min(NARROW_SHARE * (start + length), start / 2)
     if not (is_number(ring) and 0 < ring < start):
-        raise InputError(f"ring={ring}: it must be positive and smaller than the start's {start:g} mm")
+        raise InputError(
+            "ring={ring}: it must be positive and smaller than the start's {start:g}",
+            ring=ring,
+            start=Length(start),
+        )
     return float(ring)
 
 
@@ -607,8 +621,10 @@ def _profile(points: ArrayLike) -> FloatArray:
     if beyond.any():
         i = int(np.argmax(beyond))
         raise InputError(
-            f"point {i + 1} at {data[i].tolist()} lies on or beyond the axis x = 0: keep x positive (the last may "
-            "lie on it)"
+            "point {i} at {tolist} lies on or beyond the axis x = 0: keep x positive (the last "
+            "may lie on it)",
+            i=i + 1,
+            tolist=data[i].tolist(),
         )
     return data
 
@@ -640,12 +656,16 @@ def _integrated(
     )  # fmt: skip
     if not found.success:
         raise NotConvergedError(
-            f"the meridian bends without bounds after {found.t[-1]:.4g} mm, beside the axis: end it there"
+            "the meridian bends without bounds after {t:.4g}, beside the axis: end it there",
+            t=Length(found.t[-1]),
         )
     if found.t_events[1].size:
         raise InputError(
-            f"the meridian turns {MOST_TURNS} times about within {found.t[-1]:.4g} mm of its {length:g} mm: make "
-            "a and b smaller, or end it before"
+            "the meridian turns {most_turns} times about within {t:.4g} of its {length:g}: make "
+            "a and b smaller, or end it before",
+            most_turns=MOST_TURNS,
+            t=Length(found.t[-1]),
+            length=Length(length),
         )
     return float(found.t[-1]), found.sol
 
@@ -660,8 +680,14 @@ def _refuse_winding(p: FloatArray) -> None:
         too_much = most * length > 2 * np.pi * MOST_TURNS
     if too_much:
         raise InputError(
-            f"a={a:g}, b=({b[0]:g}, {b[1]:g}) bend the meridian from its start to a radius of about {1 / most:.2g} "
-            f"mm, against its length of {length:g} mm: make a and b smaller (a has no unit, b is in 1/mm)"
+            "a={a:g}, b=({b:g}, {b_2:g}) bend the meridian from its start to a radius of about "
+            "{most}, against its length of {length:g}: make a and b smaller (a has no unit, b is "
+            "in 1/mm)",
+            a=a,
+            b=b[0],
+            b_2=b[1],
+            most=Length(1 / most),
+            length=Length(length),
         )
 
 
@@ -675,5 +701,5 @@ def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: flo
         raise InputError("a meridian needs b and start as two numbers each")
     numbers = np.array([a, *b, *start, angle, length])
     if not np.all(np.isfinite(numbers)):
-        raise InputError(f"the numbers of a meridian must be finite: {numbers.tolist()}")
+        raise InputError("the numbers of a meridian must be finite: {tolist}", tolist=numbers.tolist())
     return numbers

@@ -22,6 +22,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
 from elastica_cad.geometry.pen_curves.tangent_healing import SURE, Healing, heal_tangents
 from elastica_cad.geometry.polynomials.splines import bezier_spans
+from elastica_cad.refusals import Length
 
 DEGREE = 4  # whose curvature and its slope are continuous at simple knots
 
@@ -115,7 +116,8 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
     """
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise InputError(
-            f"a curve is made fair within a positive distance, not {tolerance!r} mm: give 0.1, for one"
+            "a curve is made fair within a positive distance, not {tolerance!r} mm: give 0.1, for one",
+            tolerance=tolerance,
         )
     if curve.has_corners:
         raise InputError("a curve with corners cannot be made fair: round the corners, or cut it at them")
@@ -131,8 +133,10 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
         spans *= 2
     if best is None:
         raise InputError(
-            f"the jumps of the curvature cannot be evened out within {tolerance:.3g} mm: allow more, at least "
-            f"{2 * tolerance:.2g} mm"
+            "the jumps of the curvature cannot be evened out within {tolerance}: allow more, at "
+            "least {tolerance_2}",
+            tolerance=Length(tolerance),
+            tolerance_2=Length(2 * tolerance),
         )
     return best
 

@@ -20,6 +20,7 @@ from elastica_cad.geometry.polynomials.bernstein import (
     sums_in_pieces,
 )
 from elastica_cad.geometry.polynomials.splines import Spans
+from elastica_cad.refusals import Length
 
 _STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; a curve slower than that stands still
 _STILL_SPAN = 1e-14  # of the largest speed of all; a span that is nowhere faster is a point
@@ -188,7 +189,7 @@ class RationalPieces:
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
-            raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
+            raise InputError("parameter outside the curve: use {a:g} to {b:g}", a=a, b=b)
         return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
@@ -411,16 +412,22 @@ def refuse_standstill(
     size = float(np.ptp(control_points, axis=0).max())
     where = f"the curve has no tangent at {place}, {_length_until(pieces, t):.4g} mm from its start"
     if not twins.size:
-        raise InputError(f"{where}: it has a cusp; move or delete a control point there")
+        raise InputError("{where_}: it has a cusp; move or delete a control point there", where_=where)
     cause = f"control points {twins[0]} and {twins[0] + 1} coincide"
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
-            f"undecided at this precision: {where}, for {cause}, and the numbers in the file are exact to "
-            f"{rounding:.2g} mm, so a shorter handle is lost: save it with more decimals, or draw out the "
-            "handle of that node"
+            "undecided at this precision: {where_}, for {cause}, and the numbers in the file are "
+            "exact to {rounding}, so a shorter handle is lost: save it with more decimals, or "
+            "draw out the handle of that node",
+            where_=where,
+            cause=cause,
+            rounding=Length(rounding),
         )
     raise InputError(
-        f"{where}: {cause}; move or delete one of them (in a drawing program: draw out the handle of that node)"
+        "{where_}: {cause}; move or delete one of them (in a drawing program: draw out the "
+        "handle of that node)",
+        where_=where,
+        cause=cause,
     )
 
 

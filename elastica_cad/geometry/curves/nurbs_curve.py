@@ -58,22 +58,33 @@ class NurbsCurve:
         object.__setattr__(self, "degree", whole_degree(self.degree))
         points = finite("control_points", self.control_points)
         if points.ndim != 2 or points.shape[1] != 2:
-            raise InputError(f"control_points must be rows of x, y: shape (m, 2), not {points.shape}")
+            raise InputError(
+                "control_points must be rows of x, y: shape (m, 2), not {shape}", shape=points.shape
+            )
         object.__setattr__(self, "control_points", points)
         object.__setattr__(self, "knots", finite("knots", self.knots))
         check_knots(self.knots, points.shape[0], self.degree)
         if self.weights is not None:
             weights = finite("weights", self.weights)
             if weights.shape != (points.shape[0],):
-                raise InputError(f"{points.shape[0]} control points need as many weights, not {weights.size}")
+                raise InputError(
+                    "{shape} control points need as many weights, not {size}",
+                    shape=points.shape[0],
+                    size=weights.size,
+                )
             if weights.min() <= 0:
                 raise InputError(
-                    f"weight {int(weights.argmin())} is {weights.min():g}: weights must be positive"
+                    "weight {value} is {least:g}: weights must be positive",
+                    value=int(weights.argmin()),
+                    least=weights.min(),
                 )
             if weights.max() > MOST_UNEVEN * weights.min():
                 raise InputError(
-                    f"weights run from {weights.min():.3g} to {weights.max():.3g}: the largest may be "
-                    f"{MOST_UNEVEN:g} times the least; export the curve without them"
+                    "weights run from {least:.3g} to {most:.3g}: the largest may be {most_uneven:g} "
+                    "times the least; export the curve without them",
+                    least=weights.min(),
+                    most=weights.max(),
+                    most_uneven=MOST_UNEVEN,
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
         drawn = self.provenance
@@ -113,7 +124,10 @@ class NurbsCurve:
         count = points.shape[0] if points.ndim else 0
         if count <= degree:
             raise InputError(
-                f"{count} control points are too few for degree {degree}: give {degree + 1} or more"
+                "{count} control points are too few for degree {degree}: give {degree_2} or more",
+                count=count,
+                degree=degree,
+                degree_2=degree + 1,
             )
         inner = np.linspace(0.0, 1.0, count - degree + 1)
         knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
@@ -146,15 +160,18 @@ class NurbsCurve:
         """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
         if centre.shape != (2,):
-            raise InputError(f"the center must be two numbers, in mm, not {centre.tolist()}")
+            raise InputError("the center must be two numbers, in mm, not {tolist}", tolist=centre.tolist())
         if axes.shape != (2,) or axes.min() <= 0:
-            raise InputError(f"semi-axes (or the radius) must be positive, not {axes.tolist()}")
+            raise InputError("semi-axes (or the radius) must be positive, not {tolist}", tolist=axes.tolist())
         turn, first, last = finite("angles", [rotation, start, end]).tolist()
         if first == last:
             raise InputError("the arc has zero length: start and end angle are the same")
         if not abs(last - first) <= MOST_TURNS * 2 * np.pi:
             raise InputError(
-                f"the arc runs from {first:g} to {last:g} rad: give angles at most {MOST_TURNS} turns apart"
+                "the arc runs from {first:g} to {last:g} rad: give angles at most {most_turns} turns apart",
+                first=first,
+                last=last,
+                most_turns=MOST_TURNS,
             )
         knots, points, weights = unit_circle_arc(first, last)
         c, s = np.cos(turn), np.sin(turn)
@@ -243,7 +260,9 @@ class NurbsCurve:
         At a knot of low continuity the right-hand value is given, with `left=True` the left-hand one.
         """
         if not (is_whole(derivative) and 0 <= derivative <= 3):
-            raise InputError(f"derivatives of order 0 to 3 are known, not {derivative!r}")
+            raise InputError(
+                "derivatives of order 0 to 3 are known, not {derivative!r}", derivative=derivative
+            )
         t = numbers(t, "parameters")
         return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 

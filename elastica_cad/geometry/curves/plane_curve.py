@@ -29,6 +29,7 @@ from elastica_cad.geometry.curves.curve_derivatives import (
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
 from elastica_cad.geometry.curves.self_intersections import find_self_intersections
 from elastica_cad.geometry.polynomials.splines import finite
+from elastica_cad.refusals import Length
 
 
 @dataclass(frozen=True, eq=False)
@@ -214,7 +215,7 @@ class PlaneCurve(NurbsCurve):
         s = numbers(s, "arc lengths")
         slack = 1e-9 * self.length
         if s.size and not (s.min() >= -slack and s.max() <= self.length + slack):
-            raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
+            raise InputError("arc length outside the curve: use 0 to {length:g}", length=Length(self.length))
         inside = np.minimum(np.maximum(s.ravel(), 0.0), self.length)
         return self._pieces.arc_length.parameter_at(inside).reshape(s.shape)
 
@@ -233,7 +234,7 @@ class PlaneCurve(NurbsCurve):
     def sample(self, count: int) -> CurveSamples:
         """`count` points at equal distances along the curve, both ends included."""
         if not (is_number(count) and count >= 2):
-            raise InputError(f"a curve is sampled at 2 points or more, not {count!r}")
+            raise InputError("a curve is sampled at 2 points or more, not {count!r}", count=count)
         return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property
@@ -426,9 +427,11 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError(f"the constant of a line is one number, not {constant.tolist()}")
+        raise InputError("the constant of a line is one number, not {tolist}", tolist=constant.tolist())
     if normal.shape != (2,) or not normal.any():
-        raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
+        raise InputError(
+            "the normal of a line must be two numbers, not both zero: {tolist}", tolist=normal.tolist()
+        )
     edges, bezier = curve.bezier_table
     found = line_places(bezier, edges, float(constant), normal)
     s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))

@@ -9,6 +9,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import subdivide
 from elastica_cad.geometry.polynomials.splines import finite
+from elastica_cad.refusals import Length
 
 _MOST_HALVINGS = 30  # of a piece, until its weights are even
 
@@ -60,21 +61,34 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
     """The matrix that takes the unit vectors and their sum to the four points, homogeneous."""
     handles = finite(name, points)
     if handles.shape != (4, 2):
-        raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")
+        raise InputError(
+            "{name} must be four handles (x, y), shape (4, 2), not {shape}", name=name, shape=handles.shape
+        )
     middle, size = handles.mean(axis=0), float(np.ptp(handles, axis=0).max())
     if size == 0:
-        raise InputError(f"{name}: all four handles lie at {_place(handles[0])}: take them apart")
+        raise InputError(
+            "{name}: all four handles lie at {place}: take them apart", name=name, place=_place(handles[0])
+        )
     rows = np.column_stack([(handles - middle) / size, np.ones(4)])
     for i, j in combinations(range(4), 2):
         if np.linalg.norm(rows[i] - rows[j]) <= IN_LINE_SHARE:
             apart = float(np.linalg.norm(handles[i] - handles[j]))
             if apart > 0:
                 raise InputError(
-                    f"{name}: handles {i + 1} and {j + 1} lie {apart:.3g} mm apart while others lie {size:.3g} mm "
-                    "apart: too far for a map; move the far ones nearer"
+                    "{name}: handles {i} and {j} lie {apart} apart while others lie {size} apart: too "
+                    "far for a map; move the far ones nearer",
+                    name=name,
+                    i=i + 1,
+                    j=j + 1,
+                    apart=Length(apart),
+                    size=Length(size),
                 )
             raise InputError(
-                f"{name}: handles {i + 1} and {j + 1} lie in one place, {_place(handles[i])}: move one"
+                "{name}: handles {i} and {j} lie in one place, {place}: move one",
+                name=name,
+                i=i + 1,
+                j=j + 1,
+                place=_place(handles[i]),
             )
     for three in combinations(range(4), 3):
         corner = rows[list(three)]
@@ -83,8 +97,11 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
         if abs(ux * vy - uy * vx) <= IN_LINE_SHARE * longest:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
-                f"{name}: handles {numbers} lie in one line, through {_place(handles[three[0]])} and "
-                f"{_place(handles[three[2]])}: move one off it"
+                "{name}: handles {numbers} lie in one line, through {place} and {place_2}: move one off it",
+                name=name,
+                numbers=numbers,
+                place=_place(handles[three[0]]),
+                place_2=_place(handles[three[2]]),
             )
     shares = np.linalg.solve(rows[:3].T, rows[3])
     back = np.array([[size, 0.0, middle[0]], [0.0, size, middle[1]], [0.0, 0.0, 1.0]])
@@ -121,7 +138,7 @@ def map_spline(
     """
     m = finite("matrix", matrix)
     if m.shape != (3, 3):
-        raise InputError(f"a projective map is a 3 x 3 matrix, not {m.shape}")
+        raise InputError("a projective map is a 3 x 3 matrix, not {shape}", shape=m.shape)
     if np.linalg.matrix_rank(m) < 3:
         raise InputError("the matrix is singular: it would flatten the plane; use an invertible one")
     affine = not m[2, :2].any()
@@ -158,8 +175,9 @@ def _positive_pieces(
         if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:
             x, y, w = back @ _vanishing(piece)
             raise InputError(
-                f"the projective map sends the curve through infinity, near {_place(np.array([x, y]) / w)}: keep "
-                "the map's vanishing line off the curve (move the handles less)"
+                "the projective map sends the curve through infinity, near {place}: keep the map's "
+                "vanishing line off the curve (move the handles less)",
+                place=_place(np.array([x, y]) / w),
             )
         left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
         middle = (a + b) / 2

@@ -21,6 +21,7 @@ from elastica_cad.geometry.paths.segments import (
     segment_from_bulge,
 )
 from elastica_cad.geometry.polynomials.splines import knot_runs
+from elastica_cad.refusals import Length
 
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
@@ -119,8 +120,9 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
             return spline.t, spline.c
         sites = np.sort(np.concatenate([sites, (sites[:-1] + np.diff(sites) / 2)[bad]]))
     raise InputError(
-        f"the spline from {place(motion(sites[:1], 0, False)[0])} can't be followed to {tolerance:g} mm by a "
-        "cubic: allow a larger tolerance"
+        "the spline from {place} can't be followed to {tolerance:g} by a cubic: allow a larger tolerance",
+        place=place(motion(sites[:1], 0, False)[0]),
+        tolerance=Length(tolerance),
     )
 
 
@@ -210,8 +212,9 @@ def _longest(
             bad = trial
         if bad - a < _SHORTEST_SHARE:
             raise InputError(
-                f"the spline at {place(spline.at(a))} can't be followed to {tolerance:g} mm by arcs: "
-                "allow a larger tolerance"
+                "the spline at {place} can't be followed to {tolerance:g} by arcs: allow a larger tolerance",
+                place=place(spline.at(a)),
+                tolerance=Length(tolerance),
             )
     return good, best
 

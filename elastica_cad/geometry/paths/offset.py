@@ -23,6 +23,7 @@ from elastica_cad.geometry.paths.segments import (
     require_tolerance_mm,
     trim_segment,
 )
+from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
 """A stretch of the path longer than this many offsets must leave a trace: it is a feature, not a corner."""
@@ -63,7 +64,9 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
     left = distance
     if path.closed:
         if path.area == 0:
-            raise InputError(f"the loop at {place(path.start)} encloses nothing: it has no inside to offset")
+            raise InputError(
+                "the loop at {start} encloses nothing: it has no inside to offset", start=place(path.start)
+            )
         left = -distance * float(np.sign(path.area))
     ring = _Ring(_elements(path, left, tolerance), path.closed, distance)
     moved = Path(ring.joined(), path.closed)
@@ -125,8 +128,11 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     sharpest = int(np.argmax(left * kappa))
     if left * kappa[sharpest] >= 1 - 1e-6:
         raise InputError(
-            f"the curve at {place(curve.evaluate(probes[sharpest]))} has a radius of "
-            f"{1 / abs(kappa[sharpest]):.4g} mm, too small for an offset of {abs(left):g} mm: make it gentler"
+            "the curve at {place} has a radius of {value:.4g}, too small for an offset of "
+            "{left:g}: make it gentler",
+            place=place(curve.evaluate(probes[sharpest])),
+            value=Length(1 / abs(kappa[sharpest])),
+            left=Length(abs(left)),
         )
 
     def motion(t: FloatArray, derivative: int, before: bool) -> FloatArray:
@@ -204,8 +210,10 @@ class _Ring:
 
     def _refuse(self, at: FloatArray) -> None:
         raise InputError(
-            f"an offset of {self.distance:g} mm swallows the path at {place(at)}: "
-            "make that part larger or the offset smaller"
+            "an offset of {distance:g} swallows the path at {at}: make that part larger or the "
+            "offset smaller",
+            distance=Length(self.distance),
+            at=place(at),
         )
 
 
@@ -230,12 +238,16 @@ def _check(path: Path, moved: Path, distance: float, tolerance: float) -> None:
     worst = int(np.argmin(near))
     if near[worst] < abs(distance) - 2 * tolerance - JOIN:
         raise InputError(
-            f"an offset of {distance:g} mm runs into another part of the path at {place(samples[worst])}: "
-            "widen the gap there or make the offset smaller"
+            "an offset of {distance:g} runs into another part of the path at {place}: widen the "
+            "gap there or make the offset smaller",
+            distance=Length(distance),
+            place=place(samples[worst]),
         )
     crossing = self_crossing(moved.points(tolerance), closed=path.closed)
     if crossing is not None:
         raise InputError(
-            f"an offset of {distance:g} mm makes the path cross itself at {place(crossing)}: "
-            "widen the gap there or make the offset smaller"
+            "an offset of {distance:g} makes the path cross itself at {crossing}: widen the gap "
+            "there or make the offset smaller",
+            distance=Length(distance),
+            crossing=place(crossing),
         )

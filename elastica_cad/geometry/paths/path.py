@@ -22,6 +22,7 @@ from elastica_cad.geometry.paths.segments import (
     segment_from_bulge,
 )
 from elastica_cad.geometry.plane_matrices import is_similarity
+from elastica_cad.refusals import Length
 
 JOIN = 1e-6
 """Largest gap between the ends of neighbouring segments, mm."""
@@ -65,7 +66,9 @@ class Path:
             gap = dist(after.start.tolist(), segment.end.tolist())
             if not gap <= JOIN:
                 raise InputError(
-                    f"the path has a gap of {gap:.3g} mm at {place(segment.end)}: the ends must meet"
+                    "the path has a gap of {gap} at {end}: the ends must meet",
+                    gap=Length(gap),
+                    end=place(segment.end),
                 )
 
     @classmethod
@@ -97,7 +100,11 @@ class Path:
     def rectangle(cls, width: float, height: float, *, corner: ArrayLike = (0.0, 0.0)) -> "Path":
         """A closed rectangle, anticlockwise from its lower left `corner`, mm."""
         if not (is_number(width) and is_number(height) and width > 0 and height > 0):
-            raise InputError(f"a rectangle of {width} by {height} mm: both sides must be positive")
+            raise InputError(
+                "a rectangle of {width} by {height} mm: both sides must be positive",
+                width=width,
+                height=height,
+            )
         x, y = point(corner, "the corner of a rectangle")
         return cls.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)])
 

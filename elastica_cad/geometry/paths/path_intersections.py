@@ -15,6 +15,7 @@ from elastica_cad.geometry.boxes import boxes_meet
 from elastica_cad.geometry.curves.curve_derivatives import cross
 from elastica_cad.geometry.paths.path import JOIN, Path
 from elastica_cad.geometry.paths.segments import Line, Segment, chords, trim_segment
+from elastica_cad.refusals import Length
 
 IndexArray: TypeAlias = NDArray[np.intp]
 
@@ -191,8 +192,12 @@ def clip_across(path: Path, low: float, high: float) -> Path:
     runs = _runs_between(path, low, high)
     if not runs:
         raise InputError(
-            f"nothing of the path lies between x = {low:g} and {high:g} mm: give places from "
-            f"{path.bounds[0, 0]:g} to {path.bounds[1, 0]:g} mm"
+            "nothing of the path lies between x = {low:g} and {high:g}: give places from "
+            "{bounds:g} to {bounds_2:g}",
+            low=low,
+            high=Length(high),
+            bounds=path.bounds[0, 0],
+            bounds_2=Length(path.bounds[1, 0]),
         )
     if len(runs) > 1 and _meets(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]
@@ -201,7 +206,11 @@ def clip_across(path: Path, low: float, high: float) -> Path:
         chain += run
         if not _meets(run[-1], following[0]):
             if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
-                raise InputError(f"the part between x = {low:g} and {high:g} mm is not in one piece")
+                raise InputError(
+                    "the part between x = {low:g} and {high:g} is not in one piece",
+                    low=low,
+                    high=Length(high),
+                )
             chain.append(Line(run[-1].end, following[0].start))
     return Path(chain, closed=True)
 

@@ -20,6 +20,7 @@ from elastica_cad.geometry.plane_matrices import (
 )
 from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 from elastica_cad.geometry.running_sums import distinct
+from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
 """An arc that rises less than this over its chord (mm) is a line."""
@@ -53,7 +54,7 @@ class Line:
         object.__setattr__(self, "start", point(start, "line start"))
         object.__setattr__(self, "end", point(end, "line end"))
         if self.start.tolist() == self.end.tolist():
-            raise InputError(f"a line at {place(self.start)} has no length: leave it out")
+            raise InputError("a line at {start} has no length: leave it out", start=place(self.start))
 
     @property
     def length(self) -> float:
@@ -133,10 +134,16 @@ class Arc:
         for name, value in {"radius": radius, "start_angle": start_angle, "end_angle": end_angle}.items():
             object.__setattr__(self, name, require_number(value, f"arc {name}"))
         if self.radius <= 0:
-            raise InputError(f"arc radius is {self.radius:g} mm at {place(self.center)}: it must be positive")
+            raise InputError(
+                "arc radius is {radius:g} at {center}: it must be positive",
+                radius=Length(self.radius),
+                center=place(self.center),
+            )
         if self.sweep == 0 or abs(self.sweep) > 2 * np.pi * (1 + 1e-12):
             raise InputError(
-                f"arc at {place(self.center)} turns by {self.sweep:g} rad: give more than 0 and at most 2 pi"
+                "arc at {center} turns by {sweep:g} rad: give more than 0 and at most 2 pi",
+                center=place(self.center),
+                sweep=self.sweep,
             )
 
     @classmethod
@@ -146,7 +153,9 @@ class Arc:
         require_number(bulge, "the bulge of an arc")
         chord = end - start
         if not bulge or not np.any(chord):
-            raise InputError(f"an arc at {place(start)} needs two different ends and a bulge other than 0")
+            raise InputError(
+                "an arc at {start} needs two different ends and a bulge other than 0", start=place(start)
+            )
         square = bulge * bulge
         center = (start + end) / 2 + left_of(chord) * (1 - square) / (4 * bulge)
         x, y = start - center
@@ -357,7 +366,7 @@ def point(value: ArrayLike, name: str) -> FloatArray:
     """A point (2,), mm, that is not written to; refuses what is none."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
-        raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
+        raise InputError("{name} must be two finite numbers in mm, got {value!r}", name=name, value=value)
     p.setflags(write=False)
     return p
 
@@ -393,7 +402,9 @@ def _beyond_sine(x: FloatArray) -> FloatArray:
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
     """The part of a segment between 0 <= u0 < u1 <= 1, exact."""
     if not 0 <= u0 < u1 <= 1:
-        raise InputError(f"a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}")
+        raise InputError(
+            "a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}", u0=u0, u1=u1
+        )
     if (u0, u1) == (0, 1):
         return segment
     if isinstance(segment, Line):
@@ -414,7 +425,7 @@ MOST_ROUNDS = 40
 def require_tolerance_mm(tolerance: float) -> float:
     """The tolerance, mm, refused unless it is positive and finite."""
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"the tolerance is {tolerance}: it must be positive, in mm")
+        raise InputError("the tolerance is {tolerance}: it must be positive, in mm", tolerance=tolerance)
     return float(tolerance)
 
 

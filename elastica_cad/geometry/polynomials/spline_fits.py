@@ -81,10 +81,15 @@ def adaptive_spline(
     require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
     if not callable(function):
         raise InputError(
-            f"what is followed is {quoted(function)}: give a function of the places along the curve"
+            "what is followed is {function}: give a function of the places along the curve",
+            function=quoted(function),
         )
     if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
-        raise InputError(f"a function is followed by a spline of degree 1 to {_MOST_DEGREE}, not {degree!r}")
+        raise InputError(
+            "a function is followed by a spline of degree 1 to {most_degree}, not {degree!r}",
+            most_degree=_MOST_DEGREE,
+            degree=degree,
+        )
     edges, order = _first_edges(domain, _checked_breaks(breaks), np.asarray(knots, dtype=float))
     sites, weight = gauss_rule(degree + 3)
     while True:
@@ -147,10 +152,12 @@ def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Flo
     """Values (p, k, ...) at places (p, k)."""
     values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):
-        raise InputError(f"a function along the curve must give a value for each of {x.size} places")
+        raise InputError(
+            "a function along the curve must give a value for each of {size} places", size=x.size
+        )
     if not np.isfinite(values).all():
         first = np.argwhere(~np.isfinite(values.reshape(x.size, -1)).all(axis=1))[0, 0]
-        raise InputError(f"the function is not finite at {x.ravel()[first]:.6g}")
+        raise InputError("the function is not finite at {ravel:.6g}", ravel=x.ravel()[first])
     return values.reshape(*x.shape, *values.shape[1:])
 
 
@@ -169,8 +176,11 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
     if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
         worst = int(np.where(bad, error, 0.0).argmax())
         raise NotConvergedError(
-            f"no spline follows the function to {tolerance:g}: near {edges[worst]:.6g} the error stays "
-            f"{error[worst]:.3g}; declare the break there or ask for less"
+            "no spline follows the function to {tolerance:g}: near {edges:.6g} the error stays "
+            "{error:.3g}; declare the break there or ask for less",
+            tolerance=tolerance,
+            edges=edges[worst],
+            error=error[worst],
         )
 
 
@@ -335,11 +345,11 @@ def _smoothed(problem: _Problem, control: FloatArray, t: FloatArray, tolerance: 
 
 def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
     if degree not in (3, 4, 5):
-        raise InputError(f"curves are fitted with degree 3, 4 or 5, not {degree!r}")
+        raise InputError("curves are fitted with degree 3, 4 or 5, not {degree!r}", degree=degree)
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"the tolerance of a fit must be positive, not {tolerance!r} mm")
+        raise InputError("the tolerance of a fit must be positive, not {tolerance!r} mm", tolerance=tolerance)
     if smoothing is not None and not (is_number(smoothing) and smoothing >= 0):
-        raise InputError(f"the smoothing of a fit must be 0 or more, not {smoothing!r}")
+        raise InputError("the smoothing of a fit must be 0 or more, not {smoothing!r}", smoothing=smoothing)
 
 
 def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
@@ -373,7 +383,7 @@ def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
 def _cleaned(points: ArrayLike) -> FloatArray:
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
-        raise InputError(f"points to fit must be rows of x, y: shape (n, 2), not {data.shape}")
+        raise InputError("points to fit must be rows of x, y: shape (n, 2), not {shape}", shape=data.shape)
     moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
     data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
     if data.shape[0] < 2:

@@ -65,11 +65,13 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
     """A read-only float array of `values`; refuses what is no number, NaN and infinity."""
     given = as_floats(values)
     if given is None:
-        raise InputError(f"{name} must be numbers")
+        raise InputError("{name} must be numbers", name=name)
     array = given.copy()
     if not np.isfinite(array).all():
         first = np.argwhere(~np.isfinite(array))[0].tolist()
-        raise InputError(f"{name} holds NaN or infinite values, the first at index {first}")
+        raise InputError(
+            "{name} holds NaN or infinite values, the first at index {first}", name=name, first=first
+        )
     array.setflags(write=False)
     return array
 
@@ -77,42 +79,62 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
 def whole_degree(degree: int) -> int:
     """The degree as a plain int; refuses what is no whole number of 2 or more."""
     if isinstance(degree, bool) or not isinstance(degree, int | float | np.integer | np.floating):
-        raise InputError(f"a curve needs degree 2 or more, not {degree!r}")
+        raise InputError("a curve needs degree 2 or more, not {degree!r}", degree=degree)
     if not (degree == np.floor(degree) and 2 <= degree < 100):
-        raise InputError(f"a curve needs a whole degree of 2 or more, not {degree!r}")
+        raise InputError("a curve needs a whole degree of 2 or more, not {degree!r}", degree=degree)
     return int(degree)
 
 
 def check_knots(knots: FloatArray, count: int, degree: int) -> None:
     """Refuse a knot vector that does not fit the control points or breaks the curve apart."""
     if count < degree + 1:
-        raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
+        raise InputError(
+            "{count} control points are too few for degree {degree}: give {degree_2} or more",
+            count=count,
+            degree=degree,
+            degree_2=degree + 1,
+        )
     if knots.shape != (count + degree + 1,):
         raise InputError(
-            f"{count} control points of degree {degree} need {count + degree + 1} knots "
-            f"(the full vector, end knots repeated), not {knots.size}"
+            "{count} control points of degree {degree} need {value} knots (the full vector, end "
+            "knots repeated), not {size}",
+            count=count,
+            degree=degree,
+            value=count + degree + 1,
+            size=knots.size,
         )
     down = np.flatnonzero(np.diff(knots) < 0)
     if down.size:
-        raise InputError(f"knots must not decrease: knot {down[0] + 1} is less than knot {down[0]}")
+        raise InputError(
+            "knots must not decrease: knot {value} is less than knot {down}", value=down[0] + 1, down=down[0]
+        )
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
         raise InputError("the knots leave no domain: the first and last inner knot coincide")
     if not (end - start >= SHORTEST_DOMAIN and np.abs(knots).max() <= FARTHEST_KNOT):
         raise InputError(
-            f"the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or vanish: scale "
-            "them to 0..1"
+            "the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or "
+            "vanish: scale them to 0..1",
+            start=start,
+            end=end,
         )
     values, counts = knot_runs(knots)
     inside = (values > start) & (values < end)
     if inside.any() and counts[inside].max() > degree:
         where = values[inside][counts[inside].argmax()]
         raise InputError(
-            f"knot {where:g} is repeated {counts[inside].max()} times: "
-            f"more than the degree {degree} breaks the curve apart"
+            "knot {where_:g} is repeated {most} times: more than the degree {degree} breaks the curve apart",
+            where_=where,
+            most=counts[inside].max(),
+            degree=degree,
         )
     if counts.max() > degree + 1:
-        raise InputError(f"an end knot is repeated {counts.max()} times: degree {degree} allows {degree + 1}")
+        raise InputError(
+            "an end knot is repeated {most} times: degree {degree} allows {degree_2}",
+            most=counts.max(),
+            degree=degree,
+            degree_2=degree + 1,
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,6 +23,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod, resample
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
+from elastica_cad.refusals import Length
 
 Keep = Literal["keep"]
 
@@ -111,7 +112,7 @@ def bend(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"bend needs a Rod, as optimal_rod or Rod.straight makes one, not {type(rod).__name__}"
+            "bend needs a Rod, as optimal_rod or Rod.straight makes one, not {name}", name=type(rod).__name__
         )
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]
@@ -119,9 +120,9 @@ def bend(
     if samples is not None and not is_one_of(samples, [rod.s.size]):
         rod = resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
-        raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
+        raise InputError('gravity must be a Gravity record, None or "keep", not {gravity!r}', gravity=gravity)
     if not is_one_of(side, (None, 1, -1)):
-        raise InputError(f"side must be +1 or -1, got {side!r}")
+        raise InputError("side must be +1 or -1, got {side!r}", side=side)
     whole_number(mode, "mode", 1)
     wanted = replace(
         rod,
@@ -138,8 +139,9 @@ def bend(
     snapped = relax(reached.state)
     if snapped is None:
         raise NotConvergedError(
-            f"no rest shape found: {reached.fraction:.1%} of the way from the present shape was possible; "
-            "move the ends in smaller steps, or give a guess nearer to the answer"
+            "no rest shape found: {fraction:.1%} of the way from the present shape was possible; "
+            "move the ends in smaller steps, or give a guess nearer to the answer",
+            fraction=reached.fraction,
         )
     warning = f"the rod snaps {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
@@ -193,7 +195,9 @@ def bend_path(
         try:
             rod = bend(rod, **step, side=side if k == 0 else None, mode=mode if k == 0 else 1)
         except NotConvergedError as error:
-            raise NotConvergedError(f"step {k + 1} of {len(steps)} of the path: {error}") from error
+            raise NotConvergedError(
+                "step {k} of {count} of the path: {error}", k=k + 1, count=len(steps), error=error
+            ) from error
         rods.append(rod)
     return tuple(rods)
 
@@ -206,15 +210,18 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
         for step in steps:
             if set(step) - known:
                 raise InputError(
-                    f"unknown entry {sorted(set(step) - known)[0]!r} in a path: "
-                    f"use {', '.join(sorted(known))}"
+                    "unknown entry {sorted!r} in a path: use {names}",
+                    sorted=sorted(set(step) - known)[0],
+                    names=", ".join(sorted(known)),
                 )
         return steps
     points = as_floats(path)
     if points is None:
         raise InputError("a path is a row of (x, y) of the end, or of mappings with keywords of bend")
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
-        raise InputError(f"a path of end positions must be finite with shape (k, 2), got {points.shape}")
+        raise InputError(
+            "a path of end positions must be finite with shape (k, 2), got {shape}", shape=points.shape
+        )
     return [{"end": point} for point in points]
 
 
@@ -230,7 +237,7 @@ def system_of(
 ) -> RodSystem:
     """The equations of `rod` (stiffness, weight, supports); what is not given is kept from `present`."""
     if rod.s.size < 4:
-        raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
+        raise InputError("a rod of {size} nodes cannot be bent: use samples=4 or more", size=rod.s.size)
     system = RodSystem(
         stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1), load=rod.nodal_load,
         natural_curvature=rod.natural_curvature, supports=rod.supports,
@@ -241,8 +248,10 @@ def system_of(
     apart = float(np.linalg.norm(system.chord))
     if apart > system.length * (1 + 1e-12):
         raise InputError(
-            f"the ends are {apart:.6g} mm apart, but the rod is only {system.length:.6g} mm long: "
-            "bring them closer or use a longer rod"
+            "the ends are {apart:.6g} apart, but the rod is only {length:.6g} long: bring them "
+            "closer or use a longer rod",
+            apart=Length(apart),
+            length=Length(system.length),
         )
     return system
 
@@ -267,8 +276,10 @@ def reach(state: RodState, side: int | None, mode: int) -> Reached:
         taut = stretch(state)
         if not is_balanced(taut):
             raise InputError(
-                f"the ends are as far apart as the rod is long ({system.length:.6g} mm), so it must be "
-                "straight, which its end angles or its weight do not allow: bring the ends closer together"
+                "the ends are as far apart as the rod is long ({length:.6g}), so it must be "
+                "straight, which its end angles or its weight do not allow: bring the ends closer "
+                "together",
+                length=Length(system.length),
             )
         return Reached(taut, 1.0, 0)
     return leave_straight(state, side, mode) if is_straight(state) else follow(state)
@@ -288,7 +299,10 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
             edges = (edges[:-1] + edges[1:]) / 2
         if edges.shape != (n,) or not np.all(np.isfinite(edges)):
             raise InputError(
-                f"guess must be a Rod or {n + 1} angles at the nodes (or {n} at the edges), got {edges.shape}"
+                "guess must be a Rod or {n} angles at the nodes (or {n_2} at the edges), got {shape}",
+                n=n + 1,
+                n_2=n,
+                shape=edges.shape,
             )
     state = system.state(edges)
     if not system.held:
@@ -303,7 +317,7 @@ def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
         return np.array(own)
     pair = as_floats(value)
     if pair is None or pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise InputError(f"{name} must be two finite numbers, mm, got {value!r}")
+        raise InputError("{name} must be two finite numbers, mm, got {value!r}", name=name, value=value)
     return pair
 
 
@@ -315,17 +329,17 @@ def _end_angles(
         return found
     given = np.atleast_1d(np.asarray(angles, dtype=object))
     if given.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in given):
-        raise InputError(f"angles must be two numbers, rad, for start and end, got {angles!r}")
+        raise InputError("angles must be two numbers, rad, for start and end, got {angles!r}", angles=angles)
     for i, (value, support, name) in enumerate(zip(given, supports.ends, ("start", "end"), strict=True)):
         if value is None:
             continue
         if not support.angle:
             raise InputError(
-                f"an angle is given at the {name}, but its support leaves the angle free: give None"
+                "an angle is given at the {name}, but its support leaves the angle free: give None", name=name
             )
         found[i] = float(value)
     if not np.all(np.isfinite(found)):
-        raise InputError(f"angles must be finite, rad, got {angles!r}")
+        raise InputError("angles must be finite, rad, got {angles!r}", angles=angles)
     return found
 
 
@@ -338,7 +352,8 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         if np.any(both & (given != 0)):
             axis = "xy"[int(np.argmax(both & (given != 0)))]
             raise InputError(
-                f"a force along {axis} does nothing: both ends hold {axis}; free one end along {axis}"
+                "a force along {axis} does nothing: both ends hold {axis}; free one end along {axis}",
+                axis=axis,
             )
         return given
     own = np.zeros(2)
@@ -369,12 +384,13 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
     elif given is not None and given.shape == (2,):
         own[:] = given
     else:
-        raise InputError(f"moment must be one number or two (start, end), 1/mm, got {moment!r}")
+        raise InputError("moment must be one number or two (start, end), 1/mm, got {moment!r}", moment=moment)
     for k, name in enumerate(("start", "end")):
         if own[k] != 0 and not free[k]:
             raise InputError(
-                f"a moment at the {name} does nothing: its support holds the angle; free the angle there"
+                "a moment at the {name} does nothing: its support holds the angle; free the angle there",
+                name=name,
             )
     if not np.all(np.isfinite(own)):
-        raise InputError(f"moment must be finite, 1/mm, got {moment!r}")
+        raise InputError("moment must be finite, 1/mm, got {moment!r}", moment=moment)
     return own

@@ -17,6 +17,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 SPANS = 90  # of the drawn spline: a strip of even width then comes out even to 5e-4, its length to 1e-9
 DEGREE = 5  # of the drawn spline
@@ -131,9 +132,13 @@ def elastica_between(
     """
     first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
     if not (is_number(length) or isinstance(length, float)):
-        raise InputError(f"length must be a number, mm, more than the distance of the ends, got {length!r}")
+        raise InputError(
+            "length must be a number, mm, more than the distance of the ends, got {length!r}", length=length
+        )
     if not is_one_of(side, (1, -1)):
-        raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
+        raise InputError(
+            "side is {side!r}: give 1 for left of the way from start to end, -1 for right", side=side
+        )
     if end is None:
         require_positive(length, "length")
         if near is None:
@@ -155,8 +160,10 @@ def elastica_between(
     distance = float(np.hypot(*chord))
     if not (is_number(length) and length > distance > 0):
         raise InputError(
-            f"a strip of {length:.6g} mm does not bend between ends {distance:.6g} mm apart: make it longer, and "
-            "the ends two places"
+            "a strip of {length:.6g} does not bend between ends {distance:.6g} apart: make it "
+            "longer, and the ends two places",
+            length=Length(length),
+            distance=Length(distance),
         )
     along = float(np.arctan2(chord[1], chord[0]))
     supports = Supports(*("pinned" if angle is None else "clamped" for angle in (near, far)))
@@ -182,7 +189,7 @@ def _led_by_loads(
     """A straight rod with a free end under its loads: a great force is raised step by step."""
     load = np.zeros(2) if force is None else _pair(force)
     if load is None:
-        raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")
+        raise InputError("force must be two numbers, 1/mm2, got {force!r}", force=force)
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
@@ -233,7 +240,11 @@ def _smooth_curve(rod: Rod) -> PlaneCurve:
 def _point(point: object, name: str) -> FloatArray:
     place = _pair(point)
     if place is None:
-        raise InputError(f"{name} must be a point of the plane without z, two numbers, mm, got {point!r}")
+        raise InputError(
+            "{name} must be a point of the plane without z, two numbers, mm, got {point!r}",
+            name=name,
+            point=point,
+        )
     return place
 
 
@@ -259,7 +270,7 @@ def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
     """
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
-        raise InputError(f"angles are in degrees, a whole turn (360) at most: got {angles!r}")
+        raise InputError("angles are in degrees, a whole turn (360) at most: got {angles!r}", angles=angles)
     return None if near is None else radians(near), None if far is None else radians(far)
 
 
@@ -267,7 +278,8 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
     pair = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
     if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
         raise InputError(
-            f"angles must be two, at start and end, None where the strip turns freely, got {angles!r}"
+            "angles must be two, at start and end, None where the strip turns freely, got {angles!r}",
+            angles=angles,
         )
     near, far = pair
     return near, far

@@ -9,6 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.rod.banded_matrices import lowest_constrained, solve_bordered
 from elastica_cad.mechanics.rod.rod_system import Residual, RodState, RodSystem, Step
+from elastica_cad.refusals import Length
 
 TOLERANCE = 1e-10  # of the moments' size, and of the length: what `bend` promises
 LARGEST_TURN_RAD = 0.5  # of an edge in one step: cos and sin are then off their tangents by an eighth
@@ -380,8 +381,9 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 
     if modes(1.0) < mode:
         raise InputError(
-            f"the load is too small to buckle the straight rod in mode {mode}: "
-            "leave out side, or raise the load or the length"
+            "the load is too small to buckle the straight rod in mode {mode}: leave out side, or "
+            "raise the load or the length",
+            mode=mode,
         )
     low, high = 0.0, 1.0
     while high - low > LOAD_RESOLUTION:
@@ -439,6 +441,8 @@ def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
 
 def _not_buckled(length: float, mode: int) -> NotConvergedError:
     return NotConvergedError(
-        f"the straight rod of {length:.6g} mm could not be buckled in mode {mode}: "
-        "use more samples, or a lower mode"
+        "the straight rod of {length:.6g} could not be buckled in mode {mode}: use more "
+        "samples, or a lower mode",
+        length=Length(length),
+        mode=mode,
     )

@@ -11,7 +11,8 @@ def require_curve(curve: object) -> None:
     """Refuse what is no `PlaneCurve`."""
     if not isinstance(curve, PlaneCurve):
         raise InputError(
-            f"the curve is a {type(curve).__name__}: give a PlaneCurve, as PlaneCurve.fit(points) makes one"
+            "the curve is a {name}: give a PlaneCurve, as PlaneCurve.fit(points) makes one",
+            name=type(curve).__name__,
         )
 
 
@@ -19,7 +20,9 @@ def require_gravity(gravity: object) -> None:
     """Refuse what is neither a `Gravity` nor None."""
     if not (gravity is None or isinstance(gravity, Gravity)):
         raise InputError(
-            f"gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or Gravity(96.0), or None"
+            "gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or "
+            "Gravity(96.0), or None",
+            gravity=gravity,
         )
 
 
@@ -29,7 +32,8 @@ def require_supports(supports: object) -> Supports:
         return Supports()
     if not isinstance(supports, Supports):
         raise InputError(
-            f'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")'
+            'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")',
+            supports=supports,
         )
     return supports
 
@@ -38,14 +42,19 @@ def require_tolerance(tolerance: object) -> None:
     """Refuse a tolerance that is negative or no number."""
     if not (is_number(tolerance) and tolerance >= 0):
         raise InputError(
-            f"tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve"
+            "tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve",
+            tolerance=tolerance,
         )
 
 
 def require_ratio(ratio: object, name: str) -> None:
     """Refuse a bound of max K / min K below 1, or one that is no number."""
     if not (is_number(ratio) and ratio >= 1):
-        raise InputError(f"{name} is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4")
+        raise InputError(
+            "{name} is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4",
+            name=name,
+            ratio=ratio,
+        )
 
 
 MOST_COUNTED = 1_000_000
@@ -55,7 +64,17 @@ MOST_COUNTED = 1_000_000
 def whole_number(value: object, name: str, least: int) -> int:
     """A count of at least `least`; fractions, texts and truth values are none."""
     if not is_whole(value) or value < least:
-        raise InputError(f"{name} is {value!r}: it must be a whole number, {least} or more")
+        raise InputError(
+            "{name} is {value!r}: it must be a whole number, {least} or more",
+            name=name,
+            value=value,
+            least=least,
+        )
     if value > MOST_COUNTED:
-        raise InputError(f"{name} is {quoted(value)}: it must be a whole number, {MOST_COUNTED} at most")
+        raise InputError(
+            "{name} is {value}: it must be a whole number, {most_counted} at most",
+            name=name,
+            value=quoted(value),
+            most_counted=MOST_COUNTED,
+        )
     return int(value)

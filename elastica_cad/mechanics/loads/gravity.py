@@ -37,12 +37,14 @@ class Gravity:
     def __post_init__(self) -> None:
         if not (is_number(self.length) and self.length > 0):
             raise InputError(
-                f"gravity length is {self.length!r}; it must be positive, in mm (200 gsm card: 96)"
+                "gravity length is {length!r}; it must be positive, in mm (200 gsm card: 96)",
+                length=self.length,
             )
         d = as_floats(self.direction)
         if d is None or d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
             raise InputError(
-                f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)"
+                "gravity direction {direction!r} must be two numbers, not both zero, e.g. (0, -1)",
+                direction=self.direction,
             )
         d = d / np.hypot(*d)
         object.__setattr__(self, "direction", (float(d[0]), float(d[1])))

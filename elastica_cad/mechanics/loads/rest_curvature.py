@@ -14,6 +14,7 @@ from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.splines import finite
+from elastica_cad.refusals import Length
 
 LENGTHS_APART = 0.01
 """A blank may be this share longer or shorter than its curve: it is then stretched along it."""
@@ -67,11 +68,12 @@ class RestCurvature(EqualByValue):
         """The curvature of a blank as it lies unbent, drawn on the side from which the bent strip is drawn."""
         if not isinstance(blank, PlaneCurve):
             raise InputError(
-                f"the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent"
+                "the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent", blank=blank
             )
         if blank.tangent_breaks:
             raise InputError(
-                f"the blank has a corner at {blank.tangent_breaks[0].s:.4g} mm: round it, a strip has none"
+                "the blank has a corner at {s:.4g}: round it, a strip has none",
+                s=Length(blank.tangent_breaks[0].s),
             )
         size = max(float(np.abs(blank.sample(_SAMPLES).curvature).max()), 1 / blank.length)
         return cls(
@@ -107,8 +109,10 @@ class RestCurvature(EqualByValue):
         """
         if abs(length / self.length - 1) > LENGTHS_APART:
             raise InputError(
-                f"the blank is {self.length:.5g} mm long before it is bent, the curve {length:.5g} mm: give its "
-                "curvature along the length of the curve"
+                "the blank is {length:.5g} long before it is bent, the curve {length_2:.5g}: give "
+                "its curvature along the length of the curve",
+                length=Length(self.length),
+                length_2=Length(length),
             )
         return self.length / length
 
@@ -132,8 +136,9 @@ def require_natural_curvature(value: object) -> None:
     """Refuse what is neither a finite number nor a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
-            f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a blank that "
-            "is bent beforehand"
+            "natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature "
+            "for a blank that is bent beforehand",
+            value=value,
         )
 
 

@@ -30,8 +30,9 @@ class End:
         for name in ("x", "y", "angle"):
             if not isinstance(getattr(self, name), bool | np.bool_):
                 raise InputError(
-                    f"{name} of an End is {getattr(self, name)!r}: give True where it is held, False "
-                    "where it is free"
+                    "{name} of an End is {getattr!r}: give True where it is held, False where it is free",
+                    name=name,
+                    getattr=getattr(self, name),
                 )
 
     @classmethod
@@ -46,7 +47,11 @@ class End:
             "free": cls(x=False, y=False, angle=False),
         }
         if not isinstance(name, str) or name not in ends:
-            raise InputError(f"unknown end support {name!r}: use one of {', '.join(ends)}, or an End record")
+            raise InputError(
+                "unknown end support {name!r}: use one of {ends}, or an End record",
+                name=name,
+                ends=", ".join(ends),
+            )
         return ends[name]
 
 
@@ -79,12 +84,16 @@ class Supports:
             if isinstance(value, str):
                 object.__setattr__(self, side, End.named(value))
             elif not isinstance(value, End):
-                raise InputError(f"the support of the {side} is {value!r}: give a name or an End record")
+                raise InputError(
+                    "the support of the {side} is {value!r}: give a name or an End record",
+                    side=side,
+                    value=value,
+                )
         a, b = self.ends
         for axis in ("x", "y"):
             if not (getattr(a, axis) or getattr(b, axis)):
                 raise InputError(
-                    f"the rod is free to fly: no end holds {axis}; hold {axis} at one end at least"
+                    "the rod is free to fly: no end holds {axis}; hold {axis} at one end at least", axis=axis
                 )
         if not (a.angle or b.angle or (a.x and b.x) or (a.y and b.y)):
             raise InputError("the rod is free to spin: hold the angle of one end, or the position of both")

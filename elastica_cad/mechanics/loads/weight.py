@@ -8,6 +8,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.refusals import Length
 
 STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
 
@@ -21,9 +22,11 @@ class PointMass:
 
     def __post_init__(self) -> None:
         if not is_number(self.at):
-            raise InputError(f"a point mass hangs at {self.at!r}: give a finite number of mm along the strip")
+            raise InputError(
+                "a point mass hangs at {at!r}: give a finite number of mm along the strip", at=self.at
+            )
         if not (is_number(self.mass) and self.mass >= 0):
-            raise InputError(f"a point mass is {self.mass!r}: it can't be negative, in g")
+            raise InputError("a point mass is {mass!r}: it can't be negative, in g", mass=self.mass)
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +55,9 @@ class Weight:
             value = getattr(self, name)
             # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
-                raise InputError(f"weight {name} is {value!r}: it can't be negative, in N/mm")
+                raise InputError(
+                    "weight {name} is {value!r}: it can't be negative, in N/mm", name=name, value=value
+                )
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
         """The same with alpha and beta that many times as large; the masses stay."""
@@ -76,7 +81,9 @@ class Weight:
         weight = node_lengths * (alpha + beta * stiffness)
         for point in self.masses:
             if not 0 <= point.at <= s[-1]:
-                raise InputError(f"point mass at {point.at:.6g} mm lies off the rod of {s[-1]:.6g} mm")
+                raise InputError(
+                    "point mass at {at:.6g} lies off the rod of {s:.6g}", at=Length(point.at), s=Length(s[-1])
+                )
             i = min(int(np.searchsorted(s, point.at, side="right")) - 1, s.size - 2)
             share = (point.at - s[i]) / (s[i + 1] - s[i])
             newtons = point.mass * 1e-3 * STANDARD_GRAVITY_M_S2

@@ -220,9 +220,15 @@ def anticlastic_widths(
     h, nu = _checked(thickness, poisson_ratio)
     K, kappa = numbers(stiffness, "stiffness"), np.abs(numbers(curvature, "curvature"))
     if K.ndim != 1 or K.shape != kappa.shape or K.size == 0:
-        raise InputError(f"stiffness {K.shape} and curvature {kappa.shape} must be rows of the same length")
+        raise InputError(
+            "stiffness {shape} and curvature {shape_2} must be rows of the same length",
+            shape=K.shape,
+            shape_2=kappa.shape,
+        )
     if not (np.all(np.isfinite(K)) and np.all(K > 0)):
-        raise InputError(f"stiffness is not positive at station {int(np.argmin(np.nan_to_num(K, nan=-1.0)))}")
+        raise InputError(
+            "stiffness is not positive at station {value}", value=int(np.argmin(np.nan_to_num(K, nan=-1.0)))
+        )
     require_positive(max_width, "max_width")
 
     # every station could be the widest one: the scale c is the largest that keeps them all within max_width
@@ -287,7 +293,9 @@ class SheetCurl:
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
     require_positive(thickness, "thickness")
     if not (is_number(poisson_ratio) and 0 <= poisson_ratio < 1):
-        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1")
+        raise InputError(
+            "Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1", poisson_ratio=poisson_ratio
+        )
     return float(thickness), float(poisson_ratio)
 
 

@@ -22,6 +22,7 @@ from elastica_cad.mechanics.material.section_limits import (
 )
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import FixedLaw, at_stations
+from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
 """Relative slack on limits for a stiffness that is known between its nodes to 1e-6."""
@@ -204,7 +205,10 @@ class LaminatedSection:
         """
         w1 = positive(base_width, "base width")
         if not (is_number(least_backing) and least_backing >= 0):
-            raise InputError(f"least backing width is {least_backing!r}: it can't be negative, in mm")
+            raise InputError(
+                "least backing width is {least_backing!r}: it can't be negative, in mm",
+                least_backing=least_backing,
+            )
         return ScaleRange.of(
             self._stiffness(w1, np.minimum(least_backing, w1)), self._stiffness(w1, w1), stiffness
         )
@@ -234,8 +238,11 @@ class LaminatedSection:
             return float("inf")
         if not feasible(low):
             raise InputError(
-                f"no backing thickness would do: a least backing of {least_backing:g} mm is too wide for a "
-                f"base of {w1.min():.4g} mm and a stiffness ratio of {K.max() / K.min():.4g}"
+                "no backing thickness would do: a least backing of {least_backing:g} is too wide for "
+                "a base of {least:.4g} and a stiffness ratio of {value:.4g}",
+                least_backing=Length(least_backing),
+                least=Length(w1.min()),
+                value=K.max() / K.min(),
             )
         while high / low > 1 + 1e-12:
             middle = float(np.sqrt(low * high))
@@ -265,8 +272,11 @@ class LaminatedSection:
         if not np.all((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))):
             i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))))
             raise InputError(
-                f"backing width at station {i} is {w2.flat[i]:.6g} mm: it must lie between 0 and the base's "
-                f"{w1.flat[i]:.6g} mm"
+                "backing width at station {i} is {flat:.6g}: it must lie between 0 and the base's "
+                "{flat_2:.6g}",
+                i=i,
+                flat=Length(w2.flat[i]),
+                flat_2=Length(w1.flat[i]),
             )
         return w1, w2
 
@@ -357,7 +367,12 @@ def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
 def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text: str) -> None:
     if bad.any():
         i = int(np.argmax(bad))
-        raise InputError(f"station {i} asks for E I = {bending_stiffness.flat[i]:.4g} N mm2, {text}")
+        raise InputError(
+            "station {i} asks for E I = {flat:.4g} N mm2, {text_}",
+            i=i,
+            flat=bending_stiffness.flat[i],
+            text_=text,
+        )
 
 
 PIECES = 8

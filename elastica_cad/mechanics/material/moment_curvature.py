@@ -11,6 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length
 
 _ROUNDING_SHARE = 1e-12  # of the moment
 
@@ -65,8 +66,11 @@ class MaterialLaw(ABC):
         if largest_curvature > limit * (1 + _ROUNDING_SHARE):
             raise InputError(
                 "the material law is not injective: its moment stops growing at a curvature of "
-                f"{limit:.4g} 1/mm (radius {1 / limit:.4g} mm), but {largest_curvature:.4g} 1/mm occurs; "
-                "draw a gentler curve or use a thinner sheet"
+                "{limit:.4g} 1/mm (radius {limit_2:.4g}), but {largest_curvature:.4g} 1/mm occurs; "
+                "draw a gentler curve or use a thinner sheet",
+                limit=limit,
+                limit_2=Length(1 / limit),
+                largest_curvature=largest_curvature,
             )
 
     def require_design(self, largest_curvature: float) -> None:
@@ -97,8 +101,10 @@ class MaterialLaw(ABC):
         reached = float(self.effective_curvature(top))
         if largest > reached * (1 + _ROUNDING_SHARE):
             raise InputError(
-                f"an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that the "
-                "material law reaches"
+                "an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that "
+                "the material law reaches",
+                largest=largest,
+                reached=reached,
             )
         low, high = np.zeros(m.shape), np.full(m.shape, top)
         for _ in range(100):
@@ -133,7 +139,11 @@ class PolynomialLaw(MaterialLaw):
     def __post_init__(self) -> None:
         for name in ("quadratic", "quartic"):
             if not is_number(getattr(self, name)):
-                raise InputError(f"{name} coefficient of the law is {getattr(self, name)}: it must be finite")
+                raise InputError(
+                    "{name} coefficient of the law is {getattr}: it must be finite",
+                    name=name,
+                    getattr=getattr(self, name),
+                )
         require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
@@ -310,19 +320,21 @@ class TabulatedLaw(MaterialLaw):
         for name in ("curvatures", "moments"):
             array = numbers(getattr(self, name), f"the law's {name}").copy()
             if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)) or np.any(array <= 0):
-                raise InputError(f"the law's {name} must be at least two positive, finite numbers")
+                raise InputError("the law's {name} must be at least two positive, finite numbers", name=name)
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         if self.curvatures.shape != self.moments.shape:
             raise InputError(
-                f"the law has {self.curvatures.size} curvatures and {self.moments.size} moments: give one "
-                "for each"
+                "the law has {size} curvatures and {size_2} moments: give one for each",
+                size=self.curvatures.size,
+                size_2=self.moments.size,
             )
         if np.any(np.diff(self.curvatures) <= 0):
             i = int(np.argmin(np.diff(self.curvatures)))
             raise InputError(
-                f"the law's curvatures must increase: {self.curvatures[i + 1]:g} follows "
-                f"{self.curvatures[i]:g} 1/mm"
+                "the law's curvatures must increase: {curvatures:g} follows {curvatures_2:g} 1/mm",
+                curvatures=self.curvatures[i + 1],
+                curvatures_2=self.curvatures[i],
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
@@ -356,8 +368,10 @@ class TabulatedLaw(MaterialLaw):
         """See `MaterialLaw`; a curvature beyond the table is refused as well."""
         if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
             raise InputError(
-                f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "
-                f"{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve"
+                "the law's table ends at a curvature of {curvatures:.4g} 1/mm, but "
+                "{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve",
+                curvatures=self.curvatures[-1],
+                largest_curvature=largest_curvature,
             )
         super().require_injective(largest_curvature)
 

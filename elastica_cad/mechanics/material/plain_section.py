@@ -12,6 +12,7 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.material.anticlastic import SheetCurl, anticlastic_factor, plate_width
 from elastica_cad.mechanics.material.section_limits import LayerStrain, ScaleRange, positive
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length as Mm
 
 
 def dead_zone_slope(poisson_ratio: float) -> float:
@@ -39,7 +40,9 @@ def dead_zone_slope(poisson_ratio: float) -> float:
     """
     nu = require_number(poisson_ratio, "Poisson's ratio")
     if not 0 <= nu <= 0.5:
-        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5")
+        raise InputError(
+            "Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5", poisson_ratio=poisson_ratio
+        )
     return float(np.pi * (1 + nu) / (3 + nu))
 
 
@@ -127,10 +130,14 @@ class PerforatedSection(PlainSection):
     def __post_init__(self) -> None:
         if not (is_number(self.ligaments) and self.ligaments >= 1 and self.ligaments == int(self.ligaments)):
             raise InputError(
-                f"a perforated strip has {self.ligaments!r} ligaments: give a whole number from 1"
+                "a perforated strip has {ligaments!r} ligaments: give a whole number from 1",
+                ligaments=self.ligaments,
             )
         if not (is_number(self.least_ligament) and self.least_ligament >= 0):
-            raise InputError(f"least ligament is {self.least_ligament!r}: it can't be negative, in mm")
+            raise InputError(
+                "least ligament is {least_ligament!r}: it can't be negative, in mm",
+                least_ligament=self.least_ligament,
+            )
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
         """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""
@@ -170,7 +177,9 @@ class WidthLaw:
         high = np.inf if is_one_of(self.largest, [np.inf]) else require_number(self.largest, "width limit")
         if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
             raise InputError(
-                f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
+                "width limits are {low:g} and {high:g}: give the least first, 0 for none, such as 0 and 40",
+                low=low,
+                high=Mm(high),
             )
 
     @property

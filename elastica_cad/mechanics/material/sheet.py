@@ -184,14 +184,19 @@ class Sheet:
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
-            raise InputError(f"a sheet needs a name, got {self.name!r}")
+            raise InputError("a sheet needs a name, got {name!r}", name=self.name)
         require_printable(self.name, "the sheet's name")
         for field_name, unit in UNITS.items():
             value = finite_number(getattr(self, field_name), f"sheet {self.name!r}: {field_name}")
             if value < 0 or (value == 0 and field_name != "kerf"):
                 least = "zero or positive" if field_name == "kerf" else "positive"
                 raise InputError(
-                    f"sheet {self.name!r}: {field_name} is {value:g}; it must be {least}, in {unit}"
+                    "sheet {name!r}: {field_name} is {value:g}; it must be {least}, in {unit}",
+                    name=self.name,
+                    field_name=field_name,
+                    value=value,
+                    least=least,
+                    unit=unit,
                 )
             object.__setattr__(self, field_name, value)
             self._check_range(field_name, value)
@@ -200,26 +205,42 @@ class Sheet:
         object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
         G = self.shear_modulus
         if G is not None and not finite_number(G, f"sheet {self.name!r}: shear_modulus") > 0:
-            raise InputError(f"sheet {self.name!r}: shear_modulus is {G:g}; it must be positive, in MPa")
+            raise InputError(
+                "sheet {name!r}: shear_modulus is {g:g}; it must be positive, in MPa", name=self.name, g=G
+            )
         broken = self.break_strain
         if broken is not None and not finite_number(broken, f"sheet {self.name!r}: break_strain") > 0:
             raise InputError(
-                f"sheet {self.name!r}: break_strain is {broken:g}; it must be positive, 0.01 for 1 %"
+                "sheet {name!r}: break_strain is {broken:g}; it must be positive, 0.01 for 1 %",
+                name=self.name,
+                broken=broken,
             )
         sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
-            raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")
+            raise InputError(
+                "sheet {name!r}: stock is {stock!r}; it must be two sides, in mm",
+                name=self.name,
+                stock=self.stock,
+            )
         object.__setattr__(self, "stock", sides or None)
         limits = {name: getattr(self, name) for name in ("least_width", "least_ligament", "least_bridge")}
         for limit, given in [*limits.items(), *(("stock", side) for side in sides)]:
             if given is not None and not finite_number(given, f"sheet {self.name!r}: {limit}") > 0:
-                raise InputError(f"sheet {self.name!r}: {limit} is {given:g}; it must be positive, in mm")
+                raise InputError(
+                    "sheet {name!r}: {limit} is {given:g}; it must be positive, in mm",
+                    name=self.name,
+                    limit=limit,
+                    given=given,
+                )
         asked: object = self.grain
         if is_number(asked):
             object.__setattr__(self, "grain", self._grain_at(asked))
         if not is_one_of(self.grain, get_args(Grain)):
             raise InputError(
-                f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
+                "sheet {name!r}: grain is {grain!r}; use one of {names}",
+                name=self.name,
+                grain=self.grain,
+                names=", ".join(get_args(Grain)),
             )
 
     def _grain_at(self, degrees: float) -> Grain:
@@ -227,8 +248,11 @@ class Sheet:
         turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
         if degrees % 180 not in turned:
             raise InputError(
-                f"sheet {self.name!r}: grain is {degrees:g} degrees; a strip that lies askew to its grain twists "
-                "when it is bent, and takes no plane curve: lay it along (0) or across (90) the grain"
+                "sheet {name!r}: grain is {degrees:g} degrees; a strip that lies askew to its grain "
+                "twists when it is bent, and takes no plane curve: lay it along (0) or across (90) "
+                "the grain",
+                name=self.name,
+                degrees=degrees,
             )
         return turned[degrees % 180]
 
@@ -238,11 +262,18 @@ class Sheet:
             return
         where = f"sheet {self.name!r}: {field_name}_range"
         if not isinstance(given, list | tuple) or len(given) != 2:
-            raise InputError(f"{where} is {given!r}; it must be two numbers, lowest and highest")
+            raise InputError(
+                "{where_} is {given!r}; it must be two numbers, lowest and highest", where_=where, given=given
+            )
         low, high = (finite_number(v, where) for v in given)
         if not 0 <= low <= value <= high:
             raise InputError(
-                f"{where} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first"
+                "{where_} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first",
+                where_=where,
+                low=low,
+                high=high,
+                field_name=field_name,
+                value=value,
             )
         object.__setattr__(self, f"{field_name}_range", (low, high))
 
@@ -264,8 +295,9 @@ class Sheet:
             return cls.named(given)
         if not isinstance(given, Sheet):
             raise InputError(
-                f"a Sheet or the name of one is needed, such as 'birch-plywood-0.8', not {type(given).__name__}: "
-                "`sheet_names()` lists them"
+                "a Sheet or the name of one is needed, such as 'birch-plywood-0.8', not {name}: "
+                "`sheet_names()` lists them",
+                name=type(given).__name__,
             )
         return given
 
@@ -287,8 +319,9 @@ class Sheet:
         """
         if not isinstance(name, str | PathLike):
             raise InputError(
-                f"the name of a sheet is needed, such as 'birch-plywood-0.8', not {type(name).__name__}: "
-                "`sheet_names()` lists them"
+                "the name of a sheet is needed, such as 'birch-plywood-0.8', not {name}: "
+                "`sheet_names()` lists them",
+                name=type(name).__name__,
             )
         figures = built_in_figures()
         if name in figures:
@@ -367,7 +400,11 @@ class Sheet:
     def range_of(self, quantity: str) -> Range:
         """Lowest and highest `quantity` ("youngs_modulus", "thickness", ...); the number twice if certain."""
         if not isinstance(quantity, str) or quantity not in UNITS:
-            raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(UNITS)}")
+            raise InputError(
+                "a sheet has no range of {quantity!r}: use one of {units}",
+                quantity=quantity,
+                units=", ".join(UNITS),
+            )
         given: Range | None = getattr(self, f"{quantity}_range")
         value = float(getattr(self, quantity))
         return (value, value) if given is None else given
@@ -445,7 +482,7 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         return found[wanted]
     several = f"there is no sheet {wanted!r}" if wanted else f"there are {len(found)} sheets"
     choices = " or ".join(f"{path.name}:{one}" for one in found)
-    raise InputError(f"{path}: {several}: name one, {choices}")
+    raise InputError("{path}: {several}: name one, {choices}", path=path, several=several, choices=choices)
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:
@@ -490,4 +527,4 @@ def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sh
     try:
         return {name: Sheet(name=name, **fields) for name, fields in figures.items()}
     except InputError as error:
-        raise InputError(f"{file}: {error}") from error
+        raise InputError("{file}: {error}", file=file, error=error) from error

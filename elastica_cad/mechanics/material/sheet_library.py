@@ -72,7 +72,13 @@ def plausible_number(value: object, key: str, where: str) -> float:
     number = finite_number(value, f"{where}: {key}")
     low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
     if not low <= number <= high and number > 0:
-        raise InputError(f"{where}: {key} = {number:g} looks like the wrong unit; {hint}")
+        raise InputError(
+            "{where_}: {key} = {number:g} looks like the wrong unit; {hint}",
+            where_=where,
+            key=key,
+            number=number,
+            hint=hint,
+        )
     return number
 
 
@@ -91,10 +97,15 @@ def _advise_key(key: str) -> str:
 def require_printable(text: str, where: str) -> str:
     """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
     if not isinstance(text, str):
-        raise InputError(f"{where} is {text!r}: give a text")
+        raise InputError("{where_} is {text_!r}: give a text", where_=where, text_=text)
     if not text.isprintable():
         odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
-        raise InputError(f"{where} {text!r} holds {odd}: use signs that can be printed, in one line")
+        raise InputError(
+            "{where_} {text_!r} holds {odd}: use signs that can be printed, in one line",
+            where_=where,
+            text_=text,
+            odd=odd,
+        )
     return text
 
 
@@ -106,13 +117,15 @@ def even_shear_ratio(poisson_ratio: float) -> float:
 def finite_number(value: Any, where: str) -> float:
     """The number, unless it is none or not finite."""
     if isinstance(value, bool | str | bytes) or value is None:
-        raise InputError(f"{where} is {value!r}; it must be a number")
+        raise InputError("{where_} is {value!r}; it must be a number", where_=where, value=value)
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InputError(f"{where} is {quoted(value)}; it must be a number") from error
+        raise InputError(
+            "{where_} is {value}; it must be a number", where_=where, value=quoted(value)
+        ) from error
     if not isfinite(number):
-        raise InputError(f"{where} is {number}; it must be a finite number")
+        raise InputError("{where_} is {number}; it must be a finite number", where_=where, number=number)
     return number
 
 
@@ -162,7 +175,9 @@ def checked_poisson_ratio(value: Any, where: str) -> float:
     """
     nu = finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
-        raise InputError(f"{where}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
+        raise InputError(
+            "{where_}: poisson_ratio is {nu:g}; it must lie between 0 and 1", where_=where, nu=nu
+        )
     return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
 
 
@@ -289,32 +304,48 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
 
     path = require_path(path)
     if os.path.isdir(path):  # False, not an error, for a name that no disk takes
-        raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
+        raise InputError("{path} is a folder, not a file of sheets: name the TOML file inside it", path=path)
     if os.path.exists(path) and not path.is_file():
-        raise InputError(f"{path} is no file but a device or a pipe: name a file of sheets")
+        raise InputError("{path} is no file but a device or a pipe: name a file of sheets", path=path)
     try:
         if path.stat().st_size > LARGEST_FILE:
             raise InputError(
-                f"{path} has more than {LARGEST_FILE // 2**20} MB, which is no file of sheets: name one"
+                "{path} has more than {largest_file} MB, which is no file of sheets: name one",
+                path=path,
+                largest_file=LARGEST_FILE // 2**20,
             )
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         data = tomllib.loads(text)
     except RecursionError as error:
-        raise InputError(f"{path} nests lists or tables too deep for a file of sheets") from error
+        raise InputError("{path} nests lists or tables too deep for a file of sheets", path=path) from error
     except OSError as error:
         raise InputError(
-            f"{path} cannot be read: {error.strerror or error}; name a file that is there"
+            "{path} cannot be read: {strerror}; name a file that is there",
+            path=path,
+            strerror=error.strerror or error,
         ) from error
     except UnicodeDecodeError as error:
-        raise InputError(f"{path} is not a TOML file, which are UTF-8: save it as text in UTF-8") from error
+        raise InputError(
+            "{path} is not a TOML file, which are UTF-8: save it as text in UTF-8", path=path
+        ) from error
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path} is not a TOML file: {error}; {toml_slip(text, error)}") from error
+        raise InputError(
+            "{path} is not a TOML file: {error}; {toml_slip}",
+            path=path,
+            error=error,
+            toml_slip=toml_slip(text, error),
+        ) from error
     for key in data:
         if key not in ("schema", "sheets"):
-            raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")
+            raise InputError(
+                "{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]", path=path, key=key
+            )
     if data.get("schema", SCHEMA) != SCHEMA:
         raise InputError(
-            f"{path}: schema {quoted(data['schema'])} is not known; this version reads schema {SCHEMA}"
+            "{path}: schema {value} is not known; this version reads schema {schema}",
+            path=path,
+            value=quoted(data["schema"]),
+            schema=SCHEMA,
         )
     return figures_from_table(data.get("sheets", {}), str(path))
 
@@ -322,7 +353,7 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
 def figures_from_table(table: object, where: str) -> dict[str, dict[str, Any]]:
     """The same from the parsed table ``sheets`` of a TOML file; `where` names the file in messages."""
     if not isinstance(table, Mapping) or not table:
-        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
+        raise InputError("{where_} holds no sheet: write at least one table [sheets.NAME]", where_=where)
     return {name: _fields(name, entry, where) for name, entry in table.items()}
 
 
@@ -330,22 +361,40 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
     """Fields of one sheet."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
-        raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
+        raise InputError(
+            "{where_} must be a table [sheets.{name}], got {entry}",
+            where_=where,
+            name=name,
+            entry=quoted(entry),
+        )
     values: dict[str, Any] = {}
     for key, value in entry.items():
         if key not in KEYS:
-            raise InputError(f"{where}: unknown key {key!r}{_advise_key(key)}")
+            raise InputError(
+                "{where_}: unknown key {key!r}{advise_key}",
+                where_=where,
+                key=key,
+                advise_key=_advise_key(key),
+            )
         field_name, kind = KEYS[key]
         if kind == "grain" and not isinstance(value, str):
             values[field_name] = finite_number(value, f"{where}: {key}")
         elif kind in ("text", "grain"):
             if not isinstance(value, str):
-                raise InputError(f"{where}: {key} is {quoted(value)}; it must be text in quotes")
+                raise InputError(
+                    "{where_}: {key} is {value}; it must be text in quotes",
+                    where_=where,
+                    key=key,
+                    value=quoted(value),
+                )
             values[field_name] = value
         elif kind == "range":
             if not isinstance(value, list) or len(value) != 2:
                 raise InputError(
-                    f"{where}: {key} is {quoted(value)}; it must be two numbers, [lowest, highest]"
+                    "{where_}: {key} is {value}; it must be two numbers, [lowest, highest]",
+                    where_=where,
+                    key=key,
+                    value=quoted(value),
                 )
             values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
@@ -353,9 +402,11 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
     if NOMINAL_KEY in entry and "poisson_ratio" in entry:
         raise InputError(
-            f"{where}: poisson_ratio is given twice; leave out {NOMINAL_KEY}, now that it is known"
+            "{where_}: poisson_ratio is given twice; leave out {nominal_key}, now that it is known",
+            where_=where,
+            nominal_key=NOMINAL_KEY,
         )
     for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
         if key not in entry:
-            raise InputError(f"{where}: {key} is missing; give it a number")
+            raise InputError("{where_}: {key} is missing; give it a number", where_=where, key=key)
     return values

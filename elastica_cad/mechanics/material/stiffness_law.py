@@ -13,6 +13,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.section_limits import LayerStrain, positive
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length
 
 MOST_LEAVES = 50
 """More leaves are as good as a taper."""
@@ -57,11 +58,16 @@ class _PowerLaw(FixedLaw):
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
-            raise InputError(f"a Sheet is needed for the material of the section, not {self.sheet!r}")
+            raise InputError(
+                "a Sheet is needed for the material of the section, not {sheet!r}", sheet=self.sheet
+            )
         low, high = (require_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
         if not 0 < low <= high:
             raise InputError(
-                f"{self.quantity} limits are {low:g} and {high:g} mm: give the least first, such as 3 and 8"
+                "{quantity} limits are {low:g} and {high:g}: give the least first, such as 3 and 8",
+                quantity=self.quantity,
+                low=low,
+                high=Length(high),
             )
 
     @property
@@ -130,7 +136,7 @@ class ThicknessLaw(_PowerLaw):
     def __post_init__(self) -> None:
         super().__post_init__()
         if not require_number(self.width, "width") > 0:
-            raise InputError(f"width is {self.width:g}: it must be positive, in mm")
+            raise InputError("width is {width:g}: it must be positive, in mm", width=self.width)
 
     @property
     def quantity(self) -> str:
@@ -168,7 +174,8 @@ class RoundLaw(_PowerLaw):
         super().__post_init__()
         if not 0 <= require_number(self.bore, "bore") < 1:
             raise InputError(
-                f"bore is {self.bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1"
+                "bore is {bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1",
+                bore=self.bore,
             )
 
     @property
@@ -212,11 +219,19 @@ class LeavesLaw(FixedLaw):
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
-            raise InputError(f"a Sheet is needed for the leaves, not {self.sheet!r}")
+            raise InputError("a Sheet is needed for the leaves, not {sheet!r}", sheet=self.sheet)
         if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
-            raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
+            raise InputError(
+                "leaves is {leaves!r}: give a whole number from 2 to {most_leaves}",
+                leaves=self.leaves,
+                most_leaves=MOST_LEAVES,
+            )
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
-            raise InputError(f"fewest is {self.fewest!r}: give a whole number of leaves, 1 to {self.leaves}")
+            raise InputError(
+                "fewest is {fewest!r}: give a whole number of leaves, 1 to {leaves}",
+                fewest=self.fewest,
+                leaves=self.leaves,
+            )
         _ = self.relaxed  # which refuses a width that is none
 
     @property

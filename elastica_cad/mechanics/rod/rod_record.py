@@ -26,6 +26,7 @@ from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BendFactor, BoundedLaw, at_stations, scale_within
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, edge_positions, tangents
+from elastica_cad.refusals import Length as Mm
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
@@ -141,7 +142,9 @@ def _stiffness_profile_of(
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
             raise InputError(
-                f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
+                "the stiffness profile is {length:.6g} long, the rod {length_2:.6g}",
+                length=Mm(stiffness.length),
+                length_2=Mm(length),
             )
         return stiffness, samples or DEFAULT_SAMPLES
     given = as_floats(stiffness)
@@ -450,18 +453,23 @@ class Rod:
         }.items():  # fmt: skip
             array = numbers(getattr(self, name), f"rod {name}").copy()
             if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
-                raise InputError(f"rod {name} must be finite with shape {shape}, got {array.shape}")
+                raise InputError(
+                    "rod {name} must be finite with shape {shape}, got {shape_2}",
+                    name=name,
+                    shape=shape,
+                    shape_2=array.shape,
+                )
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         rest = numbers(self.natural_curvature, "natural curvature")
         if rest.size not in (1, n) or not np.isfinite(rest).all():
             raise InputError(
-                f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm"
+                "natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm", n=n
             )
         if (self.stiffness <= 0).any():
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(
-                f"rod stiffness is not positive at {at:.6g} mm: every cross-section needs some width"
+                "rod stiffness is not positive at {at:.6g}: every cross-section needs some width", at=Mm(at)
             )
 
     @classmethod
@@ -520,7 +528,7 @@ class Rod:
             require_positive(bending_stiffness, "bending stiffness", "N mm2")
         place = numbers(start, "start")
         if place.shape != (2,):
-            raise InputError(f"start must be two numbers, mm, got {start!r}")
+            raise InputError("start must be two numbers, mm, got {start!r}", start=start)
         require_positive(length, "rod length")
         require_number(angle, "the angle of a rod", "rad")
         profile, n = _stiffness_profile_of(stiffness, length, samples)
@@ -675,7 +683,7 @@ class Rod:
         apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
         if not apart.all():
             at = float(self.s[int(np.argmin(apart))])
-            raise InputError(f"two neighbouring nodes of the rod coincide at {at:.6g} mm")
+            raise InputError("two neighbouring nodes of the rod coincide at {at:.6g}", at=Mm(at))
         angles = _edge_angles(self.position, self.angle)
         force = np.zeros((angles.size, 2))
         nodal = np.zeros_like(self.force)
@@ -714,13 +722,14 @@ class Rod:
             self.s.size,
         ):
             raise InputError(
-                f"stiffness has {np.size(stiffness)} values, the rod {self.s.size} nodes: give one a node, "
-                "or a Profile"
+                "stiffness has {size} values, the rod {size_2} nodes: give one a node, or a Profile",
+                size=np.size(stiffness),
+                size_2=self.s.size,
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)
         if np.any(K <= 0):
-            raise InputError(f"stiffness is not positive at {self.s[int(np.argmin(K))]:.6g} mm")
+            raise InputError("stiffness is not positive at {s:.6g}", s=Mm(self.s[int(np.argmin(K))]))
         K, profile = K / K.min(), profile.scaled(1 / K.min())
         size = np.abs(self.moment).max()
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()

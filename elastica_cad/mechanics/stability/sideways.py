@@ -159,10 +159,12 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
     """G / E as given, else that of an isotropic sheet; or an InputError."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
-        raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
+        raise InputError(
+            "poisson_ratio is {poisson_ratio}: it must lie between -1 and 1", poisson_ratio=poisson_ratio
+        )
     ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
     if not 0 < ratio < np.inf:
-        raise InputError(f"shear_ratio is {shear_ratio}: G / E is positive")
+        raise InputError("shear_ratio is {shear_ratio}: G / E is positive", shear_ratio=shear_ratio)
     return ratio
 
 
@@ -310,7 +312,9 @@ def sideways_stability(
     'ample'
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"sideways stability needs a Rod, not {type(rod).__name__}: bend one first")
+        raise InputError(
+            "sideways stability needs a Rod, not {name}: bend one first", name=type(rod).__name__
+        )
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(
         np.interp(s, rod.s, rod.flat_stiffness),
@@ -384,14 +388,14 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     else:
         given = np.atleast_1d(numbers(width, name))
         if given.ndim != 1 or not given.size:
-            raise InputError(f"{name} is one finite number, a row of them, or a Profile, in mm")
+            raise InputError("{name} is one finite number, a row of them, or a Profile, in mm", name=name)
         found = (
             np.interp(s, np.linspace(0, s[-1], given.size), given)
             if given.size > 1
             else np.full(s.size, given[0])
         )
     if not (np.all(np.isfinite(found)) and np.all(found > 0)):
-        raise InputError(f"{name} must be positive everywhere, in mm")
+        raise InputError("{name} must be positive everywhere, in mm", name=name)
     return found
 
 

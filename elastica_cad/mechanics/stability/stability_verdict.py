@@ -125,7 +125,9 @@ def determinant_gradient(
     for name, values in (("weights", weights), ("moments", moments)):
         if numbers(values, name).shape != (rod.angles.size + 1,):
             raise InputError(
-                f"{name} are numbers ({rod.angles.size + 1},) of this rod: one more than it has edges"
+                "{name} are numbers ({size},) of this rod: one more than it has edges",
+                name=name,
+                size=rod.angles.size + 1,
             )
     n, lengths, T, rows = rod.angles.size, rod.edge_lengths, rod.tangents, rod.constraint_rows
     z = stability_determinant(rod)
@@ -374,10 +376,13 @@ def stability(rod: Rod) -> Stability:
     True
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"stability needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
+        raise InputError(
+            "stability needs a Rod, as optimal_rod or bend makes one, not {name}", name=type(rod).__name__
+        )
     if rod.residual > OUT_OF_BALANCE:
         raise InputError(
-            f"the rod is out of balance (residual {rod.residual:.2g}), so it has no stability: bend it first"
+            "the rod is out of balance (residual {residual:.2g}), so it has no stability: bend it first",
+            residual=rod.residual,
         )
     discrete = rod.discrete
     negative, margin = discrete.unstable_modes, discrete.margin
@@ -385,7 +390,9 @@ def stability(rod: Rod) -> Stability:
     borderline = abs(margin.value) <= 64 * float(np.finfo(float).eps) * scale
     if not borderline and (negative == 0) != (margin.value > 0):
         raise NotConvergedError(
-            f"stability is undecided: {negative} unstable modes counted, but the margin is {margin.value:.6g}"
+            "stability is undecided: {negative} unstable modes counted, but the margin is {value:.6g}",
+            negative=negative,
+            value=margin.value,
         )
 
     started_from: Literal["start", "end"] | None = None
@@ -395,7 +402,11 @@ def stability(rod: Rod) -> Stability:
         counted = discrete if started_from == "start" else discrete.reversed()
         place, determinant = conjugate_point(counted), stability_determinant(counted)
     if started_from is not None and not borderline and (place is None) != (negative == 0):
-        raise NotConvergedError(f"stability is undecided: {negative} unstable modes, conjugate point {place}")
+        raise NotConvergedError(
+            "stability is undecided: {negative} unstable modes, conjugate point {place}",
+            negative=negative,
+            place=place,
+        )
     if determinant is not None and not borderline:
         _check_sign_changes(determinant, negative)
 
@@ -419,8 +430,10 @@ def _check_sign_changes(determinant: Determinant, negative: int) -> None:
     changes = determinant.sign_changes.size
     if (changes > 0) != (negative > 0):
         raise NotConvergedError(
-            f"stability is undecided: Z(s) changes sign {changes} times, "
-            f"but {negative} unstable modes were counted"
+            "stability is undecided: Z(s) changes sign {changes_} times, but {negative} unstable "
+            "modes were counted",
+            changes_=changes,
+            negative=negative,
         )
 
 

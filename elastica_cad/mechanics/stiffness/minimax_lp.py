@@ -113,8 +113,11 @@ def start_rows(count: int) -> list[int]:
 def unsettled(ratio: float) -> NotConvergedError:
     """The error of rows that are generated without end."""
     return NotConvergedError(
-        f"the linear program for the stiffness ratio did not settle in {METHOD.most_rounds} rounds (ratio "
-        f"{ratio:.6g}): the curve has almost straight places; move its control points a little"
+        "the linear program for the stiffness ratio did not settle in {most_rounds} rounds "
+        "(ratio {ratio:.6g}): the curve has almost straight places; move its control points "
+        "a little",
+        most_rounds=METHOD.most_rounds,
+        ratio=ratio,
     )
 
 
@@ -286,7 +289,9 @@ def least_variation(
     result = linprog(cost, A_eq=matrix, b_eq=np.zeros(len(matrix)), bounds=bounds, method="highs",
                      options={"presolve": False})  # fmt: skip
     if result.status != 0:
-        raise NotConvergedError(f"the second phase for a smooth stiffness stopped: {result.message}")
+        raise NotConvergedError(
+            "the second phase for a smooth stiffness stopped: {message}", message=result.message
+        )
     return np.asarray(result.eqlin.marginals, dtype=float)
 
 
@@ -312,5 +317,7 @@ def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> Floa
     limit = np.concatenate([np.full(len(rows), -1.0), np.full(len(rows), largest)])
     result = linprog(-number, np.concatenate([-rows, rows]), limit, bounds=(None, None), method="highs")
     if result.status != 0:
-        raise NotConvergedError(f"the linear program for the bending stiffness stopped: {result.message}")
+        raise NotConvergedError(
+            "the linear program for the bending stiffness stopped: {message}", message=result.message
+        )
     return np.asarray(result.x, dtype=float)

@@ -31,6 +31,7 @@ from elastica_cad.mechanics.stiffness.moment_conditions import (
 )
 from elastica_cad.mechanics.stiffness.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.refusals import Length
 
 COMPLIANCE_STEP = 0.2
 """Of log(1 / B), on the way to lighter rods."""
@@ -463,8 +464,10 @@ def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
 def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
     moves = f" (the stiffness still moves by {change:.2g})" if np.isfinite(change) else ""
     return NotConvergedError(
-        f"weight and {law.quantity} do not settle{moves}: the rod is too "
-        "heavy for this curve; use a stiffer or lighter material, or support it"
+        "weight and {quantity} do not settle{moves}: the rod is too heavy for this curve; "
+        "use a stiffer or lighter material, or support it",
+        quantity=law.quantity,
+        moves=moves,
     )
 
 
@@ -516,9 +519,14 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
         asked = law.parameter(EI)
         s = float(balance.panels.s.flat[int(asked.argmin())])
         raise InputError(
-            f"the curve asks for a {law.quantity} of {float(asked.min()):.4g} mm at {s:.4g} mm where its "
-            f"largest is {largest:g} mm: the limits allow {least:g} mm at least; widen them, or give limits or "
-            "keep and the curve may change"
+            "the curve asks for a {quantity} of {value:.4g} at {s:.4g} where its largest is "
+            "{largest:g}: the limits allow {least:g} at least; widen them, or give limits or "
+            "keep and the curve may change",
+            quantity=law.quantity,
+            value=Length(float(asked.min())),
+            s=Length(s),
+            largest=Length(largest),
+            least=Length(least),
         )
     return balance
 

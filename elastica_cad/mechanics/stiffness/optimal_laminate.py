@@ -21,6 +21,7 @@ from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_balance import extrapolated
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.refusals import Length
 
 _SETTLED_SHARE = 1e-5
 """Relative change from round to round that ends them."""
@@ -117,7 +118,9 @@ def optimal_laminate(
     s_end = curve.length
     if isinstance(base_width, Profile) and not np.isclose(base_width.length, s_end, rtol=1e-6):
         raise InputError(
-            f"the base width is given over {base_width.length:.6g} mm, the curve is {s_end:.6g} mm long"
+            "the base width is given over {length:.6g}, the curve is {s_end:.6g} long",
+            length=Length(base_width.length),
+            s_end=Length(s_end),
         )
     gravity = None if direction is None else _filled(section, direction)
     solve = partial(optimal_rod, curve, gravity, supports, samples=samples)
@@ -130,8 +133,10 @@ def optimal_laminate(
         return laminate
     if isinstance(base_width, Profile):
         raise NotConvergedError(
-            f"weight and stiffness of the laminate do not settle (the stiffness still moves by {change:.2g}): give "
-            "the base one width all along, which is searched for more closely, or use stiffer or lighter sheets"
+            "weight and stiffness of the laminate do not settle (the stiffness still moves by "
+            "{change:.2g}): give the base one width all along, which is searched for more "
+            "closely, or use stiffer or lighter sheets",
+            change=change,
         )
     rod = _by_short_steps(solve, section, float(base_width), masses)
     return base.laminate(rod, base.scale(rod), _MOST_ROUNDS)
@@ -263,8 +268,10 @@ def _scale(
     if not found.feasible:
         ratio = section.thickness_ratio(base_width, stiffness, least_backing=least_backing)
         raise InputError(
-            "the laminate cannot be as soft in one place and as stiff in another as the curve needs: with "
-            f"the backing {rounded_up(1 / ratio, 3)} times as thick as the base (now "
-            f"{section.backing.thickness / section.base.thickness:.3g} times) or more it could"
+            "the laminate cannot be as soft in one place and as stiff in another as the curve "
+            "needs: with the backing {rounded_up} times as thick as the base (now "
+            "{thickness:.3g} times) or more it could",
+            rounded_up=rounded_up(1 / ratio, 3),
+            thickness=section.backing.thickness / section.base.thickness,
         )
     return found.scale

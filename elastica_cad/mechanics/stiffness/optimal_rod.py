@@ -352,7 +352,8 @@ def _check_section(
     missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
     if missing:
         raise InputError(
-            f"section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)"
+            "section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)",
+            section=section,
         )
     alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
     settled = any(one is not None for one in (bending_stiffness, largest_stiffness, law))
@@ -376,9 +377,15 @@ def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> N
     if value is None:
         return
     if weight is None:
-        raise InputError(f"{name} is for rods with a weight in newtons: pass weight=Weight(...) as well")
+        raise InputError(
+            "{name} is for rods with a weight in newtons: pass weight=Weight(...) as well", name=name
+        )
     if not (is_number(value) and value > 0):
-        raise InputError(f"{name.replace('_', ' ')} is {value!r}: it must be positive, in N mm2")
+        raise InputError(
+            "{replace} is {value!r}: it must be positive, in N mm2",
+            replace=name.replace("_", " "),
+            value=value,
+        )
 
 
 def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:

@@ -33,6 +33,7 @@ from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, Natural
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.refusals import Length
 
 MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
 RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
@@ -414,14 +415,20 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
     for mass in weight.masses:
         if not (np.isfinite(mass.mass) and 0 <= mass.at <= length):
             raise InputError(
-                f"point mass of {mass.mass:.6g} g at {mass.at:.6g} mm does not lie on the curve of "
-                f"{length:.6g} mm"
+                "point mass of {mass:.6g} g at {at:.6g} does not lie on the curve of {length:.6g}",
+                mass=mass.mass,
+                at=Length(mass.at),
+                length=Length(length),
             )
         kinks.append((mass.at, 0))
     for part in (weight.alpha, weight.beta):
         if isinstance(part, Profile):
             if not np.isclose(part.length, length, rtol=1e-6):
-                raise InputError(f"a weight profile is {part.length:.6g} mm long, the curve {length:.6g} mm")
+                raise InputError(
+                    "a weight profile is {length:.6g} long, the curve {length_2:.6g}",
+                    length=Length(part.length),
+                    length_2=Length(length),
+                )
             # the moment is twice an integral of the load
             knots, times = knot_runs(part.knots)
             smooth = part.degree - times + 2

@@ -15,6 +15,7 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet import Grain, Range, Sheet
 from elastica_cad.mechanics.material.sheet_library import USUAL_RATIO
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length
 
 _NODES = 201
 """Of the bent cantilever."""
@@ -197,7 +198,7 @@ def calibrate_cantilever(
     errors = {"reading": reading_error, "thickness": thickness_error, "density": density_error}
     for name, value in errors.items():
         if not (is_number(value) and value >= 0):
-            raise InputError(f"{name} error is {value!r}: it can't be negative")
+            raise InputError("{name} error is {value!r}: it can't be negative", name=name, value=value)
     for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
         if number is not None:
             require_positive(number, name, unit)
@@ -226,25 +227,33 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
     lengths, drops = np.atleast_1d(numbers(overhang, "overhangs"), numbers(droop, "droops"))
     if lengths.shape != drops.shape or lengths.ndim != 1 or lengths.size == 0:
         raise InputError(
-            f"{lengths.size} overhangs and {drops.size} droops: give one droop for each overhang"
+            "{size} overhangs and {size_2} droops: give one droop for each overhang",
+            size=lengths.size,
+            size_2=drops.size,
         )
     for L, d in zip(lengths, drops, strict=True):
         require_positive(L, "overhang", "mm")
         require_positive(d, "droop", "mm")
         if d >= L:
             raise InputError(
-                f"a droop of {d:g} mm is more than an overhang of {L:g} mm allows: measure the drop of the "
-                "free end below the clamp, and the free length along the strip"
+                "a droop of {d:g} is more than an overhang of {l:g} allows: measure the drop of the "
+                "free end below the clamp, and the free length along the strip",
+                d=Length(d),
+                l=Length(L),
             )
         if d > _STEEPEST_DROOP * L:
             raise InputError(
-                f"a droop of {d:g} mm on an overhang of {L:g} mm: the strip hangs like a rope, which tells "
-                "nothing about its stiffness; use a shorter overhang (a droop near half of it is best)"
+                "a droop of {d:g} on an overhang of {l:g}: the strip hangs like a rope, which tells "
+                "nothing about its stiffness; use a shorter overhang (a droop near half of it is "
+                "best)",
+                d=Length(d),
+                l=Length(L),
             )
         if d < _FLATTEST_DROOP * L:
             raise InputError(
-                f"a droop of {d:g} mm on an overhang of {L:g} mm is too small to be read; use a longer "
-                "overhang"
+                "a droop of {d:g} on an overhang of {l:g} is too small to be read; use a longer overhang",
+                d=Length(d),
+                l=Length(L),
             )
     return lengths, drops
 

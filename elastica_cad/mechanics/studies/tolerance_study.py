@@ -17,6 +17,7 @@ from elastica_cad.mechanics.material.anticlastic import SheetCurl
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
 from elastica_cad.mechanics.material.sheet import Range, Sheet
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
+from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
 """Of a rod's forces and moments: what is left of them at an end that bears none."""
@@ -110,8 +111,10 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
     if loss >= least:
         raise InputError(
-            f"a loss of {loss:g} mm leaves nothing of the narrowest place, {least:.4g} mm wide: use a larger "
-            "max_width"
+            "a loss of {loss:g} leaves nothing of the narrowest place, {least:.4g} wide: use a "
+            "larger max_width",
+            loss=Length(loss),
+            least=Length(least),
         )
     return least
 
@@ -224,15 +227,24 @@ class ToleranceRanges:
             pair = numbers(getattr(self, name), f"the range of {name}")
             if pair.shape != (2,):
                 raise InputError(
-                    f"range of {name} is {getattr(self, name)!r}: give the lowest and the highest"
+                    "range of {name} is {getattr!r}: give the lowest and the highest",
+                    name=name,
+                    getattr=getattr(self, name),
                 )
             low, high = pair.tolist()
             if not low <= high:
-                raise InputError(f"range of {name} is {low:g} to {high:g}: give the lowest first")
+                raise InputError(
+                    "range of {name} is {low:g} to {high:g}: give the lowest first",
+                    name=name,
+                    low=low,
+                    high=high,
+                )
             if name not in {"angle", "width_loss"} and low <= 0:
-                raise InputError(f"range of {name} begins at {low:g}: it must be positive")
+                raise InputError("range of {name} begins at {low:g}: it must be positive", name=name, low=low)
             if name in {"angle", "width_loss"} and not np.isfinite([low, high]).all():
-                raise InputError(f"range of {name} is {low:g} to {high:g}: it must be finite")
+                raise InputError(
+                    "range of {name} is {low:g} to {high:g}: it must be finite", name=name, low=low, high=high
+                )
 
     @classmethod
     def of(
@@ -315,8 +327,9 @@ class ToleranceStudy:
             if effect.name == name:
                 return effect
         raise InputError(
-            f"no effect is called {name!r}: use one of "
-            f"{', '.join(e.name for e in (*self.effects, self.combined))}"
+            "no effect is called {name!r}: use one of {names}",
+            name=name,
+            names=", ".join(e.name for e in (*self.effects, self.combined)),
         )
 
     @property
@@ -391,13 +404,19 @@ def tolerance_study(
     """
     require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
     if not (is_whole(samples) and 1 <= samples <= MOST_SAMPLES):
-        raise InputError(f"samples is {samples!r}: give a whole number from 1 to {MOST_SAMPLES}")
+        raise InputError(
+            "samples is {samples!r}: give a whole number from 1 to {most_samples}",
+            samples=samples,
+            most_samples=MOST_SAMPLES,
+        )
     if not (ranges is None or isinstance(ranges, ToleranceRanges)):
-        raise InputError(f"ranges are {quoted(ranges)}: give a ToleranceRanges record, or None")
+        raise InputError("ranges are {ranges}: give a ToleranceRanges record, or None", ranges=quoted(ranges))
     if not (executor is None or callable(getattr(executor, "map", None))):
-        raise InputError(f"executor is {quoted(executor)}: give one of concurrent.futures, or None")
+        raise InputError(
+            "executor is {executor}: give one of concurrent.futures, or None", executor=quoted(executor)
+        )
     if not (is_whole(seed) and seed >= 0):
-        raise InputError(f"seed is {seed!r}: give a whole number from 0")
+        raise InputError("seed is {seed!r}: give a whole number from 0", seed=seed)
     found = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
     if max_width is None:
         found = replace(found, width_loss=(0.0, 0.0))

@@ -26,6 +26,7 @@ from elastica_cad.mechanics.loads.rest_curvature import (
 )
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, figure, listed, places, shown_on
+from elastica_cad.refusals import Length
 
 
 def require_bendable(curve: PlaneCurve) -> None:
@@ -132,7 +133,9 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         raise InputError("the curve is open: only a closed one can begin anywhere")
     if not 0 <= s <= curve.length:
         raise InputError(
-            f"the curve cannot begin at {s:g} mm: it is {curve.length:.4g} mm long; give a place along it"
+            "the curve cannot begin at {s:g}: it is {length:.4g} long; give a place along it",
+            s=Length(s),
+            length=Length(curve.length),
         )
     low, high = curve.domain
     t = float(curve.parameter(np.array(s)))
