@@ -23,42 +23,13 @@ class Length(float):
     """
 
     def __format__(self, spec: str) -> str:
-        return f"{float.__format__(self, spec) if spec else in_digits(float(self))} mm"
+        return f"{float.__format__(self, spec) if spec else _in_digits(float(self))} mm"
 
     def __str__(self) -> str:
         return format(self)
 
 
-class Lengths(tuple[float, ...]):
-    """Several lengths in mm, which a text shows with their unit once, no more than six of them.
-
-    Examples
-    --------
-    >>> f"inflections at {Lengths([12, 34.56])}"
-    'inflections at 12 and 34.6 mm'
-    """
-
-    def __format__(self, spec: str) -> str:
-        return f"{listed([format(value, spec) if spec else in_digits(value) for value in self])} mm"
-
-    def __str__(self) -> str:
-        return format(self)
-
-
-def listed(texts: Sequence[str], most: int = 6, last: str = "and") -> str:
-    """Texts joined by commas and "and"; of more than `most` only how many there are more.
-
-    Examples
-    --------
-    >>> listed(["a", "b", "c"])
-    'a, b and c'
-    """
-    if len(texts) > most:
-        return f"{', '.join(texts[:most])} {last} {len(texts) - most} more"
-    return f" {last} ".join([", ".join(texts[:-1]), texts[-1]]) if len(texts) > 1 else "".join(texts)
-
-
-def in_digits(value: float) -> str:
+def _in_digits(value: float) -> str:
     """Three digits, without an exponent where a person would write none."""
     rounded = float(f"{value:.3g}")
     return f"{rounded:.0f}" if 1e3 <= abs(rounded) < 1e7 else f"{rounded:g}"
@@ -135,11 +106,6 @@ class Refusal(str):
 
     def __getnewargs__(self) -> tuple[Any, ...]:
         return self.kind, self.text, self.values, self.where, self.changes, self.severity
-
-    @property
-    def sentence(self) -> str:
-        """The text with its values, without the places before it."""
-        return self.text.format_map(self.values) if self.values else self.text
 
     def at(self, **where: Any) -> "Refusal":
         """The same with more places."""

@@ -31,7 +31,7 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-SECTION_POINTS = 240  # along each edge of a section
+SECTION_POINTS = 240  # along a wire of a section, at least a quarter of that along each of its edges
 PATH_POINTS = 400  # planes along a path stand across it to a fraction of a degree
 JOIN_MM = 1e-4  # OpenCASCADE's sections leave gaps of up to 1e-5 mm between faces
 
@@ -272,16 +272,17 @@ def _has_faces(obj: Any) -> bool:
 def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> PlaneSection:
     """As `mesh_sections` answers, for a shape."""
     wires = shape.slice(App.Vector(*frame.z_axis), float(frame.z_axis @ frame.origin))
-    chains = [chain for wire in wires for chain in _joined(map(_edge_points, wire.OrderedEdges))]
+    chains = [chain for wire in wires for chain in _joined(_edge_points(wire.OrderedEdges))]
     closed = [points for points in chains if np.all(points[0] == points[-1])]
     whole = closed + _joined(points for points in chains if not np.all(points[0] == points[-1]))
     flat = [frame.local(points)[:, :2] for points in whole]
     return collect_section(name, frame, flat, half=half, apart=JOIN_MM)
 
 
-def _edge_points(edge: Part.Edge) -> FloatArray:
-    """Points (n, 3) along an edge of a section. Some wires of sections through a pole end FreeCAD when whole."""
-    return np.array([tuple(p) for p in edge.discretize(Number=SECTION_POINTS)])
+def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
+    """Points (n, 3) along each edge of a wire. Some wires through a pole end FreeCAD when divided whole."""
+    count = max(SECTION_POINTS // len(edges), SECTION_POINTS // 4)
+    return [np.array([tuple(p) for p in edge.discretize(Number=count)]) for edge in edges]
 
 
 def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
