@@ -17,7 +17,7 @@ from elastica_cad.cli.asking.asked_curves import (
     which_options,
 )
 from elastica_cad.cli.asking.options import smooth_option
-from elastica_cad.cli.asking.support_options import support_options
+from elastica_cad.cli.asking.support_options import natural_curvature_of, support_options
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
     changed_requests,
@@ -60,7 +60,7 @@ def check(
     split_corners: bool,
     start: EndName,
     end: EndName,
-    natural_curvature: NaturalCurvature,
+    natural_curvature: Any,
     smooth: float | None,
 ) -> None:
     """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
@@ -70,11 +70,12 @@ def check(
     smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
+    bent = natural_curvature_of(natural_curvature)
     of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
     for said, alike in groupby(
-        ((one, _judged(one, supports, natural_curvature, smooth, alone=not several)) for one in asked),
+        ((one, _judged(one, supports, bent, smooth, alone=not several)) for one in asked),
         key=lambda pair: " ".join((pair[1]["advice"], *pair[1].get("notes", ()))),
     ):
         curves, found = zip(*alike, strict=True)
@@ -87,7 +88,7 @@ def check(
             which = one.drawn.called if one is last else f"{one.drawn.called} to {last.drawn.called}"
             say(f"{curve.name}, {which} of {one.count}:\n{said}" if several else said)
         if not (good or several or voice().quiet):
-            suggestion = _suggestion(one, supports, natural_curvature, smooth)
+            suggestion = _suggestion(one, supports, bent, smooth)
             if suggestion:
                 answered |= {"suggestion": suggestion}
                 say(suggestion)

@@ -54,6 +54,15 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
     return float(value)
 
 
+def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
+    """A table with the values of another in it, tables inside each other too."""
+    found = dict(table)
+    for key, value in others.items():
+        inner = found.get(key)
+        found[key] = merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
+    return found
+
+
 class Slips:
     """What is wrong with a file, gathered from its parts so that all of it is told at once."""
 
@@ -135,7 +144,7 @@ class Table:
 
     def place(self, key: str) -> str:
         """How messages call a value."""
-        return f"{self.where}: {key}"
+        return f"{self.where}: {key}" if self.where else key
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
@@ -145,7 +154,8 @@ class Table:
         except InputError as error:
             where = self.where if key is None else self.place(key)
             text = str(error)
-            raise InputError(text if text.startswith(self.where) else f"{where}: {text}") from error
+            told = text if not where or text.startswith(self.where or where) else f"{where}: {text}"
+            raise InputError(told, where=error.refusal.where, changes=error.refusal.changes) from error
 
     def raw(self, key: str, default: Any = None) -> Any:
         """The value as parsed, here or in the defaults."""

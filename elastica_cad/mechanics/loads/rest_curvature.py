@@ -117,7 +117,7 @@ class RestCurvature(EqualByValue):
         return self.length / length
 
 
-NaturalCurvature: TypeAlias = "float | RestCurvature"
+NaturalCurvature: TypeAlias = float | RestCurvature
 """1/mm along the whole strip, or a blank."""
 
 
