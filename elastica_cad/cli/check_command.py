@@ -31,6 +31,7 @@ from elastica_cad.cli.running.voice import answer, say, voice, warn
 from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.formats.reports.strip_report import report_check
 from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -153,7 +154,7 @@ def _judged(
 def _report(
     asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
 ) -> dict[str, Any]:
-    drawn = asked.bendable(smooth)
-    smoothing = smooth_curve(drawn, smooth, supports=supports)
+    ends = StraightEnds.of(asked.bendable(smooth), supports)
+    smoothing = smooth_curve(ends.bent, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
-    return report_check(found) | {"notes": list(smoothing.notes)}
+    return report_check(found) | {"notes": [*([ends.told] if ends else []), *smoothing.notes]}
