@@ -30,7 +30,7 @@ from elastica_cad.cli.running.suggestions import (
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
-from elastica_cad.fabrication.holding.holding_template import tell_ends
+from elastica_cad.fabrication.holders.holding_template import tell_ends
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble

@@ -10,7 +10,7 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.holding.holding_template import holding_template
+from elastica_cad.fabrication.holders.holding_template import holding_template
 from elastica_cad.fabrication.makeability.makeable_strip import spliced
 from elastica_cad.fabrication.slots.marks import Cuts, end_numbers
 from elastica_cad.fabrication.strip.strip_record import Strip

@@ -9,7 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.holding.holding_template import HeldEnd, distance_between, held_ends
+from elastica_cad.fabrication.holders.holding_template import HeldEnd, distance_between, held_ends
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import Travel
 from elastica_cad.geometry.boxes import box_about

@@ -6,8 +6,8 @@ import numpy as np
 
 from elastica_cad._values import is_whole, require_record
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.holders.holding_template import distance_between, held_ends, tell_ends
 from elastica_cad.fabrication.holding.held_shape import HeldShape, Reactions
-from elastica_cad.fabrication.holding.holding_template import distance_between, held_ends, tell_ends
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
 from elastica_cad.forming.fairing_request import Smoothing

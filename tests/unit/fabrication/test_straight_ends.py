@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.fabrication.holding.holding_template import held_ends, holding_template, tell_ends
+from elastica_cad.fabrication.holders.holding_template import held_ends, holding_template, tell_ends
 
 BENT = [(60, 0), (110, 0), (160, 120), (250, 150), (340, 120), (390, 0), (440, 0)]
 

@@ -112,8 +112,8 @@ def tell_ends(strip: Strip) -> Refusal:
     places = {"x": x, "y": y, "u": u, "v": v, "apart": Length(distance_between(ends))}
     if all(end.support.angle for end in ends):
         return note(
-            "hold the ends {apart:.1f} apart, at ({x:.1f}, {y:.1f}) and ({u:.1f}, {v:.1f}) mm; against the line between "
-            "them the strip starts at {start:.1f} degrees and arrives at {end:.1f} degrees",
+            "hold the ends {apart:.1f} apart, at ({x:.1f}, {y:.1f}) and ({u:.1f}, {v:.1f}) mm; against the line "
+            "between them the strip starts at {start:.1f} degrees and arrives at {end:.1f} degrees",
             start=ends[0].tilt,
             end=ends[1].tilt,
             **places,
