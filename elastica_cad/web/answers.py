@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from io import BytesIO
 from itertools import islice
 from pathlib import Path as FilePath
@@ -59,6 +59,9 @@ FILE_KEYS = ("file", "mesh", "sheets_file")
 BENT_STEPS, PRESSED_STEPS = 32, 12
 """Shapes from the design to flat, and from the design on as its ends are pressed together."""
 
+SLACK = 5e-3
+"""Share of a limit that a nearest curve keeps off it: drawn as a spline it is made anew, and must not miss it."""
+
 NEARLY_FLAT = 0.9999
 """Of its length, how far apart the ends of a strip are pulled: exactly straight it has no side to bend to."""
 
@@ -88,9 +91,9 @@ def answer(request: Mapping[str, Any]) -> Record | Download:
     design = request.get("design")
     if design is not None and not isinstance(design, Mapping):
         raise InputError("the design is no table of keys and values")
-    _refuse_files(design)
     with TemporaryDirectory(prefix="elastica-studio-") as folder, read_below(folder):
         try:
+            _refuse_files(design)
             return asked(request, FilePath(folder))
         except ElasticaError as problem:
             return {"refused": problem.refusal.record}
@@ -237,7 +240,14 @@ def _nearest(request: Mapping[str, Any], _: FilePath) -> Record:
     """The nearest curve that can be made, stays, and keeps the sheet whole, or within the limits of the design."""
     spec = _spec(request)
     if not spec.may_change:
-        spec = spec.changed(limits=Limits(margin=SAFE_MARGIN, sheet=spec.material), keep=Keep())
+        strain = (1 - SLACK) * spec.material.max_strain
+        spec = spec.changed(
+            limits=Limits(margin=(1 + 4 * SLACK) * SAFE_MARGIN, sheet=spec.material, strain=strain),
+            keep=Keep(),
+        )
+        limits = spec.rod_spec.limits  # with the ratio that the widths allow
+        if isinstance(limits, Limits) and limits.ratio is not None:
+            spec = spec.changed(limits=replace(limits, ratio=max(1.0, (1 - SLACK) * limits.ratio)))
     near = spec.rod_spec.solve()
     accepted_rod(near)
     assert isinstance(near, NearestRod)

@@ -87,7 +87,7 @@ def compose_design(tables: Mapping[str, Any], before: str = "") -> str:
     --------
     >>> print(compose_design({"schema": 1, "max_width": 30}, "schema = 1\\nmax_width = 40  # of the laser's bed"))
     schema = 1
-    max_width = 30 # of the laser's bed
+    max_width = 30  # of the laser's bed
     """
     import tomlkit
 

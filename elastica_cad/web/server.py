@@ -226,6 +226,7 @@ def bound_socket(port: int) -> socket.socket:
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     try:
         bound.bind((HOST, port))
+        bound.listen()  # a browser that is quicker than the server waits
     except (OSError, OverflowError) as problem:
         bound.close()
         raise InputError(

@@ -8,7 +8,7 @@ from typing import Any
 
 WORKERS = 2
 
-LONGEST_S = {"file": 180.0, "model": 60.0, "bend": 30.0}
+LONGEST_S = {"file": 180.0, "model": 60.0, "nearest": 60.0, "sheets": 60.0, "bend": 30.0}
 """How long a question may take; all others `USUAL_S`."""
 
 USUAL_S = 15.0
