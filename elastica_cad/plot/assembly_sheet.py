@@ -122,7 +122,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
     toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
     screen = screen_of(ELEVATION_DEG, AZIMUTH_DEG)
-    figure = _page(f"{model.name}: {counted(len(model.placed), "strip")}, taken apart")
+    figure = _page(f"{model.name}: {counted(len(model.placed), 'strip')}, taken apart")
     axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
     shown: list[tuple[FloatArray, FloatArray]] = []
     spread = []
