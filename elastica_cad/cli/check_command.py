@@ -207,7 +207,7 @@ def _draw(
 
     if len(asked) > 1:
         raise InputError(
-            "a picture is of one curve, and there are {count}: choose one with --curve", count=len(asked)
+            "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
         )
     bent = StraightEnds.of(asked[0].bendable(smooth), supports).bent
     curve = smooth_curve(bent, smooth, supports=supports).curve
