@@ -141,7 +141,7 @@ $(VENV)/created:
 	@touch $@
 
 $(VENV)/demo-installed: $(VENV)/created pyproject.toml $(SOURCES)
-	$(call install,$(VENV),--editable ".[plot$(COMMA)mesh]")
+	$(call install,$(VENV),--editable ".[plot$(COMMA)mesh$(COMMA)studio]")
 
 $(VENV)/docs-installed: $(VENV)/created pyproject.toml $(SOURCES)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)docs]")
