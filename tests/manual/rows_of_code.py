@@ -19,10 +19,10 @@ LIBRARIES = {"highspy", "numpy", "scipy", "ezdxf", "svgelements", "trimesh", "OC
              "cadquery", "click", "FreeCAD"}  # fmt: skip
 
 
-@asks("docs/architecture.md", "floor", "what it knows", "libraries")
+@asks("docs/architecture.md", "package", "what it holds", "libraries")
 def _floors(row, _):
     """A floor imports the libraries that its row or a row above names, and those of its own row."""
-    (floors,) = [t for t in tables() if t.page == "docs/architecture.md" and t.head[0] == "floor"]
+    (floors,) = [t for t in tables() if t.page == "docs/architecture.md" and t.head[0] == "package"]
     above = floors.rows[: floors.rows.index(row)]
     named = {word for one in (*above, row) for word in LIBRARIES if word.lower() in one[2].lower()}
     found = set().union(
