@@ -183,13 +183,22 @@ def read_design(
     path = require_file(path)
     below = several("folders to read from", below, str | PathLike, "path")
     with read_below(path.parent, Path(), *below):
-        return _read(path, read_curves, read_surface, changes)
+        return design_of(merged(parse_design(path), changes), path, read_curves, read_surface)
 
 
-def _read(
-    path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | None", changes: Mapping[str, Any]
+def design_of(
+    data: Mapping[str, Any],
+    path: Path,
+    read_curves: CurveReader,
+    read_surface: "SurfaceReader | None" = None,
 ) -> Design:
-    data = merged(_parse(path), changes)
+    """The design that tables tell of, as `read_design` makes it of a file at `path` that holds them.
+
+    Raises
+    ------
+    InputError
+        As `read_design`.
+    """
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*names_of(DesignKeys))
@@ -233,8 +242,14 @@ def _read(
     )
 
 
-def _parse(path: Path) -> dict[str, Any]:
-    """The tables of a TOML file."""
+def parse_design(path: Path) -> dict[str, Any]:
+    """The tables of a TOML file.
+
+    Raises
+    ------
+    InputError
+        No TOML, or nothing that can be read.
+    """
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         return tomllib.loads(text)

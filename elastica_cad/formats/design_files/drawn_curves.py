@@ -142,14 +142,25 @@ class CurveOfEllipse(_Curve):
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfSpline(_Curve):
-    """A clamped, uniform spline."""
+    """A spline of evenly spaced knots with clamped ends, or of the knots that are told, with weights or without."""
 
     spline: Annotated[tuple[Point, ...], Asked("Control points.", "mm")]
     degree: Annotated[int, Asked("Degree of its pieces.", least=1)] = 4
+    knots: Annotated[
+        tuple[float, ...] | None, Asked("Full knot vector; evenly spaced with clamped ends unless given.")
+    ] = None
+    weights: Annotated[
+        tuple[float, ...] | None, Asked("Weights of the control points; all alike unless given.")
+    ] = None
 
-    def drawn(self, _: Reader, __: str, ___: Table) -> PlaneCurve:
+    def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
         """The exact curve."""
-        return PlaneCurve.spline(self.spline, degree=self.degree)
+        if self.knots is None:
+            if self.weights is not None:
+                raise InputError("{place} needs knots beside it: give both", place=f"{where}: weights")
+            return PlaneCurve.spline(self.spline, degree=self.degree)
+        weights = None if self.weights is None else np.array(self.weights)
+        return PlaneCurve(np.array(self.knots), np.array(self.spline), self.degree, weights)
 
 
 CURVES = {"file": CurveOfFile, "x": CurveOfFormulae, "ellipse": CurveOfEllipse, "spline": CurveOfSpline}

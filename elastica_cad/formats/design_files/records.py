@@ -230,8 +230,7 @@ class Reader:
         """The values of a list."""
         (inner,), rows = kind.of, table.raw(key)
         if inner.name == "number":
-            numbers = isinstance(rows, list) and kind.size is None
-            return table.vector(key, len(rows) if numbers else kind.size or 1)
+            return table.row(key) if kind.size is None else table.vector(key, kind.size)
         if inner.name == "list" and inner.of[0].name == "number":
             return tuple(table.points(key, inner.size or 1, kind.size))
         if inner.name == "table" and not isinstance(rows, list):

@@ -74,7 +74,7 @@ SPARE = 0.07
 """Part of the tolerance that the first knots aim at: a second fit would cost more than the knots it saves."""
 
 
-def _stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
+def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
     """K times `scale` as a cubic spline of arc length.
 
     K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a
@@ -494,7 +494,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
         moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
-        profile=_stiffness_profile(check, balance, 1 / least),
+        profile=stiffness_profile(check, balance, 1 / least),
         gravity=problem.gravity, supports=problem.supports, natural_curvature=rest,
         residual=residual, weight=weight, law=problem.law, section=problem.section,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,

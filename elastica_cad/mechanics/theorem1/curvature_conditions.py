@@ -242,7 +242,7 @@ def examine_curvature(
         return replace(check, any_stiffness=True, warnings=_warn_of_crossing(curve), zeros=())
     gentle = [z.s for z, slope in zip(points, _slopes(excess, points), strict=True)
               if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
-    gentle += _faint_places(excess, largest, zeros)
+    gentle += faint_places(excess, largest, zeros)
     reasons = [
         *_tell_pinned_ends(excess, supports, points),
         *_tell_straight_parts(excess, flats, largest),
@@ -310,8 +310,10 @@ def _largest(excess: ExcessCurvature) -> float:
     return float(np.abs(excess.survey).max())
 
 
-def _faint_places(excess: ExcessCurvature, largest: float, zeros: tuple[CurvatureZero, ...]) -> list[float]:
-    """Arc lengths (mm) where |kappa - kappa_0| dips all but to zero, without a zero there."""
+def faint_places(
+    excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
+) -> list[float]:
+    """Arc lengths (mm) where |kappa - kappa_0| dips to a share of the largest, without a zero there."""
     curve, felt = excess.curve, excess.survey
     s = curve.survey.s
     bent = np.abs(felt)
@@ -332,7 +334,7 @@ def _faint_places(excess: ExcessCurvature, largest: float, zeros: tuple[Curvatur
         least = minimize_scalar(
             depth, bounds=(low, high), method="bounded", options={"xatol": 1e-7 * curve.length}
         )
-        if least.fun <= FAINT_SHARE * largest:
+        if least.fun <= share * largest:
             found.append(float(least.x))
     return found
 
