@@ -1,6 +1,5 @@
 """Keys of requests by their path, such as `limits.ratio`: what `--set` gives and `elastica help` tells."""
 
-import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -287,6 +286,10 @@ def explained(path: str, option: str) -> str:
     return "\n".join([path, *(f"  {line}" for line in [*lines, here])])
 
 
+DEEPEST = 1
+"""Dots in the paths that `elastica help` lists; it explains those below by their tables."""
+
+
 def listed() -> str:
     """All keys in their groups, each with what it says: `elastica help`."""
     known = paths_of(CommandKeys)
@@ -296,12 +299,12 @@ def listed() -> str:
         lines += [
             f"  {path:<24} {told(field.help, field.asked.unit)}"
             for path, field in known.items()
-            if known[path.partition(".")[0]].asked.group == group
+            if known[path.partition(".")[0]].asked.group == group and path.count(".") <= DEEPEST
         ]
     lines += ["", "whole models, in design files:"]
     lines += [
         f"  {path:<24} {told(field.help, field.asked.unit)}"
         for path, field in paths_of(DesignKeys).items()
-        if path.partition(".")[0] not in {*known, "strips"} or re.match(r"cut$", path)
+        if path.partition(".")[0] not in {*known, "strips"} and path.count(".") <= DEEPEST
     ]
     return "\n".join(lines[1:])

@@ -96,7 +96,7 @@ def _ways(path: str) -> list[str]:
 
 
 _OWN_OPTIONS = {
-    "limits": "nearest", "limits.strain": "keep_strain", "keep": "keep_ends", "keep.ends": "keep_ends",
+    "style": "style", "limits": "nearest", "limits.strain": "keep_strain", "keep": "keep_ends", "keep.ends": "keep_ends",
     "keep.tangents": "keep_tangents", "supports": "start", "ends": "tab", "gravity": "gravity",
     "natural_curvature": "natural_curvature",
 }  # fmt: skip
