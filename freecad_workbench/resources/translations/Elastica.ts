@@ -84,35 +84,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width of the widest place; 0 leaves it to MinWidth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Width of the narrowest place, or a limit for it; 0 for none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Creep factor of the sheet in the long run; 0 leaves creep out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where a closed strip is joined, along its curve; 0 chooses</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Make a strip that cannot be cut or handled, and say so</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -124,51 +100,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width of the outline, perforated or laminated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holes side by side in a perforated strip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holes one after the other; 0 chooses</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest share of the width that holes take</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Narrowest ligament between holes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Widest place of the narrowest hole</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rounding of the holes' corners</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the sides of holes are made of</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sheet that is glued on in a laminated strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The backing's numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Narrowest backing of a laminated strip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holes in the tabs that align the layers; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -208,15 +144,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nodes of the rod; 0 chooses</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Follow the curve exactly, or the nearest one within limits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest stiffness ratio; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -236,10 +164,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Largest curvature, 1/mm; 0 for none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Least length; counts with MostLength</source>
         <translation type="unfinished"></translation>
     </message>
@@ -252,14 +176,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ground and boxes: point = [0, 0], normal = [0, 1]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the strip: lower = 1.5, upper = [2, 3, 2]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Which ends stay where they are</source>
         <translation type="unfinished"></translation>
     </message>
@@ -269,18 +185,6 @@
     </message>
     <message>
         <source>Whose tangents KeepTangents keeps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep the length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mirror image or half turn that stays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Places along the curve that it still passes, mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -313,14 +217,6 @@
     </message>
     <message>
         <source>The last tab in full</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slots: at = 40, width = 1.2, side = 'lower'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Text engraved on the strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -476,10 +372,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the curve may be moved to smooth its curvature; 0 follows it as drawn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>How far the curve moves at most</source>
         <translation type="unfinished"></translation>
     </message>
@@ -557,6 +449,122 @@
     </message>
     <message>
         <source>Does it stay in the plane of its curve?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the widest place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the narrowest place, or its limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Narrowest strip, tab or tongue that can be made; that of the sheet unless given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the curve may be moved to become fair; 0 follows it exactly as drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Creep factor of the sheet in the long run; 0 leaves creep out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a strip that cannot be cut or handled, and say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the outline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diamond holes side by side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diamond holes one after the other; chosen unless given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest share of the width that holes take.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Narrowest ligament between holes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Widest place of the narrowest hole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounding of the corners of the holes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the sides of holes are made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Narrowest backing that can be cut and glued.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the holes in the tabs that align the layers; 0 for none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes of the rod; chosen unless given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest stiffness ratio, widest over narrowest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest curvature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground, walls and boxes where the strip may not go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bounds of the stiffness over its least value, along the strip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror image or half turn that the curve keeps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places along the drawn curve that stay on the strip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slots from the edge.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text engraved on the strip, and its name in messages.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straight first and last pieces of the curve become the tabs; false: the whole curve is bent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a closed strip is joined, along its curve; where it is bent least unless given.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
