@@ -7,6 +7,7 @@ from typing import Any
 from elastica_cad.errors import RENAMED, InputError, near_names, quoted
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.formulae import Formula, Value
+from elastica_cad.refusals import note
 
 MOST = 10_000
 """Of anything that a file asks for a number of: strips, sections, repeats."""
@@ -82,7 +83,7 @@ class Slips:
             told.append(sentence)
         told = told or [""]
         if (left := len(self._said) - len(told)) > 0:
-            told.append(f"{left} more; mend these first")
+            told.append(note("{left} more; mend these first", left=left))
         *others, last = told
         return " Also: ".join((*(one if one.endswith((".", "?")) else f"{one}." for one in others), last))
 
@@ -124,12 +125,22 @@ class Table:
         slips = Slips()
         for key in self.data:
             if RENAMED.get(key) in keys:
-                slips.add(f"{self.where}: {key!r} is now called {RENAMED[key]}")
+                slips.add(note(
+                    "{place}: {key!r} is now called {near}",
+                    place=self.where, key=key, near=RENAMED[key],
+                ))  # fmt: skip
             elif key not in keys:
                 meant = OTHER_WORDS.get(key.lower())
                 near = [meant] if meant in keys else near_names(key.lower(), keys, cutoff=0.5)
-                hint = f"did you mean {near[0]}?" if near else f"known keys are {', '.join(sorted(keys))}"
-                slips.add(f"{self.where}: unknown key {key[:LONGEST_KEY]!r}; {hint}")
+                hint = (
+                    note("did you mean {near}?", near=near[0])
+                    if near
+                    else note("known keys are {keys}", keys=", ".join(sorted(keys)))
+                )
+                slips.add(note(
+                    "{place}: unknown key {key!r}; {hint}",
+                    place=self.where, key=key[:LONGEST_KEY], hint=hint,
+                ))  # fmt: skip
         slips.tell()
         return self
 

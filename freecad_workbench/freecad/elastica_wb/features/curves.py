@@ -128,7 +128,7 @@ class SectionFeature(Feature):
         """Cut, and smooth what is cut."""
         made, remarks = _sections(obj)
         curves = [curve for _, found in made for curve in found]
-        if not curves and remarks and all(AT_TWO_PLACES in remark for remark in remarks):
+        if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
                 "every section is a closed line, and a strip has two ends: choose under Closed lines how they are "
                 "divided"
