@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass
+from decimal import Decimal
 from math import isfinite
 from string import Formatter
 from typing import Any, Literal
@@ -125,7 +126,7 @@ class Wording(Formatter):
                 inside = self._separator.join(self._in_unit(one, spec or ".4g") for one in value)
                 return f"({inside}) {self.unit}"
             case Listed():
-                return self._listed(value, spec)
+                return self._joined(value, spec) + (f" {self.unit}" if _are_lengths(value) else "")
             case float():
                 return self._digits(value, spec)
         return str(format(value, spec))
@@ -142,24 +143,33 @@ class Wording(Formatter):
     def _digits(self, value: float, spec: str) -> str:
         """Digits without an exponent where a person would write none, and no trace of rounding for 0."""
         text = float.__format__(float(value), spec)
-        if "e" in text and 1e-4 <= abs(value) < 1e7:
-            text = f"{float(text):.0f}"
-        elif "e-1" in text and spec.endswith("g"):
-            text = "0"
+        if "e" in text:
+            text = format(Decimal(text), "f") if 1e-9 < abs(value) < 1e9 else text
+            text = "0" if abs(value) <= 1e-9 else text
         return text if self.point == "." else text.replace(".", self.point)
 
-    def _listed(self, items: Listed, spec: str) -> str:
-        lengths = bool(items) and all(isinstance(one, Length) for one in items)
-        said = [self._in_unit(one, spec) if lengths else self.format_field(one, spec) for one in items]
-        unit, more = f" {self.unit}" * lengths, len(said) - _MOST_LISTED
+    def _joined(self, items: Listed, spec: str) -> str:
+        """Without the unit, where all are lengths."""
+        lengths = _are_lengths(items)
+        said = [
+            self._joined(one, spec) if lengths and isinstance(one, Listed) else
+            self._in_unit(one, spec) if lengths else
+            self.format_field(one, spec)
+            for one in items
+        ]  # fmt: skip
         separator = self._separator if lengths else ", "
-        if more > 0:
-            some = separator.join(said[:_MOST_LISTED])
-            return self.template("{some} and {more} more").format(some=some + unit, more=more)
+        if (more := len(said) - _MOST_LISTED) > 0:
+            return self.template("{some} and {more} more").format(
+                some=separator.join(said[:_MOST_LISTED]), more=more
+            )
         if len(said) < 2:
-            return "".join(said) + unit
-        some = separator.join(said[:-1])
-        return self.template(items.LAST).format(some=some, last=said[-1] + unit)
+            return "".join(said)
+        return self.template(items.LAST).format(some=separator.join(said[:-1]), last=said[-1])
+
+
+def _are_lengths(items: Iterable[Any]) -> bool:
+    found = [_are_lengths(one) if isinstance(one, Listed) else isinstance(one, Length) for one in items]
+    return bool(found) and all(found)
 
 
 ENGLISH = Wording()

@@ -227,7 +227,7 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
     >>> from elastica_cad.mechanics.rod.rod_record import Rod
     >>> thin = Strip(Rod.straight(200, [1, 4, 1]), Sheet.named("birch-plywood-0.8"), max_width=6, label="A")
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
-    A: only 1.5 mm wide at ... mm along it, 3 mm are needed in birch-plywood-0.8; make it wider ...
+    A: only 1.5 mm wide at ... mm from the start of the curve, 3 mm are needed in birch-plywood-0.8; ...
     """
     if strip.layout.size is not None:  # not cut from a sheet: its law has limits of its own
         return ()

@@ -514,9 +514,9 @@ class _Fit:
             if asked > scale * (1 + SLACK):
                 i = self.by_ligaments.highest_at
                 raise InputError(
-                    "the rod's bending stiffness asks for {rigidity:.4g} of material at {s:.1f}, "
-                    "{rigidity_2:.4g} fit: widen the outline or raise max_width",
-                    rigidity=Mm(asked * self.K[i] / rigidity),
+                    "the rod's bending stiffness asks for {needed:.4g} of material at {s:.1f}, "
+                    "{given:.4g} fit: widen the outline or raise max_width",
+                    needed=Mm(asked * self.K[i] / rigidity),
                     s=Mm(self.s[i]),
                     given=Mm(scale * self.K[i] / rigidity),
                 )
@@ -530,7 +530,7 @@ class _Fit:
                 "{given:.4g}; {way}",
                 too_little=self._too_little(scale),
                 needed=Mm(self.lowest * high / rigidity),
-                rigidity_2=Mm(scale * high / rigidity),
+                given=Mm(scale * high / rigidity),
                 way=way,
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):

@@ -151,7 +151,8 @@ def _curve(
     small = CLOSED_SHARE * line.length
     if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
         raise InputError(
-            "the section is closed (it passes {place}): a strip has two ends, so split it at a spine or at two points",
+            "the section is closed (it passes {place}): a strip has two ends, so split it at a spine or at two "
+            "points",
             place=Point(line.places[0]),
             changes=[AT_TWO_PLACES],
         )

@@ -219,7 +219,7 @@ def collect_section(
             ),
         )
     names = [name]
-    if len(lines) > 1:
+    if len(lines) != 1:
         names = [note("{name}, line {number}", name=name, number=k + 1) for k in range(len(lines))]
     made = tuple(SectionLine(line, frame, called) for line, called in zip(lines, names, strict=True))
     return PlaneSection(name, frame, made, reports)

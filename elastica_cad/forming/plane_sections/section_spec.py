@@ -465,9 +465,8 @@ class SectionSpec:
 
 def _reasons(reports: Sequence[str]) -> str:
     """Why sections gave no strip, one after the other."""
-    reasons = [
-        one for one in reports if isinstance(one, Refusal) and ("name" in one.values or one.where)
-    ] or list(reports)
+    named = [one for one in reports if isinstance(one, Refusal) and ("name" in one.values or one.where)]
+    reasons: Sequence[str] = named or reports
     left = len(reasons) - NAMED_REASONS
     more = [note("and {count} more like these", count=left)] if left > 0 else []
     return sentences([*reasons[:NAMED_REASONS], *more]) if reasons else note("none is given")

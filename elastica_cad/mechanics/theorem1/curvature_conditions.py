@@ -483,10 +483,10 @@ def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
     pairs = curve.self_intersections()
     if not pairs.size:
         return ()
-    pairs_of = [note("{first} and {second}", first=Length(a), second=Length(b)) for a, b in pairs]
+    both = Listed(Listed(map(Length, pair)) for pair in pairs)
     return (
         note(
             "The curve crosses itself (at {places}): two parts of the strip must pass side by side there.",
-            places=Listed(pairs_of), severity="warning",
+            places=both, severity="warning",
         ),
     )  # fmt: skip
