@@ -99,9 +99,9 @@ def _tell_smooth(curve: PlaneCurve) -> str:
     slight = _taken_out(curve)
     if not slight:
         return ""
-    return note(
-        ", or take it out within {size:g} mm (smooth = {size:g}, --smooth {size:g})", size=slight[0].value
-    )
+    mm = slight[0].value
+    within = ", or take it out within {size:g} (smooth = {mm:g}, --smooth {mm:g})"
+    return note(within, size=Length(mm), mm=mm)
 
 
 PLACES = 721

@@ -120,8 +120,12 @@ class EquilibriumCheck:
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        opening = self._tell_blank() if self.bent_beforehand else self._tell_flat()
-        return sentences([opening, *self.reasons, *self.warnings], " ")
+        return sentences([self.verdict, *self.reasons, *self.warnings], " ")
+
+    @property
+    def verdict(self) -> str:
+        """Can a strip take it, in a sentence, without reasons."""
+        return self._tell_blank() if self.bent_beforehand else self._tell_flat()
 
     def _tell_flat(self) -> str:
         if not self.realizable:

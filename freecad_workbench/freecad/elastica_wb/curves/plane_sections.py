@@ -86,7 +86,10 @@ class Family:
             places = low + (high - low) * (np.arange(self.count) + 0.5) / self.count
             up = (0.0, 1.0, 0.0) if self.axis == "Z" else (0.0, 0.0, 1.0)
             frames = parallel_planes((0.0, 0.0, 0.0), axis, places, up=up)
-            return [(f"{self.axis} = {v:.4g} mm", frame) for v, frame in zip(places, frames, strict=True)]
+            return [
+                (note("{axis} = {place}", axis=self.axis, place=Length(v)), frame)
+                for v, frame in zip(places, frames, strict=True)
+            ]
         if self.half:
             whole = self.sweep >= 360
             turns = np.linspace(0.0, self.sweep, self.count, endpoint=not whole)
@@ -141,7 +144,9 @@ def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
     chains = Part.sortEdges(edges) if edges else []
     if len(chains) != 1:
         raise InputError(
-            f"{source.Label} has {len(chains)} chains of edges: choose the edges of one as the path"
+            "{source} has {count} chains of edges: choose the edges of one as the path",
+            source=source.Label,
+            count=len(chains),
         )
     return np.array([tuple(p) for p in Part.Wire(chains[0]).discretize(Number=PATH_POINTS)])
 
