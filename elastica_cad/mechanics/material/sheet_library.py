@@ -12,6 +12,7 @@ from typing import Any
 
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, quoted, toml_slip
+from elastica_cad.refusals import note
 
 SCHEMA = 1
 
@@ -91,7 +92,11 @@ def _advise_key(key: str) -> str:
         ):
             return f"; write {known}{PLAUSIBLE[known][2].join((' (', ')')) if known in PLAUSIBLE else ''}"
     near = get_close_matches(key, KEYS, n=1, cutoff=0.5)
-    return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(KEYS)}"
+    return (
+        note("; did you mean {near}?", near=near[0])
+        if near
+        else note("; known keys are {keys}", keys=", ".join(KEYS))
+    )
 
 
 def require_printable(text: str, where: str) -> str:
