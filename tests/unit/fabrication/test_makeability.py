@@ -60,8 +60,8 @@ def test_a_slot_that_leaves_a_neck():
 
 def test_a_hole_near_the_edge_of_a_tab():
     fault, *_ = find_strip_faults(strip(ends=(Tab(20, holes=(Hole(10, 17.0),)), Tab(12))))
-    assert "only 1.51 mm are left between a hole and the edge 10" in fault.what
-    assert "move the hole 0.5 mm away from the edge" in fault.cure
+    assert "only 1.51 mm are left between a hole and the edge 19.2 mm into the tab" in fault.what
+    assert "move the hole 0.49 mm away from the edge" in fault.cure
 
 
 def test_wide_corners_are_no_necks():
