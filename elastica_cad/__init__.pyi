@@ -60,3 +60,4 @@ from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,
 )
+from elastica_cad.web.notebook import studio as studio
