@@ -14,6 +14,7 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve, sec
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.refusals import Length, Listed, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
 """More are a slip of the keyboard, and hours of work."""
@@ -333,8 +334,11 @@ class PlaneSplit:
     @property
     def name(self) -> str:
         """The plane."""
-        through, across = (", ".join(f"{v:.4g}" for v in row) for row in (self.point, self.normal))
-        return f"the plane through ({through}) mm across ({across})"
+        return note(
+            "the plane through {place} across {normal}",
+            place=Point(self.point),
+            normal=Listed(map(float, self.normal)),
+        )
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_by`."""
@@ -373,7 +377,7 @@ class CornerSplit:
     @property
     def name(self) -> str:
         """The angle."""
-        return f"a turn of more than {np.degrees(self.turn):.4g} degrees at a corner"
+        return note("a turn of more than {turn:.4g} degrees at a corner", turn=np.degrees(self.turn))
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_at_corners`."""
@@ -419,16 +423,27 @@ class SectionSpec:
             [section for section, _ in divided], tolerance=self.tolerance, wavelength=self.wavelength
         )
         if not curves:
-            raise InputError("no plane gives a strip: {reasons}", reasons=_reasons(reports))
+            raise InputError(
+                "no plane gives a strip: {reasons}",
+                reasons=_reasons(reports),
+                changes=[change for one in reports if isinstance(one, Refusal) for change in one.all_changes],
+            )
         idle = [split.name for split in self.splits if not any(split.name in used for _, used in divided)]
-        return tuple(curves), (*reports, *(f"{name} splits no section" for name in idle))
+        return tuple(curves), (*reports, *(note("{name} splits no section", name=name) for name in idle))
 
     def _divide(self, section: PlaneSection) -> tuple[PlaneSection, frozenset[str]]:
         """The section with the lines that are wanted of it, split where asked; what split any of them."""
         used = set()
         lines, reports = section.lines, section.reports
         if self.longest and len(lines) > 1:
-            reports = (*reports, f"{section.name}: the longest line is kept, {lines[0].length:.4g} mm of it")
+            reports = (
+                *reports,
+                note(
+                    "{name}: the longest line is kept, {length} of it",
+                    name=section.name,
+                    length=Length(lines[0].length),
+                ),
+            )
             lines = lines[:1]
         for split in self.splits:
             pieces: list[SectionLine] = []
@@ -436,8 +451,7 @@ class SectionSpec:
                 try:
                     found = split.pieces(line)
                 except InputError as problem:
-                    text = str(problem)
-                    reports = (*reports, text if text.startswith(line.name) else f"{line.name}: {text}")
+                    reports = (*reports, problem.at(strip=line.name).refusal)
                     used.add(split.name)
                     continue
                 pieces += found
@@ -451,10 +465,11 @@ class SectionSpec:
 
 def _reasons(reports: Sequence[str]) -> str:
     """Why sections gave no strip, one after the other."""
-    reasons = [text for text in reports if text.startswith("section ")] or list(reports)
+    named = [one for one in reports if isinstance(one, Refusal) and ("name" in one.values or one.where)]
+    reasons: Sequence[str] = named or reports
     left = len(reasons) - NAMED_REASONS
-    more = f"; and {left} more like these" if left > 0 else ""
-    return "; ".join(reasons[:NAMED_REASONS]) + more if reasons else "none is given"
+    more = [note("and {count} more like these", count=left)] if left > 0 else []
+    return sentences([*reasons[:NAMED_REASONS], *more]) if reasons else note("none is given")
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:

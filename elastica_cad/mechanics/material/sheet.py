@@ -22,6 +22,7 @@ from elastica_cad.mechanics.material.sheet_library import (
     USUAL_RATIO,
     NominalRatio,
     built_in_figures,
+    built_in_titles,
     checked_poisson_ratio,
     even_shear_ratio,
     figures_from_table,
@@ -32,6 +33,7 @@ from elastica_cad.mechanics.material.sheet_library import (
     toml_text,
     toml_value,
 )
+from elastica_cad.refusals import note
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
 
@@ -333,7 +335,11 @@ class Sheet:
             return own[name]
         known = [*own, *figures]
         near = get_close_matches(str(name).lower(), known, n=3, cutoff=0.4)
-        advice = f"did you mean {' or '.join(near)}?" if near else f"known sheets: {', '.join(known)}"
+        advice = (
+            note("did you mean {names}?", names=" or ".join(near))
+            if near
+            else note("known sheets: {names}", names=", ".join(known))
+        )
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
     def with_thickness(self, thickness: float) -> "Sheet":
@@ -385,6 +391,17 @@ class Sheet:
     def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
         """Weight of a plain strip of this sheet; `direction` (2,): where things fall in the curve's plane."""
         return Gravity(self.elasto_gravity_length, direction)
+
+    @property
+    def full_name(self) -> str:
+        """What people call it, "Birch plywood 0.8 mm"; of a user's own sheet its name.
+
+        Examples
+        --------
+        >>> Sheet.named("card-200gsm").full_name
+        'Card 200 g/m2'
+        """
+        return built_in_titles().get(self.name, self.name)
 
     @property
     def least_radius(self) -> float:
@@ -459,7 +476,11 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
             continue
         for name, sheet in found.items():
             if name in built_in_figures() or name in own:
-                problems.append(f"{file}: the name {name!r} is taken: call that sheet otherwise")
+                problems.append(
+                    note(
+                        "{file}: the name {name!r} is taken: call that sheet otherwise", file=file, name=name
+                    )
+                )
             else:
                 own[name] = sheet
     return own, tuple(problems)
@@ -480,7 +501,11 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         return next(iter(found.values()))
     if wanted in found:
         return found[wanted]
-    several = f"there is no sheet {wanted!r}" if wanted else f"there are {len(found)} sheets"
+    several = (
+        note("there is no sheet {wanted!r}", wanted=wanted)
+        if wanted
+        else note("there are {count} sheets", count=len(found))
+    )
     choices = " or ".join(f"{path.name}:{one}" for one in found)
     raise InputError("{path}: {several}: name one, {choices}", path=path, several=several, choices=choices)
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, quoted, toml_slip
+from elastica_cad.refusals import note
 
 SCHEMA = 1
 
@@ -91,7 +92,11 @@ def _advise_key(key: str) -> str:
         ):
             return f"; write {known}{PLAUSIBLE[known][2].join((' (', ')')) if known in PLAUSIBLE else ''}"
     near = get_close_matches(key, KEYS, n=1, cutoff=0.5)
-    return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(KEYS)}"
+    return (
+        note("; did you mean {near}?", near=near[0])
+        if near
+        else note("; known keys are {keys}", keys=", ".join(KEYS))
+    )
 
 
 def require_printable(text: str, where: str) -> str:
@@ -219,6 +224,27 @@ def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
     return MappingProxyType(
         {
             name: fields
+            for table, entry in tomllib.loads(text).items()
+            for name, fields in _sheets(table, entry)
+        }
+    )
+
+
+@lru_cache(maxsize=1)
+def built_in_titles() -> Mapping[str, str]:
+    """What people call the built-in sheets, by name.
+
+    Examples
+    --------
+    >>> built_in_titles()["pom-0.5"]
+    'POM (acetal) 0.5 mm'
+    """
+    import tomllib
+
+    text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
+    return MappingProxyType(
+        {
+            name: entry["title"] if "name" in entry else f"{entry['title']} {fields['thickness']:g} mm"
             for table, entry in tomllib.loads(text).items()
             for name, fields in _sheets(table, entry)
         }

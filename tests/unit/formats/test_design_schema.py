@@ -386,7 +386,6 @@ def test_templates_examples_and_pages_are_valid(folder):
     for page in (ROOT / "docs").rglob("*.md"):
         for block in page.read_text(encoding="utf-8").split("```")[1::2]:
             body = block.partition("\n")[2].lstrip()
-            body = body.partition("\n")[2].lstrip() if body.startswith(":caption:") else body
             if "toml" in block.partition("\n")[0] and "schema = 1" in body:
                 texts.append(body)
     for i, text in enumerate(texts):
