@@ -257,15 +257,9 @@ class PairCheck:
             return note("No strip rests in both curves of {length}.", length=Length(self.length))
         if self.any_stiffness:
             return "Both curves have the same shape: a strip of that shape rests in them without being bent."
-        if self.bistable:
-            text = "One strip can rest in both curves of {length}, in the same clamps; they are bent alike at {places}."
-        else:
-            text = (
-                "One strip can rest in both curves of {length}, each in its own clamps; they are bent alike at "
-                "{places}."
-            )
-        if not self.zeros:
-            text = text.replace("alike at {places}", "alike nowhere")
+        held = "in the same clamps" if self.bistable else "each in its own clamps"
+        alike = "they are bent alike at {places}" if self.zeros else "they are bent alike nowhere"
+        text = f"One strip can rest in both curves of {{length}}, {held}; {alike}."
         return note(text, length=Length(self.length), places=lengths(z.s for z in self.zeros))
 
     def _repr_html_(self) -> str:
