@@ -28,8 +28,8 @@ from elastica_cad.cli.running.suggestions import (
     typed_length,
     typed_line,
 )
-from elastica_cad.cli.running.voice import answer, say, voice, warn
-from elastica_cad.errors import Change, ElasticaError
+from elastica_cad.cli.running.voice import answer, say, voice, warn, wrote
+from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.formats.reports.strip_report import report_check, round_numbers
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.straight_ends import StraightEnds
@@ -62,6 +62,13 @@ WIDE_MM = 40.0
 @split_option
 @support_options
 @smooth_option
+@click.option(
+    "--picture",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Draw the curve with its inflections, their line and what is wrong where (PNG, SVG or PDF).",
+)
+@click.option("--force", is_flag=True, help="Overwrite that file.")
 @click.pass_context
 def check(
     ctx: click.Context,
@@ -74,6 +81,8 @@ def check(
     end: EndName,
     natural_curvature: NaturalCurvature,
     smooth: float | None,
+    picture: Path | None,
+    force: bool,
 ) -> None:
     """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
 
@@ -85,6 +94,8 @@ def check(
     of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
+    if picture is not None:
+        _draw(asked, picture, supports, natural_curvature, smooth, force=force)
     for said, alike in groupby(
         ((one, _judged(one, supports, natural_curvature, smooth, alone=not several)) for one in asked),
         key=lambda pair: " ".join((pair[1]["advice"], *pair[1].get("notes", ()))),
@@ -179,6 +190,30 @@ def _report(
     if found.realizable and alone:
         told |= _told_sheets(smoothing.curve, supports, natural_curvature)
     return told
+
+
+def _draw(
+    asked: Sequence[AskedCurve],
+    path: Path,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    smooth: float | None,
+    *,
+    force: bool,
+) -> None:
+    """The picture of the verdict on the one curve."""
+    from elastica_cad.plot.canvas import save_figure
+    from elastica_cad.plot.check_picture import check as draw_check
+
+    if len(asked) > 1:
+        raise InputError(
+            "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
+        )
+    bent = StraightEnds.of(asked[0].bendable(smooth), supports).bent
+    curve = smooth_curve(bent, smooth, supports=supports).curve
+    found = check_equilibrium(curve, supports=supports, natural_curvature=natural_curvature)
+    save_figure(draw_check(found), path, force=force)
+    wrote([path])
 
 
 def _told_sheets(

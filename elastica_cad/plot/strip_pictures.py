@@ -85,8 +85,7 @@ def drawing(drawing: Drawing) -> Figure:
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
         )
     axes.autoscale_view()
-    _paint_both_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
-    _paint_legend(axes)
+    finish_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
     return figure
 
 
@@ -175,7 +174,7 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
     at_rest, shown = _inflection_line(rod), [low, high]
     if at_rest is not None:
         reach = 0.04 * float(np.max(high - low))
-        line = _clipped(*at_rest, low - reach, high + reach)
+        line = clipped(*at_rest, low - reach, high + reach)
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
             shown += [*line]
@@ -290,9 +289,7 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     return rod.position[0] - gradient * rod.moment[0] / size, direction
 
 
-def _clipped(
-    point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray
-) -> FloatArray | None:
+def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
     """The part (2, 2) of a line inside a box, or None."""
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
@@ -321,6 +318,12 @@ def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float],
     middle = ((start[0] + end[0]) / 2, start[1])
     above = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
     axes.annotate(text, middle, fontsize=9, color=INK, **above)
+
+
+def finish_axes(axes: Axes, title: str) -> None:
+    """Numbers along both axes, a title, and the legend."""
+    _paint_both_axes(axes, title)
+    _paint_legend(axes)
 
 
 def _paint_both_axes(axes: Axes, title: str) -> None:

@@ -6,6 +6,9 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.fabrication.holders.holding_template import held_ends, holding_template, tell_ends
+from elastica_cad.fabrication.model.assembly import list_assembly_steps
+from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec
+from elastica_cad.kit.kit_contents import kit_of
 
 BENT = [(60, 0), (110, 0), (160, 120), (250, 150), (340, 120), (390, 0), (440, 0)]
 
@@ -80,3 +83,17 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
         480,
     }
     assert any("380.0 mm apart" in text.text for text in drawing.texts)
+
+
+def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
+    curve = ec.PlaneCurve.spline([(0, 0), (20, 100), (120, 180), (220, 50)], degree=3)
+    strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=40, label="UP")
+    model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="up")
+    base = model.base_plate(ec.Sheet.named("mdf-3"))
+    (step,) = list_assembly_steps(model, [base])
+    assert step.ends == ("slot UP:1 of base", "hold at (220.0, 0.0, 50.0)")
+    spec = KitSpec(holders=(HolderSpec("base", ec.Sheet.named("mdf-3")),))
+    kit = kit_of(model, spec, effects=True)
+    assert kit.held == {}
+    assert any("nothing holds end 2" in note for note in kit.notes)
+    assert not any("nothing holds" in note for note in kit_of(model, KitSpec(), effects=True).notes)
