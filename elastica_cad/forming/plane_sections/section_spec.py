@@ -16,7 +16,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
 
 MOST_PLANES = 1000
-"""More are a slip of the keyboard, and hours of work."""
+"""Largest number of planes."""
 
 
 def parallel_planes(
@@ -187,10 +187,10 @@ def _numbers(name: str, value: ArrayLike) -> FloatArray:
 Triple: TypeAlias = tuple[float, float, float]
 
 NAMED_REASONS = 6
-"""Reasons that a refusal names: as many as fit a screen."""
+"""Largest number of reasons in a refusal."""
 
 SAME_PLANE = 1e-9
-"""Share of the largest number below which two planes are one: rounding of formulae."""
+"""Two planes are the same when their numbers differ by less than this share of the largest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,7 +223,7 @@ class Cuts(Protocol):
     """A family of planes."""
 
     half: ClassVar[bool]
-    """Do they end at an axis, unless told otherwise?"""
+    """Whether the planes end at an axis by default."""
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
         """The planes for a surface."""
@@ -242,7 +242,7 @@ class RadialCuts:
     zero: Triple = (1.0, 0.0, 0.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes, whatever the surface."""
+        """Frames of the planes; they do not depend on the surface."""
         if self.angles is not None:
             _refuse_twice("angles", self.angles, 2 * np.pi)
             return radial_planes(self.point, self.axis, self.angles, zero=self.zero)
@@ -284,7 +284,7 @@ class AlongPath:
     up: Triple = (0.0, 0.0, 1.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes, whatever the surface."""
+        """Frames of the planes; they do not depend on the surface."""
         return planes_along(self.path, _plane_count(self.count), ends=self.ends, up=self.up)
 
 
@@ -296,7 +296,7 @@ class GivenCuts:
     planes: tuple[Frame, ...]
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes, whatever the surface."""
+        """Frames of the planes; they do not depend on the surface."""
         return self.planes
 
 
@@ -305,7 +305,7 @@ class Split(Protocol):
 
     @property
     def name(self) -> str:
-        """What it splits at, in words."""
+        """Name of the split in messages."""
         ...
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
@@ -343,7 +343,7 @@ class PlaneSplit:
 
 @dataclass(frozen=True, eq=False)
 class PointSplit:
-    """At the places nearest to points (k, 3) in space."""
+    """Split at the places nearest to points (k, 3) in space."""
 
     points: FloatArray
 
