@@ -37,6 +37,7 @@ from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
+from elastica_cad.refusals import is_told
 
 STRAYED_SHARE = 3e-4
 """Of the length: a strip that strays more as it is made is told what other widths would do."""
@@ -64,7 +65,8 @@ _CUT = (
                  help="Write NAME.step: the flat and the bent strip (needs a CAD kernel)."),
     click.option("--pictures/--no-pictures", default=True, help="Draw NAME.png (needs matplotlib)."),
     click.option("--glb", is_flag=True,
-                 help="Write NAME.glb too: the bent strip for browsers, phones and Blender (needs build123d)."),
+                 help="Write NAME.glb too: the bent strip for browsers, phones and Blender (needs "
+                 "build123d)."),
     output_options,
 )  # fmt: skip
 
@@ -226,7 +228,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance
-        warn(f"Warning: {warning}")
+        warn(f"Warning: {warning}", told=is_told(warning))
     if kit.asked.pictures and "png" not in kit.files:
         say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")
     if kit.asked.step and "step" not in kit.files:
