@@ -1,6 +1,5 @@
 """`elastica sections`: from a mesh or a CAD body to curves that strips can follow, and a design file for them."""
 
-import os
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,6 +22,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.design_files.toml_text import seen_from
 from elastica_cad.formats.design_files.write_sections_design import compose_section_design
 from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.file_access.write_files import write_text, write_together
@@ -244,7 +244,7 @@ def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, A
     """What a design file says of all strips."""
     limits = {"ratio": chosen["ratio"]}
     limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
-    strips: dict[str, Any] = {"sheet": _relative(sheet, output) if ".toml" in sheet else sheet}
+    strips: dict[str, Any] = {"sheet": seen_from(sheet, output) if ".toml" in sheet else sheet}
     strips |= {} if chosen["thickness"] is None else {"thickness": chosen["thickness"]}
     strips |= {"max_width": chosen["max_width"], "limits": limits}
     strips |= {"gravity": True} if chosen["gravity"] else {}
@@ -322,7 +322,7 @@ def _write_files(
         write_text(workshop / names[0], curves_json([one.curve for one in curves]))
         write_curves(_side_by_side([one.curve for one in curves]), workshop / names[1])
         if strips is not None:
-            seen = mesh | {"mesh": _relative(mesh["mesh"], output)}
+            seen = mesh | {"mesh": seen_from(mesh["mesh"], output)}
             text = compose_section_design(name, seen, spec, strips)
             write_text(workshop / names[2], text)
     return names
@@ -336,11 +336,3 @@ def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
         placed.append(curve.transformed([[1, 0, x - left], [0, 1, -low], [0, 0, 1]]))
         x += right - left + GAP_MM
     return placed
-
-
-def _relative(mesh: str, folder: Path) -> str:
-    """The file as seen from a folder, where that can be said."""
-    try:
-        return Path(os.path.relpath(mesh, folder)).as_posix()
-    except ValueError:  # another drive
-        return Path(mesh).resolve().as_posix()

@@ -24,7 +24,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.refusals import Length
 
-AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
+AskedGravity: TypeAlias = Gravity | bool | Sequence[float] | None
 """A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
 
 Loads: TypeAlias = "tuple[PointMass, ...] | Weight"
@@ -181,7 +181,7 @@ def limits_beside(
                 width=Length(width),
                 low=low,
                 high=Length(high),
-                where={"field": (name, "limit width")},
+                where={"field": (name, "limits.width")},
             )
     narrowest, widest = min_width or low, max_width or high
     if narrowest > widest:  # refused where the widths are compared

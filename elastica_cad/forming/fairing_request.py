@@ -14,13 +14,13 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.refusals import Length, note
 
 LARGEST_SMOOTH = 1000.0
-"""mm."""
+"""Largest smoothing distance, mm."""
 
 LITTLE_BEND_SHARE = 0.05
-"""Of the largest curvature."""
+"""Curvature that counts as little bend, as a share of the largest."""
 
 SEEN = 1e-3
-"""Moves of more than so many mm are told."""
+"""Smallest move, mm, that is reported."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class Smoothing:
 
     @property
     def healed(self) -> float:
-        """How far the reader moved the curve to take rounding out of its tangents, mm."""
+        """Distance, mm, by which the reader moved the curve to remove rounding errors from its tangents."""
         return 0.0 if self.drawn.provenance is None else self.drawn.provenance.healed
 
     @cached_property
@@ -64,7 +64,7 @@ class Smoothing:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was moved, a sentence each."""
+        """Sentences about what was moved."""
         found = []
         if self.healed > SEEN:
             found.append(note(

@@ -14,8 +14,8 @@ from freecad.elastica_wb.features.strip_request import nearest_spec_of
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 EVEN = (
-    "bend it beforehand to a radius of 250 mm all along, the way it stands bent 94.4 mm from its start: its widths count on "
-    "that"
+    "bend it beforehand to a radius of 250 mm all along, the way it stands bent 94.4 mm from its start: its widths "
+    "count on that"
 )
 
 

@@ -4,13 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import combinations
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_record
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import centred_text, engravable, text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
@@ -86,11 +87,13 @@ class EndFixture:
 
     tab: PlacedTab
     floor: Frame | None = None
-    clearance: float = 0.15
-    wall: float = 4.0
-    foot: float = 12.0
-    foot_height: float = 4.0
-    screw: float = 4.3
+    clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0)] = 0.15
+    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=0)] = 4.0
+    foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0)] = 12.0
+    foot_height: Annotated[float, Asked("Height of the foot.", "mm", least=0)] = 4.0
+    screw: Annotated[float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0)] = (
+        4.3
+    )
     number: str | None = None
     lean: tuple[float, float] = (0.0, 0.0)
 

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -160,13 +161,13 @@ def base_plate(
     sheet: Sheet | str,
     *,
     frame: Frame | None = None,
-    play: float = 0.5,
-    clearance: float = CLEARANCE_MM,
-    slot_width: float | None = None,
-    border: float = 12.0,
-    shape: Shape = "hull",
-    ends: Sequence[StripEnd] = ENDS,
-    name: str = "base",
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = 0.5,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0)] = None,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 12.0,
+    shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
+    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
+    name: Annotated[str, Asked("Name of its files.")] = "base",
     shop: Shop | None = None,
     ignore_limits: bool = False,
 ) -> BasePlate:

@@ -3,12 +3,13 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
-from typing import Literal, TypeVar
+from typing import Annotated, Literal, TypeVar
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, is_whole, numbers, require_number
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.crossings import PARALLEL_RAD, Crossing, strip_crossings
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
@@ -149,11 +150,13 @@ class InterlockedStrips:
 def interlock(
     placed: Sequence[Placed],
     *,
-    clearance: float = CLEARANCE_MM,
-    fit: Fit = "exact",
-    relief: Relief = "square",
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    fit: Annotated[Fit, Asked("Slots for the exact angle, or as the paper cuts them.")] = "exact",
+    relief: Annotated[Relief, Asked("Inner end of slots.")] = "square",
     pairs: Iterable[tuple[int, int]] | None = None,
-    above: ArrayLike | None = None,
+    above: Annotated[
+        ArrayLike | None, Asked("From where strips are pushed on.", written=tuple[float, float, float])
+    ] = None,
 ) -> InterlockedStrips:
     """Slots wherever two bent strips cross, cut half way into each from opposite sides.
 

@@ -2,12 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, numbers
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -73,13 +74,15 @@ class Slot:
     'upper'
     """
 
-    at: float
-    width: float
-    depth: float | None = None
-    side: Side = "upper"
-    lean: float = 0.0
-    relief: Relief = "square"
-    mate: str = ""
+    at: Annotated[float, Asked("Place along the strip.", "mm")]
+    width: Annotated[float, Asked("Width of the slot.", "mm", least=0)]
+    depth: Annotated[
+        float | None, Asked("Depth from the edge; to the centre line unless given.", "mm", least=0)
+    ] = None
+    side: Annotated[Side, Asked("The edge on which it opens.")] = "upper"
+    lean: Annotated[float, Asked("Angle to the ruling of the strip.", "rad")] = 0.0
+    relief: Annotated[Relief, Asked("Its inner end.")] = "square"
+    mate: Annotated[str, Asked("What goes in; written beside it.")] = ""
     path: FloatArray | None = None
     widths: FloatArray | None = None
 

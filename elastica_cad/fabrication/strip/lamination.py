@@ -1,11 +1,13 @@
 """Laminated strips: an outline of any width, and a narrower strip glued on that gives it its stiffness."""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_positive
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.fabrication.strip.styles import (
     Backing,
@@ -60,10 +62,14 @@ class Laminated:
     20.0
     """
 
-    width: Width
-    backing: Sheet
-    least_backing: float = 1.0
-    dots: float = 1.0
+    width: Annotated[Width, Asked("Width of the base.", "mm", least=0, common=True, written=float)]
+    backing: Annotated[Sheet, Asked("Sheet that is glued on.")]
+    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", least=0)] = (
+        1.0
+    )
+    dots: Annotated[
+        float, Asked("Diameter of the holes in the tabs that align the layers; 0 for none.", "mm", least=0)
+    ] = 1.0
 
     def __post_init__(self) -> None:
         if isinstance(self.backing, str):

@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_positive
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
@@ -360,14 +361,16 @@ class Perforated:
     True
     """
 
-    width: Width
-    columns: int = 2
-    rows: int | None = None
-    hole_ratio: float = 0.85
-    least_ligament: float = 0.5
-    least_hole: float = 1.0
-    corner_radius: float = 0.0
-    sides: Literal["spline", "arc"] = "spline"
+    width: Annotated[Width, Asked("Width of the outline.", "mm", least=0, common=True, written=float)]
+    columns: Annotated[int, Asked("Diamond holes side by side.", least=1)] = 2
+    rows: Annotated[int | None, Asked("Diamond holes one after the other; chosen unless given.", least=1)] = (
+        None
+    )
+    hole_ratio: Annotated[float, Asked("Largest share of the width that holes take.", least=0, most=1)] = 0.85
+    least_ligament: Annotated[float, Asked("Narrowest ligament between holes.", "mm", least=0)] = 0.5
+    least_hole: Annotated[float, Asked("Widest place of the narrowest hole.", "mm", least=0)] = 1.0
+    corner_radius: Annotated[float, Asked("Rounding of the corners of the holes.", "mm", least=0)] = 0.0
+    sides: Annotated[Literal["spline", "arc"], Asked("What the sides of holes are made of.")] = "spline"
 
     def __post_init__(self) -> None:
         for name in ("columns", "rows"):

@@ -30,7 +30,7 @@ from elastica_cad.mechanics.material.stiffness_law import (
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
 
-Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
+Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
 """An outer width: one number, or a profile or function of arc length, all in mm."""
 
 WIDTH_MM = 1e-6

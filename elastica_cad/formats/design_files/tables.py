@@ -55,6 +55,15 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
     return float(value)
 
 
+def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
+    """A table with the values of another in it, tables inside each other too."""
+    found = dict(table)
+    for key, value in others.items():
+        inner = found.get(key)
+        found[key] = merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
+    return found
+
+
 class Slips:
     """What is wrong with a file, gathered from its parts so that all of it is told at once."""
 
@@ -147,7 +156,7 @@ class Table:
 
     def place(self, key: str) -> str:
         """How messages call a value."""
-        return f"{self.where}: {key}"
+        return f"{self.where}: {key}" if self.where else key
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
@@ -157,7 +166,7 @@ class Table:
         except InputError as error:
             where = self.where if key is None else self.place(key)
             why = error.refusal
-            if not why.startswith(self.where):
+            if where and not why.startswith(self.where or where):
                 why = Refusal(
                     why.kind, "{place}: {why}", {"place": where, "why": why}, why.where, why.changes
                 )
@@ -220,6 +229,15 @@ class Table:
             _compute_number(one, f"{self.place(key)}[{i}]", self.scope)
             for i, one in enumerate(value, start=1)
         )
+
+    def row(self, key: str) -> tuple[float, ...]:
+        """Any number of numbers or formulae; none where it is not given."""
+        given = self.raw(key, ())
+        if not isinstance(given, Sequence) or isinstance(given, str):
+            raise InputError(
+                "{key} is {value}: it must be numbers in brackets", key=self.place(key), value=quoted(given)
+            )
+        return self.vector(key, len(given), ())
 
     def pair(self, key: str, default: Sequence[float] | None = None) -> tuple[float, float]:
         """Two numbers or formulae."""

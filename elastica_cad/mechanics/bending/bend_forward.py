@@ -267,7 +267,7 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """What hangs on a rod's free ends, a force and both moments as `bend` takes them, times a factor."""
+    """The force and both moments on a rod's free ends, as `bend` takes them, times a factor."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)

@@ -1,4 +1,4 @@
-"""The verdict on a curve as a record, the line of Theorem 1, and how both are put into words."""
+"""Verdicts on a curve, and on two for one strip, as records, the line of Theorem 1, and their words."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -181,14 +181,114 @@ class EquilibriumCheck:
         }
 
 
+@dataclass(frozen=True)
+class PairZero:
+    """A place where two curves are bent alike, so that their moments must be equal too.
+
+    Attributes
+    ----------
+    s : float
+        Arc length, mm.
+    t : float
+        Parameter of the first curve.
+    order : int
+        How often the difference of the curvatures vanishes there: 1 where it changes sign, 2 where it only
+        touches zero, 3 where it changes sign without a slope; 0 where it changes sign by a jump.
+    before, after : int
+        Sign of the difference on either side; 0 beyond the ends.
+    """
+
+    s: float
+    t: float
+    order: int
+    before: int
+    after: int
+
+
+@dataclass(frozen=True, eq=False)
+class PairCheck:
+    """Can one strip rest in two curves? `str()` of it is advice to a designer.
+
+    Attributes
+    ----------
+    realizable : bool
+        Is there a strip, with a shape of its own before it is bent, that rests in both?
+    reasons : tuple of str
+        Why not; empty when realizable.
+    length : float
+        Of both curves, mm.
+    first, second : PlaneCurve
+        The curves, brought to equal length to rounding.
+    bistable : bool
+        Do both states have the same clamps: ends that lie alike, and the same total turning?
+    any_stiffness : bool
+        The curves are congruent: every strip of their own shape will do, unbent.
+    zeros : tuple of PairZero
+        Where kappa_1 - kappa_2 vanishes or jumps to the other sign.
+    unmet : tuple of PairZero
+        Those of them at which no difference of moments vanishes as it must.
+    flats : tuple of (float, float)
+        Stretches from, to, mm, on which both curves are bent alike.
+    against : tuple of float
+        Arc lengths, mm, where the moments would have to act against the curvatures.
+    """
+
+    realizable: bool
+    reasons: tuple[str, ...]
+    length: float
+    first: PlaneCurve = field(repr=False)
+    second: PlaneCurve = field(repr=False)
+    bistable: bool = False
+    any_stiffness: bool = False
+    zeros: tuple[PairZero, ...] = ()
+    unmet: tuple[PairZero, ...] = ()
+    flats: tuple[tuple[float, float], ...] = ()
+    against: tuple[float, ...] = ()
+
+    def __repr__(self) -> str:
+        verdict = "realizable" if self.realizable else "not realizable"
+        return f"<PairCheck {verdict}, {self.length:.4g} mm>"
+
+    def __str__(self) -> str:
+        return " ".join([self._tell(), *self.reasons])
+
+    def _tell(self) -> str:
+        if not self.realizable:
+            return note("No strip rests in both curves of {length}.", length=Length(self.length))
+        if self.any_stiffness:
+            return "Both curves have the same shape: a strip of that shape rests in them without being bent."
+        held = "in the same clamps" if self.bistable else "each in its own clamps"
+        alike = "they are bent alike at {places}" if self.zeros else "they are bent alike nowhere"
+        text = f"One strip can rest in both curves of {{length}}, {held}; {alike}."
+        return note(text, length=Length(self.length), places=lengths(z.s for z in self.zeros))
+
+    def _repr_html_(self) -> str:
+        return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Numbers, texts and lists for a report."""
+        return {
+            "realizable": self.realizable,
+            "reasons": list(self.reasons),
+            "length": self.length,
+            "bistable": self.bistable,
+            "any_stiffness": self.any_stiffness,
+            "zeros": [{"s": z.s, "order": z.order} for z in self.zeros],
+            "unmet": [{"s": z.s, "order": z.order} for z in self.unmet],
+            "flats": [list(pair) for pair in self.flats],
+            "against": list(self.against),
+        }
+
+
 class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
-    """No admissible stiffness makes the curve a rest shape; `check` tells why and where."""
+    """No admissible stiffness makes the curve, or two curves, rest shapes; `check` tells why and where."""
 
     KIND = "not realizable"
 
-    def __init__(self, check: EquilibriumCheck) -> None:
+    def __init__(self, check: EquilibriumCheck | PairCheck) -> None:
         self.check = check
-        super().__init__(str(check), changes=[Change("nearest", True)])
+        nearest = [] if isinstance(check, PairCheck) else [Change("nearest", True)]
+        super().__init__(str(check), changes=nearest)
 
 
 def lengths(s: Iterable[float]) -> Listed:
