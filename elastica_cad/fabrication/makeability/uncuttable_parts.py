@@ -214,7 +214,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
             kind="fault",
             changes=[*changes],
         )
-    return tuple(note("made anyway: {fault}", fault=str(fault)) for fault in faults)
+    return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
 
 
 def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
