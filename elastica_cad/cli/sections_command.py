@@ -42,6 +42,7 @@ from elastica_cad.forming.plane_sections.section_spec import (
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import Refusal
 
 USUAL_RATIO = 3.5
 """Stiffness ratio that plain strips can be cut with: widest to narrowest."""
@@ -137,8 +138,8 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         spec = _spec(family, chosen, surface)
         curves, reports = spec.curves(surface)
     except InputError as problem:
-        told = str(problem) if str(mesh) in str(problem) else f"{mesh}: {problem}"
-        raise InputError("{told}{option_for}", told=told, option_for=_option_for(told, chosen)) from None
+        told = str(problem) if str(mesh) in str(problem) else str(problem.at(file=mesh))
+        raise InputError("{told}{option}", told=told, option=_option_for(told, chosen)) from None
     verdicts = [_verdict(curve) for curve in curves]
     for one in verdicts:
         say(f"{one['name']}: {_sentence(one)}")
@@ -152,12 +153,13 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         say("for strips along them add --sheet NAME, or give the curves to elastica strip")
 
 
-def _option_for(text: str, chosen: dict[str, Any]) -> str:
-    """The option that splits at corners, or closed lines in halves, where a sentence asks for that."""
-    if AT_CORNERS in text and chosen["split_corners"] is None:
+def _option_for(said: str, chosen: dict[str, Any]) -> str:
+    """The option that splits at corners, or closed lines in halves, where that would help."""
+    changes = said.all_changes if isinstance(said, Refusal) else ()
+    if AT_CORNERS in changes and chosen["split_corners"] is None:
         return " (--split-corners 20)"
     unsplit = not (chosen["splits"] or chosen["split_at"] or chosen["split_corners"])
-    return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in text and unsplit else ""
+    return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in changes and unsplit else ""
 
 
 def _family_named(chosen: dict[str, Any]) -> str:

@@ -130,8 +130,8 @@ def check_law(
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "a law says what the section is and how large: leave out style, slots, max_width and min_width, and "
-            "give tabs a length only, or leave out law",
+            "a law says what the section is and how large: leave out style, slots, max_width and min_width, "
+            "and give tabs a length only, or leave out law",
             where={"field": "law"},
         )
     other = getattr(law, "sheet", sheet)
@@ -214,7 +214,7 @@ def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Shop
             name=sheet.name,
             least=Length(least),
             where={"field": "max_width"},
-            changes=[Change("max_width", float(rounded_up(2 * least, 3)))],
+            changes=[Change("max_width", rounded_up(2 * least, 3))],
         )
     return max_width / max(min_width, least)
 

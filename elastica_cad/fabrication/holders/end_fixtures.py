@@ -24,7 +24,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Listed, note
 
 LEAST_WALL_MM = 0.8
 """Two lines of a 0.4 mm nozzle."""
@@ -388,26 +388,27 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     parts = [[_Prism.of(solid) for solid in block.solid.added] for block in blocks]
     edges = [np.concatenate([part.edges for part in its]) for its in parts]
     pairs = [
-        f"{blocks[i].tab.name} and {blocks[j].tab.name}"
+        Listed([blocks[i].tab.name, blocks[j].tab.name])
         for i, j in combinations(range(len(blocks)), 2)
         if _reach_into(edges[i], parts[j]) or _reach_into(edges[j], parts[i])
     ]
     crossed = [
-        f"{name} would run through the printed block of {blocks[k].tab.name}"
+        note("{strip} would run through the printed block of {tab}", strip=name, tab=blocks[k].tab.name)
         for name, one in zip(strip_names(placed), placed, strict=True)
         for k in _crossed(one, blocks, parts)
     ]
     told = []
     if pairs:
-        told.append(
-            f"the printed blocks of {pairs[0]}{and_more(pairs, 'pair')} would stand in each other: end these "
-            "strips farther apart, make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)"
-        )
+        told.append(note(
+            "the printed blocks of {pair}{more} would stand in each other: end these strips farther apart, "
+            "make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)",
+            pair=pairs[0], more=and_more(pairs, "pair"),
+        ))  # fmt: skip
     if crossed:
-        told.append(
-            f"{crossed[0]}{and_more(crossed, 'place')}: end them farther apart, or hold fewer of the ends "
-            "by blocks (strips, ends)"
-        )
+        told.append(note(
+            "{crossed}{more}: end them farther apart, or hold fewer of the ends by blocks (strips, ends)",
+            crossed=crossed[0], more=and_more(crossed, "place"),
+        ))  # fmt: skip
     return tuple(told)
 
 

@@ -32,6 +32,7 @@ from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length as Mm
+from elastica_cad.refusals import note
 
 FLATTEST_RAD = np.radians(15.0)
 """Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
@@ -301,7 +302,7 @@ def _check_slots(
     """What is said of a plate with slots, and other cuts, that was made all the same; see `accept_faults`."""
     _refuse_meetings(slots, name)
     loops = (*(slot.path for slot in slots), *others)
-    called = [f"the slot of {slot.name}" for slot in slots]
+    called = [note("the slot of {name}", name=slot.name) for slot in slots]
     faults = (
         *find_slot_faults(name, [(slot.name, slot.size[1], slot.through) for slot in slots]),
         *find_plate_faults(name, sheet, outline, loops, shop, called),

@@ -40,6 +40,7 @@ from elastica_cad.formats.file_access.source_file import read_below, require_bel
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.refusals import note
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holders.plates import Ring
@@ -133,7 +134,7 @@ class Design:
             placed, plates = [*surface.placed, *placed], surface.plates
         if failed and not placed:
             raise failed[0]
-        without = tuple(f"{said} This section is left out." for said in _in_words(failed))
+        without = tuple(note("{said} This section is left out.", said=said) for said in _in_words(failed))
         model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
@@ -203,9 +204,10 @@ def design_of(
     with slips.gathering():
         top.only(*names_of(DesignKeys))
     if data.get("schema") != DESIGN_SCHEMA:
-        slips.add(
-            f"{path}: schema is {quoted(data.get('schema'))}; this version reads schema = {DESIGN_SCHEMA}"
-        )
+        slips.add(note(
+            "{file}: schema is {schema}; this version reads schema = {known}",
+            file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
+        ))  # fmt: skip
     top.scope = top.within(data.get("let", {}))
     reader = Reader(_own_sheets(top, path), path.parent, read_curves)
     revolution = None
@@ -335,7 +337,10 @@ def _read_strips(
                     failed.append(problem)
     if failed and not entries:
         raise failed[0]
-    return entries, (*reports, *(f"{problem} This section is left out." for problem in failed))
+    return entries, (
+        *reports,
+        *(note("{problem} This section is left out.", problem=problem) for problem in failed),
+    )
 
 
 def _only_sections(table: Table) -> Table:

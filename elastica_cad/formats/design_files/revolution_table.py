@@ -14,6 +14,7 @@ from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.revolution.meridian import Meridian, meridian, meridian_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, note
 
 Pair: TypeAlias = tuple[float, float]
 
@@ -141,7 +142,10 @@ class RevolutionEntry:
         if off <= NEAR_MM:
             return ()
         return (
-            f"the meridian is {off:.3g} mm off its points at most: no meridian that strips can tile is nearer",
+            note(
+                "the meridian is {far} off its points at most: no meridian that strips can tile is nearer",
+                far=Length(off),
+            ),
         )
 
 

@@ -34,6 +34,7 @@ from elastica_cad.mechanics.material.sheet_library import (
     toml_text,
     toml_value,
 )
+from elastica_cad.refusals import note
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
 
@@ -51,16 +52,17 @@ ROWS_INCH = {
         (0.375, 54.0, 36.0),
     ),
 }  # fmt: skip
-"""Plies: rows of the table."""
+"""Rows of the table by number of plies."""
 
 SOLD_AS = 0.02
-"""Share by which a sheet may be thinner than the first row of its plies: 4 mm is sold for 0.160 in."""
+"""Share by which a sheet may be thinner than the first row of its number of plies: 4 mm is sold as 0.160 in."""
 
 TOLD_TO = 0.01
-"""Share to which a radius is known: the table has two digits, and a sheet's largest strain is rounded."""
+"""Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6
-"""Thicknesses that the rows speak of: a sheet of 0.8 mm takes the strain of the thinnest row, 0.89 mm."""
+"""Range of thicknesses for which the rows are used: a sheet of 0.8 mm has the strain of the thinnest row, 0.89
+mm."""
 
 
 def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) -> float | None:
@@ -361,7 +363,11 @@ class Sheet:
             return own[name]
         known = [*own, *figures]
         near = get_close_matches(str(name).lower(), known, n=3, cutoff=0.4)
-        advice = f"did you mean {' or '.join(near)}?" if near else f"known sheets: {', '.join(known)}"
+        advice = (
+            note("did you mean {names}?", names=" or ".join(near))
+            if near
+            else note("known sheets: {names}", names=", ".join(known))
+        )
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
     def with_thickness(self, thickness: float) -> "Sheet":
@@ -498,7 +504,11 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
             continue
         for name, sheet in found.items():
             if name in built_in_figures() or name in own:
-                problems.append(f"{file}: the name {name!r} is taken: call that sheet otherwise")
+                problems.append(
+                    note(
+                        "{file}: the name {name!r} is taken: call that sheet otherwise", file=file, name=name
+                    )
+                )
             else:
                 own[name] = sheet
     return own, tuple(problems)
@@ -519,7 +529,11 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         return next(iter(found.values()))
     if wanted in found:
         return found[wanted]
-    several = f"there is no sheet {wanted!r}" if wanted else f"there are {len(found)} sheets"
+    several = (
+        note("there is no sheet {wanted!r}", wanted=wanted)
+        if wanted
+        else note("there are {count} sheets", count=len(found))
+    )
     choices = " or ".join(f"{path.name}:{one}" for one in found)
     raise InputError("{path}: {several}: name one, {choices}", path=path, several=several, choices=choices)
 

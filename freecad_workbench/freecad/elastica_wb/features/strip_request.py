@@ -28,6 +28,7 @@ from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, note
 
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
@@ -140,10 +141,15 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
     lengths = {name: getattr(obj, name).Value for name in LENGTHS}
     for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
         if value > LONGEST_MM:
-            raise InputError(f"{name} is {value:.4g} mm, more than a kilometre: is its unit right?")
+            raise InputError(
+                "{name} is {size}, more than a kilometre: is its unit right?",
+                name=note(name),
+                size=Length(value),
+            )
     if 0 < lengths["Thickness"] < THINNEST_MM:
         raise InputError(
-            f"the thickness of the sheet is {lengths['Thickness']:.4g} mm, less than any foil's: is its unit right?"
+            "the thickness of the sheet is {thickness}, less than any foil's: is its unit right?",
+            thickness=Length(lengths["Thickness"]),
         )
 
 
@@ -226,8 +232,11 @@ def _range(obj: Any, kind: str) -> list[float] | None:
         return None
     if not 0 < least <= most:
         raise InputError(
-            f"Least{kind} is {least:g} mm and Most{kind} is {most:g} mm: give both, the least above 0 and not "
-            "above the most"
+            "Least{name} is {least:g} and Most{name} is {most:g}: give both, the least above 0 "
+            "and not above the most",
+            name=kind,
+            least=Length(least),
+            most=Length(most),
         )
     return [least, most]
 
