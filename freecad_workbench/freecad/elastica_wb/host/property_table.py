@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD as App
+from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import InputError
 
@@ -40,7 +41,7 @@ class Property:
     @property
     def translated_help(self) -> str:
         """What it means, in the user's language."""
-        told = str(App.Qt.translate("App::Property", self.help))
+        told = worded(str(App.Qt.translate("App::Property", self.help)))
         return f"{told} {self.example}" if self.example else told
 
 
