@@ -176,12 +176,14 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     found = [minimize(problem, _start(task, problem))]
+    tight = found[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(found, key=_rank)
-        off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
+        off = task.off(best.point) / task.target.diagonal
+        spent = sum(SQP.steps if one.stalled else one.iterations for one in found)
         done = best.settled and best.violation <= MET
-        most = SETTINGS.steps if best.violation <= MET else SETTINGS.unmet_steps
-        if steps < most and not (done and off < enough):
+        most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
+        if (spent < most or enough == np.inf) and not (done and off < enough):
             found.append(minimize(problem, start()))
     best = min(found, key=_rank)
     off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)

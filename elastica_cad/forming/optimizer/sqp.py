@@ -86,8 +86,8 @@ class SearchSettings(NamedTuple):
     calmed: float = 0.1
     worthwhile: float = 0.7
     ajar: float = 1.0
-    patience: int = 12
-    stalled: float = 0.7
+    patience: int = 7
+    stalled: float = 0.95
     far_from_met: float = 0.02
     closer: float = 0.1
     sensitive: float = 100.0
@@ -126,6 +126,7 @@ class Outcome(Generic[Point]):
     at_upper: FloatArray
     iterations: int
     settled: bool
+    stalled: bool
 
 
 def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.lifts) -> Point:
@@ -186,7 +187,7 @@ def minimize(
     multipliers, low, high = _multipliers(program, values, walk.solved)
     return Outcome(
         point, program.objective(point), worst_broken(program, values), multipliers, low, high, iteration,
-        walk.settled,
+        walk.settled, stalled,
     )  # fmt: skip
 
 
