@@ -41,7 +41,8 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, unmet_steps : int
-        In all, after which no new start is tried, and the same where no start has met the limits so far.
+        In all, after which no new start is tried, and the same where no start has met the limits so far or the
+        first has missed the margin. A search that stalled counts as if it had taken all its steps.
     tensions : tuple of float
         Starts under a share of the tension that alone keeps the margin in a straight rod: taut ones are stable,
         unloaded ones do not buckle.
@@ -314,7 +315,10 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Further rods to start from, each unless the mean distance found is small enough, in diagonals."""
+    """Further rods to start from, each unless the mean distance found is small enough, in diagonals.
+
+    Where nothing meets the limits, those that are always good enough are tried whatever was spent before.
+    """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed)
     pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness

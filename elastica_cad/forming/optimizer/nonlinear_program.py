@@ -312,6 +312,7 @@ def _with_active(
         free = _find_free(program, local.z)
         s = program.scale[free]
         gap = active.aim[there] - rows.value[here]
+        # where more rows are kept than unknowns are free the rows that react most come first
         change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
     return Iterate(program, local, change, local.state_jacobian @ change)
 

@@ -70,6 +70,8 @@ class SearchSettings(NamedTuple):
         Of a constraint's value: more is not missed by rounding, and less is by rounding alone.
     firm : float
         Times what is missed: no step that puts it right is longer, no multiplier larger.
+    rough : float
+        Accuracy of such a step, whose error the next one puts right.
     """
 
     steps: int = 80
@@ -96,6 +98,7 @@ class SearchSettings(NamedTuple):
     in_reach: float = 1e-3
     missed: float = 1e-13
     firm: float = 1e4
+    rough: float = 1e-4
 
 
 SETTINGS = SearchSettings()
@@ -115,7 +118,8 @@ class Outcome(Generic[Point]):
     at_lower, at_upper : (p,) arrays
         Multipliers of the box.
     iterations : int
-    settled : bool
+    settled, stalled : bool
+        Does no step promise more; was the search given up, as what is broken came down too slowly?
     """
 
     point: Point
@@ -400,7 +404,8 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
                 np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / missed, -SETTINGS.firm),
                 np.minimum((program.upper - z) / s / missed, SETTINGS.firm), rows.jacobian * s, aim / missed,
                 np.full(aim.size, SETTINGS.firm), rows.one_sided,
-            )
+            ),
+            accuracy=SETTINGS.rough,
         )  # fmt: skip
         trial = program.close(point, step.x * s * missed)
         if trial is None:
