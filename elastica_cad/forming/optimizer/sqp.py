@@ -396,9 +396,12 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
         missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
         if missed < least:
             best, least = point, missed
+        elif least <= SETTINGS.clearance:  # rounding is left
+            break
         if missed <= SETTINGS.missed or missed > SETTINGS.in_reach:
             break
-        s, p = program.scale, z.size
+        # in scales in which no row changes fast: one unknown may rule all rows
+        s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         step = solve_quadratic(
             QuadraticProgram(
                 np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / missed, -SETTINGS.firm),
