@@ -14,9 +14,9 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import SURVEY_POINTS, PlaneCurve
+from elastica_cad.geometry.curves.unit_speed import DEGREE, integrate_tangents
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
-from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans, spline_through
 from elastica_cad.mechanics.loads.arguments import require_gravity, require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -42,7 +42,7 @@ SEARCH_SAMPLES = 201
 
 
 DUST_SHARE = 1e-12
-"""Of the largest value of the same unit: what rounding leaves of 0."""
+"""Values below this share of the largest one of the same unit are rounding errors."""
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
@@ -158,13 +158,13 @@ def _stiffness_profile_of(
 
 
 DIFFERENCE_SHARE = 1e-7
-"""Of the largest bend: step of the differences that tell how the stiffness follows."""
+"""Step of the differences by which the slope of the stiffness is found, as a share of the largest bend."""
 
 CURL_POINTS = 24
-"""Between rest and bend, where the energy is summed: right to 1e-9 for blanks that are flat, to 1e-3 for others."""
+"""Points between rest and bend at which the energy is summed; exact to 1e-9 for flat strips, 1e-3 for others."""
 
 CURL_STEPS = 8
-"""To the curvature that a moment belongs to; the stiffness follows slowly, so the last ones only round."""
+"""Iterations from a moment to its curvature; they converge fast, as the stiffness changes slowly."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,12 +197,12 @@ class CurlingLaw(MaterialLaw):
     below: MaterialLaw | None = None
 
     def share(self, curvature: ArrayLike) -> FloatArray:
-        """What the stiffness is times that of the design (..., n), for changes of curvature (..., n), 1/mm."""
+        """Stiffness divided by that of the design (..., n), for changes of curvature (..., n), 1/mm."""
         kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
         return np.asarray(self.factor(kappa) / self.designed)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; of all nodes (..., n)."""
+        """Effective curvature of all nodes (..., n), as in `MaterialLaw`."""
         return np.asarray(self._material(curvature) * self.share(curvature))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
@@ -255,7 +255,6 @@ Angle: TypeAlias = Callable[[FloatArray], FloatArray]
 
 EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
 TANGENT_RAD = 1e-8  # how closely the spline follows the tangent: over the length, far below a micrometre
-DEGREE = 5  # curvature with two derivatives, which checks of equilibrium look at
 MOST_SPANS, NODES_PER_SPAN = 24, 6  # of the spline that corrects the angle: at most, at least
 REACH_LENGTHS = (
     0.05  # in lengths: changes of curvature over that distance weigh as much as the displacement they make
@@ -265,7 +264,7 @@ GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(6)
 
 
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
-    """Are all edges of the polygon of nodes as long as the arc length between them?"""
+    """Whether all edges of the polygon of nodes are as long as the arc length between the nodes."""
     h = np.diff(s)
     return bool(np.all(np.abs(np.hypot(*np.diff(position, axis=0).T) - h) <= EVEN_EDGES * h))
 
@@ -315,10 +314,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     def tangent(at: FloatArray) -> FloatArray:
         return tangents(through(at) + turn(at))
 
-    knots, rows = adaptive_spline(tangent, (0.0, length), degree=DEGREE - 1, tolerance=TANGENT_RAD)
-    reach = (knots[DEGREE:] - knots[:-DEGREE]) / DEGREE  # of a basis function's integral
-    points = position[0] + np.pad(np.cumsum(reach[:, None] * rows, axis=0), ((1, 0), (0, 0)))
-    return PlaneCurve(np.pad(knots, 1, mode="edge"), points, DEGREE)
+    return integrate_tangents(tangent, length, position[0], tolerance=TANGENT_RAD)
 
 
 def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: Angle) -> Angle:
@@ -585,13 +581,14 @@ class Rod:
 
     @property
     def effective_curvature(self) -> FloatArray:
-        """What K multiplies to give the moment (n,), 1/mm: kappa - kappa_0, or the law's m of it."""
+        """Curvature (n,), 1/mm, that gives the moment when multiplied by K: kappa - kappa_0, or the law's value
+        of it."""
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
     @property
     def follows_bend(self) -> bool:
-        """Is it of a section whose stiffness hangs on how sharply it is bent?"""
+        """Whether the stiffness of its section depends on how sharply it is bent."""
         return self.section is not None and self.section.follows_bend
 
     @cached_property
@@ -610,7 +607,7 @@ class Rod:
         return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
 
     def following(self) -> "Rod":
-        """The same rod, which keeps the law that its section follows when its shape is another one."""
+        """The same rod with the law of its section, to be bent to another shape."""
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
@@ -738,7 +735,7 @@ class Rod:
 
 
 def resample(rod: Rod, samples: int) -> Rod:
-    """The same rod on another number of nodes: stiffness from its profile, the rest interpolated, its law too."""
+    """Return the rod with another number of nodes: stiffness from its profile, all else interpolated."""
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
     K = _nodal_stiffness(rod.profile, s)
@@ -758,7 +755,7 @@ def resample(rod: Rod, samples: int) -> Rod:
 
 
 PROFILE_SHARE = 1e-6
-"""Error of the stiffness between the nodes, of its largest."""
+"""Error of the stiffness between the nodes, relative to its largest value."""
 
 
 def as_bent(rod: Rod) -> Rod:

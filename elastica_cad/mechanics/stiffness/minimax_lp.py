@@ -156,14 +156,18 @@ class MinimaxProgram:
         self.limits[unknowns] = 0.0
         self.active = np.arange(unknowns + 1)
         if side_rows is not None:
-            self._add(side_rows, np.zeros(len(side_rows)) if side_offset is None else side_offset, 1.0, 0.0)
+            self.hold(side_rows, np.zeros(len(side_rows)) if side_offset is None else side_offset)
 
     def demand(
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray
     ) -> None:
-        """From now on 1 <= low @ x + low_offset, and high @ x + high_offset <= R."""
+        """Add the rows 1 <= low @ x + low_offset and high @ x + high_offset <= R."""
         self._add(low, low_offset - 1, 1.0, 0.0)
         self._add(high, high_offset, -1.0, 1.0)
+
+    def hold(self, rows: FloatArray, offset: FloatArray) -> None:
+        """Add the rows rows @ x + offset >= 0."""
+        self._add(rows, offset, 1.0, 0.0)
 
     def _add(self, rows: FloatArray, offset: FloatArray, sign: float, share: float) -> None:
         """Demand sign * (rows @ x + offset) + share * R >= 0."""
@@ -298,7 +302,7 @@ def least_variation(
 def _least_variation_of_one(
     row: FloatArray, offset: FloatArray, bend: FloatArray, bend_offset: FloatArray, largest: float
 ) -> FloatArray:
-    """The same for a single number: the weighted median of where the terms vanish, moved into its bounds."""
+    """Solve it for a single number: the weighted median of the zeros of the terms, moved into its bounds."""
     counts = bend != 0
     zeros, steep = -bend_offset[counts] / bend[counts], np.abs(bend[counts])
     order = np.argsort(zeros)

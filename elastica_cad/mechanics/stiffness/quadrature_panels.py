@@ -46,7 +46,7 @@ GRADED = 1.0  # distances from a zero beside it that a panel is long at most
 NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 
 ROUGH_AT_ZERO = 2
-"""Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
+"""Continuity up to which a knot divides panels, however near it is to a zero of the curvature."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -112,6 +112,7 @@ def cut_into_panels(
     cuts: Sequence[float] = (),
     natural_curvature: NaturalCurvature = 0.0,
     law: MaterialLaw | None = None,
+    orders: Sequence[int] | None = None,
 ) -> Panels:
     """Panels that resolve the curve, and any moment over its curvature.
 
@@ -127,11 +128,14 @@ def cut_into_panels(
         Further parameters that must be panel ends, such as places of point masses.
     law : MaterialLaw, optional
         Its effective curvature stands for kappa - kappa_0; where it is not smooth there should be cuts.
+    orders : sequence of int, optional
+        Of the zeros: 2 where kappa - kappa_0 only touches zero; 1 unless given.
     """
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
     close = 1e-10 * (high - low)
     vanishing = sorted(map(float, zeros))
+    order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
     # beside a zero a narrow panel would hold nothing but rounding
     narrow = NARROWEST_SHARE * (high - low)
@@ -153,7 +157,7 @@ def cut_into_panels(
     done: list[_Nodes] = []
     count = 0
     while True:
-        found, tail = _evaluated(excess, cut, poles, law)
+        found, tail = _evaluated(excess, cut, poles, order, law)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
@@ -169,7 +173,7 @@ def cut_into_panels(
 
 
 def _distances(t: FloatArray, places: list[float]) -> FloatArray:
-    """How far (n,) the nearest of the places is from each of t (n,)."""
+    """Distance (n,) of each of t (n,) from the nearest of the places."""
     return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
 
 
@@ -200,7 +204,7 @@ def _graded(edges: list[float], zeros: list[float], close: float) -> FloatArray:
 
 
 def _steps_away(distance: float, width: float) -> Iterator[float]:
-    """Where panels end that begin at a distance from a zero and grow with it, up to a width."""
+    """Ends of panels whose widths grow with the distance from a zero, up to a largest width."""
     reached = GRADED * distance
     while reached + distance < width:
         yield reached
@@ -240,7 +244,7 @@ class _Cut:
 
 
 def _parts(tail: FloatArray) -> IntArray:
-    """How many parts a panel needs, 2, 4 or 8: halving divides the last coefficient by 2^p or so."""
+    """Number of parts (2, 4 or 8) that a panel needs: each halving divides the last coefficient by about 2^p."""
     halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
@@ -274,9 +278,12 @@ class _Nodes:
 
 
 def _evaluated(
-    excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, law: MaterialLaw | None
+    excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
-    """The panels at their nodes, and how much of each is unresolved; `zeros` are the parameters of all."""
+    """The panels at their nodes, and how much of each is unresolved.
+
+    `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
+    """
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT
     t = cut.left[:, None] + from_left
@@ -288,6 +295,11 @@ def _evaluated(
     if beside.size:
         at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
         slope = curvature_slope(d1[at], d2[at], d3[0][at]).reshape(-1, ORDER) - excess.rest_at(t[beside], 1)
+        ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
+        own = np.abs(zeros[:, None] - ends).argmin(axis=0)
+        double = orders[own] == 2
+        if double.any():  # what rounding leaves of the slope would be large beside that of the nodes
+            slope[double] -= excess.slope_at(zeros[own[double]])[:, None]
         growth = slope * stretch[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
@@ -296,10 +308,12 @@ def _evaluated(
     functions[0], functions[1] = stretch, 1.0
     if zeros.size:
         middle = cut.left + half[:, 0]
-        nearest = zeros[np.abs(zeros[:, None] - middle).argmin(axis=0)]
-        functions[1] = from_left + (cut.left - nearest)[:, None]
+        pole = np.abs(zeros[:, None] - middle).argmin(axis=0)
+        functions[1] = (from_left + (cut.left - zeros[pole])[:, None]) ** orders[pole, None]
     if beside.size:
-        functions[1, beside] = np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1)
+        functions[1, beside] = (
+            np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1) ** orders[own, None]
+        )
     with np.errstate(divide="ignore", invalid="ignore"):
         functions[1] /= kappa
         tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)
@@ -323,7 +337,7 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 
 
 REFINEMENTS = 6
-"""Rounds of solving anew on finer panels."""
+"""Largest number of times that a program is solved again on finer panels."""
 
 _ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, that call for smaller panels
 _SMOOTH = 4  # continuous derivatives of K from which on a knot of the load needs no edge of a panel
@@ -376,7 +390,8 @@ class CutCurve:
         )  # fmt: skip
 
     def for_weight(self, gravity: Gravity) -> "CutCurve":
-        """The same, panels longer than sqrt(kappa l_eg^3) cut, on which a heavy K varies."""
+        """Return the curve with panels longer than sqrt(kappa l_eg^3) divided, since K varies on them under
+        weight."""
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
         parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, _MOST_PARTS).astype(int)
@@ -385,7 +400,8 @@ class CutCurve:
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
-        """The same, panels halved on which a stiffness is not resolved; None where it is resolved everywhere."""
+        """Return the curve with panels halved where a stiffness is not resolved; None where it is resolved
+        everywhere."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
         return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None
