@@ -390,7 +390,8 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
-    return [Spline(PlaneCurve(knots, row, degree)) for row in points]
+    first = PlaneCurve(knots, points[0], degree)
+    return [Spline(curve) for curve in first.siblings(points)]  # all run along x
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
