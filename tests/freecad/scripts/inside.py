@@ -145,7 +145,9 @@ def mouse(*words):
 
 
 def click(widget, button=1, times=1, at=None):
-    """A real mouse clicks in the middle of a widget, or at a place of it."""
+    """A real mouse clicks in the middle of a widget, or at a place of it, once it has found its place."""
+    until(widget.isVisible, 10)
+    still(lambda: widget.mapToGlobal(widget.rect().center()).toTuple(), 0.15)
     place = widget.mapToGlobal(at if at is not None else widget.rect().center())
     mouse("mousemove", place.x() - 2, place.y() - 1, "sleep", 0.05, "mousemove", place.x(), place.y())
     mouse("click", "--repeat", times, "--delay", 80, button)
