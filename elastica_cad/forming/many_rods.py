@@ -14,12 +14,14 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.refusals import note
 
 AHEAD = 64
-"""Curves of a stream with an executor at a time: enough for a dozen workers, and little to keep in memory."""
+"""Curves of a stream that are handed to an executor at a time: enough for a dozen workers, and few to keep in
+memory."""
 
 LISTED = 1024
-"""The same of a list, which is in memory anyway: several for each of hundreds of workers."""
+"""Curves of a list that are handed to an executor at a time: several for each of hundreds of workers."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -194,7 +196,7 @@ class _Task(NamedTuple):
 
 
 def _attempted(task: _Task) -> NearestRod:
-    """One curve, in the worker; errors become a status."""
+    """Find the rod of one curve in the worker; an error becomes a status."""
     curve, limits, keep, gravity, supports, options = task
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)
@@ -203,7 +205,11 @@ def _attempted(task: _Task) -> NearestRod:
 
 
 def _lost(task: _Task, error: Exception) -> NearestRod:
-    why = f"the executor gave no answer ({type(error).__name__}: {error}); run this curve again"
+    why = note(
+        "the executor gave no answer ({kind_of_error}: {error}); run this curve again",
+        kind_of_error=type(error).__name__,
+        error=error,
+    )
     return NearestRod.failed(task.curve, why, task.limits, task.keep)
 
 

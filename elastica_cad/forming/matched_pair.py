@@ -22,23 +22,23 @@ from elastica_cad.geometry.polynomials.panel_functions import (
 )
 from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
-from elastica_cad.mechanics.theorem1.verdict import figure
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
-"""Ends that lie this near to each other, in lengths, and turn this alike, are meant to be the same clamps."""
+"""Ends this near to each other, as a share of the length, and of this little difference in direction are meant
+to be the same clamps."""
 
 LONGEST_STEP = 0.02  # of the logarithm of the length, for Newton's method
 NEWTON_STEPS = 20
 MET = 1e-13  # in lengths and rad
 
 TANGENT_ERROR = 1e-9
-"""Of the changed curve: ends meet to that share of the length."""
+"""Accuracy of the ends of the changed curve, as a share of the length."""
 
 LARGEST_TURN = 0.5
-"""rad: a curve that would have to turn further anywhere is no small change of the drawn one."""
+"""Largest change of direction, rad, anywhere on the curve."""
 
 EQUAL = 1e-12  # lengths that differ by less of themselves are equal
 
@@ -65,11 +65,14 @@ class MatchedPair:
         return iter((self.first, self.second))
 
     def __str__(self) -> str:
-        held = " and held by the same clamps" if self.same_clamps else ""
-        first, second = (figure(moved) for moved in self.moved)
-        return (
-            f"Both curves are {figure(self.first.length)} mm long{held}: the first was moved by up to {first} mm, "
-            f"the second by {second} mm."
+        return note(
+            "Both curves are {length} long and held by the same clamps: the first was moved by up to {first}, the "
+            "second by {second}."
+            if self.same_clamps
+            else "Both curves are {length} long: the first was moved by up to {first}, the second by {second}.",
+            length=Length(self.first.length),
+            first=Length(self.moved[0]),
+            second=Length(self.moved[1]),
         )
 
 
@@ -146,7 +149,7 @@ def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
-    """Are both held by the same clamps, to a share of the length?"""
+    """Whether both are held by the same clamps, to a share of the length."""
     size = max(first.curve.length, second.curve.length)
     (start, end, angles), (other_start, other_end, other_angles) = first.clamps, second.clamps
     apart = max(np.hypot(*(start - other_start)), np.hypot(*(end - other_end)))
@@ -156,7 +159,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """The common length of the least sum of both changes of curvature."""
+    """The common length for which the sum of both changes of curvature is least."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)

@@ -11,9 +11,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.refusals import Listed, Point, note
 
 IN_PLANE = 1e-12
-"""Vertices nearer to a plane than this share of the surface's size lie in it: rounding."""
+"""Vertices nearer to a plane than this share of the surface's size lie in the plane."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +39,7 @@ class SectionLine:
 
     @property
     def is_closed(self) -> bool:
-        """Does it come back to its start?"""
+        """Whether the line ends at its start."""
         return bool(np.all(self.points[0] == self.points[-1]))
 
     @property
@@ -52,7 +53,7 @@ class SectionLine:
         return self.frame.point(self.points)
 
     def reversed(self) -> "SectionLine":
-        """The same line run from its other end."""
+        """The line in the opposite direction."""
         return replace(self, points=self.points[::-1])
 
     def split_at(self, points: ArrayLike) -> tuple["SectionLine", ...]:
@@ -158,13 +159,17 @@ class PlaneSection:
             None, or several: choose from `lines`.
         """
         if len(self.lines) != 1:
-            reason = self.reports[0] if self.reports else f"{self.name} has {len(self.lines)} lines"
+            reason = (
+                self.reports[0]
+                if self.reports
+                else note("{name} has {count} lines", name=self.name, count=len(self.lines))
+            )
             raise InputError("{reason}: choose from its lines", reason=reason)
         return self.lines[0]
 
 
 def inner_turns(points: FloatArray) -> FloatArray:
-    """By how much, rad, a polyline (n, 2) turns at each of its points but the first and the last (n - 2,)."""
+    """Angles (n - 2,), rad, by which a polyline (n, 2) turns at its inner points."""
     step = np.diff(points, axis=0)
     return np.abs(turn_between(step[:-1], step[1:]))
 
@@ -195,17 +200,33 @@ def collect_section(
     lines.sort(key=lambda line: -lengths_along(line)[-1])
     reports: tuple[str, ...] = ()
     if not lines:
-        reports = (f"{name} at {place_in_words(frame.origin)}: the plane {missed()}",)
+        reports = (
+            note(
+                "{name} at {place}: the plane {missed}",
+                name=name,
+                place=place_in_words(frame.origin),
+                missed=missed(),
+            ),
+        )
     elif len(lines) > 1:
-        starts = "; ".join(place_in_words(frame.point(line[0])) for line in lines[:3])
-        reports = (f"{name} falls into {len(lines)} lines, starting at {starts}",)
-    names = [name] if len(lines) == 1 else [f"{name}, line {k + 1}" for k in range(len(lines))]
+        starts = Listed(place_in_words(frame.point(line[0])) for line in lines[:3])
+        reports = (
+            note(
+                "{name} falls into {count} lines, starting at {starts}",
+                name=name,
+                count=len(lines),
+                starts=starts,
+            ),
+        )
+    names = [name]
+    if len(lines) != 1:
+        names = [note("{name}, line {number}", name=name, number=k + 1) for k in range(len(lines))]
     made = tuple(SectionLine(line, frame, called) for line, called in zip(lines, names, strict=True))
     return PlaneSection(name, frame, made, reports)
 
 
 def tidy_points(points: FloatArray, small: float) -> FloatArray:
-    """Without repeated points, run the agreed way round."""
+    """Remove repeated points, and give the line its standard direction."""
     closed = bool(np.all(points[0] == points[-1])) and len(points) > 2
     keep = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > small)
     points = points[keep]
@@ -254,7 +275,8 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 
 
 def _nearest(points: FloatArray, place: FloatArray) -> float:
-    """Where on the polyline the point nearest to a place lies, in points and shares of the way to the next."""
+    """Position of the point of the polyline nearest to a place: number of a point plus the share of the way to
+    the next."""
     step = np.diff(points, axis=0)
     u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
     off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
@@ -262,6 +284,6 @@ def _nearest(points: FloatArray, place: FloatArray) -> float:
     return i + float(u[i])
 
 
-def place_in_words(point: FloatArray) -> str:
-    """Coordinates (3,) as messages give them."""
-    return "(" + ", ".join(f"{v:.4g}" for v in np.asarray(point).round(9) + 0.0) + ") mm"
+def place_in_words(point: FloatArray) -> Point:
+    """A point (3,) as messages give it."""
+    return Point(np.asarray(point).round(9) + 0.0)

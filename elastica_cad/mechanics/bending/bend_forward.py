@@ -23,7 +23,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod, resample
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 Keep = Literal["keep"]
 
@@ -143,7 +143,11 @@ def bend(
             "move the ends in smaller steps, or give a guess nearer to the answer",
             fraction=reached.fraction,
         )
-    warning = f"the rod snaps {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
+    warning = note(
+        "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
+        percent=100 * reached.fraction,
+        severity="warning",
+    )
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
 
@@ -156,7 +160,13 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
     turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
     if turn < COARSE_DEG:
         return ()
-    return (f"the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",)
+    return (
+        note(
+            "the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",
+            turn=turn,
+            severity="warning",
+        ),
+    )
 
 
 def bend_path(
@@ -257,7 +267,7 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """What hangs on a rod's free ends, a force and both moments as `bend` takes them, times a factor."""
+    """The force and both moments on a rod's free ends, as `bend` takes them, times a factor."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)

@@ -13,6 +13,7 @@ from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
 from elastica_cad.mechanics.studies.tolerance_study import feels_modulus
+from elastica_cad.refusals import Length, note, sentences
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +37,7 @@ class Creep:
 
     @property
     def force_share(self) -> float:
-        """What is left of the modulus, and of the clamps' forces where the shape stays: 1 / (1 + phi)."""
+        """Share of the modulus that remains, and of the clamps' forces where the shape stays: 1 / (1 + phi)."""
         return 1 / (1 + self.factor)
 
     @property
@@ -46,22 +47,22 @@ class Creep:
 
     @property
     def sag(self) -> float:
-        """How far the shape moves, mm; 0 without weight, dead force and dead moment."""
+        """Largest move of the shape, mm; 0 without weight, dead force and dead moment."""
         return float(np.hypot(*(self.later.position - self.rod.position).T).max())
 
     @property
     def end_forces(self) -> FloatArray:
-        """What is left in the long run of the forces on start and end (2, 2), in units of the first B, 1/mm2."""
+        """Forces on start and end (2, 2) that remain in the long run, in units of the first B, 1/mm2."""
         return np.asarray(self.later.force[[0, -1]] * self.force_share)
 
     @property
     def stays(self) -> bool:
-        """Does it creep without a jump, to a shape that stays?"""
+        """Whether it creeps to a stable shape without snapping."""
         return not has_snapped(self.later) and self.stability.stable
 
     @property
     def stability(self) -> Stability:
-        """Of the shape in the long run."""
+        """Stability of the shape in the long run."""
         return stability(self.later)
 
     def released(self) -> Rod:
@@ -78,19 +79,26 @@ class Creep:
 
     def __str__(self) -> str:
         """One or two sentences."""
-        kind = "exactly, for a linear homogeneous sheet" if self.exact else "about, by the effective modulus"
-        said = (
-            f"In the long run ({kind}), with a creep factor of {self.factor:g}: it sags by {self.sag:.3g} mm, "
-            f"keeps {100 * self.force_share:.0f} % of its stiffness, and let go it keeps "
-            f"{100 * self.kept_share:.0f} % of its bend at first."
-        )
+        said = note(
+            "In the long run (exactly, for a linear homogeneous sheet), with a creep factor of {factor:g}: "
+            "it sags by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of "
+            "its bend at first."
+            if self.exact else
+            "In the long run (about, by the effective modulus), with a creep factor of {factor:g}: it sags "
+            "by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of its bend "
+            "at first.",
+            factor=self.factor, sag=Length(self.sag), force=100 * self.force_share, bend=100 * self.kept_share,
+        )  # fmt: skip
         after = self.stability
         if not self.stays:
-            said += (
-                " Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
+            snaps = note(
+                "Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
             )
-        elif after.margin < SAFE_MARGIN <= stability(self.rod).margin:
-            said += f" Its margin falls to {after.margin:.3g} (low)."
+            return sentences([said, snaps], " ")
+        if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
+            return sentences(
+                [said, note("Its margin falls to {margin:.3g} (low).", margin=after.margin)], " "
+            )
         return said
 
 
@@ -166,7 +174,8 @@ def require_creep(factor: object) -> float:
 
 
 def _is_linear(law: MaterialLaw | None) -> bool:
-    """Does the material follow Hooke's law? Sections that curl do so by their shape, whatever the modulus."""
+    """Whether the material follows Hooke's law. Wide sections that curl count as linear: the effect is one of
+    shape, not of the modulus."""
     return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 
