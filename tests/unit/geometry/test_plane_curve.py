@@ -249,6 +249,8 @@ def test_projective_image_where_a_control_point_goes_beyond_infinity():
 def test_straight_and_closed_are_told():
     line = PlaneCurve.line((1, 2), (31, 42))
     assert line.is_straight
+    bent_then = PlaneCurve([0, 0, 0, 2, 2, 6, 6, 6], [(0, 0), (1, 0), (2, 0), (4, 0), (5, 2)], 2)
+    assert not bent_then.is_straight, "it begins straight"
     assert line.length == pytest.approx(50)
     assert [z.kind for z in line.curvature_zeros] == ["flat"]
     assert not line.is_closed
