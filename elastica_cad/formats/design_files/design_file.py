@@ -225,7 +225,7 @@ def design_of(
         kit = read_kit(top, reader)
     slips.tell()
     if not entries and revolution is None:
-        raise InputError("{where_} has no strips: write at least one table [[strips]]", where_=top.where)
+        raise InputError("{place} has no strips: write at least one table [[strips]]", place=top.where)
     return Design(
         name=top.text("name", path.stem),
         entries=tuple(entries),
@@ -382,7 +382,7 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
     table.only(*_PATTERNS)
     if len(table.data) != 1:
         raise InputError(
-            "{where_} must hold one of {patterns}", where_=table.where, patterns=", ".join(_PATTERNS)
+            "{place} must hold one of {patterns}", place=table.where, patterns=", ".join(_PATTERNS)
         )
     (kind,) = table.data
     return kind, reader.given(PATTERNS[kind], table.table(kind))

@@ -141,8 +141,8 @@ class HolderSpec:
         if not placed:
             labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
             raise InputError(
-                "{where_}: no strip is called {strips}: there are {labels}",
-                where_=self.where,
+                "{place}: no strip is called {strips}: there are {labels}",
+                place=self.where,
                 strips=" or ".join(self.strips),
                 labels=labels,
             )
