@@ -182,7 +182,7 @@ def read_design(
 
 
 def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | None") -> Design:
-    data = _parse(path)
+    data = parse_design(path)
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*TOP)
@@ -226,7 +226,7 @@ def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | N
     )
 
 
-def _parse(path: Path) -> dict[str, Any]:
+def parse_design(path: Path) -> dict[str, Any]:
     """The tables of a TOML file."""
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
