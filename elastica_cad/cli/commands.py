@@ -27,6 +27,7 @@ COMMANDS = {
     "sections": "sections_command:sections",
     "coupon": "coupon_command:coupon",
     "sheets": "sheets_command:sheets",
+    "studio": "studio_command:studio",
 }
 """Module and function of each command, imported when it is asked for."""
 

@@ -40,14 +40,14 @@ _WISHES = (
     click.option("--objective", type=click.Choice(["thickness", "ratio"]),
                  help="The thickest part that the strain allows, or the most even one  [default: thickness]."),
     click.option("--least-thickness", type=LENGTH, metavar="MM",
-                 help="Thinnest place of the part in its plane  [default: the most that the sheet's strain allows]."),
-    click.option("--fillet", type=LENGTH, metavar="MM", help="Radius at the roots of the pads  [default: 1]."),
-    click.option("--push-at", type=LENGTH, metavar="MM", help="Where a bistable part is pushed  [default: its middle]."),
+                 help="Thinnest place in the plane  [default: the most that the sheet's strain allows]."),
+    click.option("--fillet", type=LENGTH, metavar="MM", help="Radius at the roots  [default: 1]."),
+    click.option("--push-at", type=LENGTH, metavar="MM", help="Where it is pushed, if bistable  [default: its middle]."),
     click.option("--printed", is_flag=True, help="For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts."),
     click.option("--ignore-limits", is_flag=True, help="Make it although it is too thin or touches itself."),
     click.option("--label", metavar="TEXT", help="Engraved on the first pad."),
     click.option("--name", help="What the files are called  [default: as FIRST]."),
-    click.option("--kerf", type=LENGTH, default=0.0, metavar="MM", help="Width of the cut, made up for  [default: 0]."),
+    click.option("--kerf", type=LENGTH, default=0.0, metavar="MM", help="Width of the cut  [default: 0]."),
     output_options,
 )  # fmt: skip
 
@@ -118,7 +118,8 @@ def _tell(kit: PairKit) -> None:
     way = part.travel
     say(
         f"largest strain {first:.2f} % in the first state, {second:.2f} % in the second, "
-        f"{100 * float(way.strain.max()):.2f} % on the way ({part.sheet.name} bears {100 * part.sheet.max_strain:.2f} %)"
+        f"{100 * float(way.strain.max()):.2f} % on the way "
+        f"({part.sheet.name} bears {100 * part.sheet.max_strain:.2f} %)"
     )
     stays = [f"margin {one.margin:.3g} ({one.word})" for one in pair_.stability]
     say(f"first state {stays[0]}, second state {stays[1]}")

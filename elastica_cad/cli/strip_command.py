@@ -30,6 +30,7 @@ from elastica_cad.cli.running.suggestions import (
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
+from elastica_cad.fabrication.holders.holding_template import tell_ends
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
@@ -219,14 +220,16 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     with suppress(NotConvergedError):
         say(str(made.held()))
         _tell_compensation(kit)
-    if made.joint:
-        say(made.joint)
+    say(made.joint or tell_ends(made))
     if blank := tell_blank(made):
         say(blank)
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance
-        warn(f"Warning: {warning}")
+        if getattr(warning, "severity", "warning") == "note":
+            say(warning)
+        else:
+            warn(f"Warning: {warning}")
     if kit.asked.pictures and "png" not in kit.files:
         say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")
     if kit.asked.step and "step" not in kit.files:

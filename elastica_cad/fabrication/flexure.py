@@ -1,4 +1,4 @@
-"""A part with two rest shapes that is cut in the plane of its sheet: outline, pads, holder, strain, and its travel."""
+"""A part with two rest shapes, cut in the plane of its sheet: outline, pads, holder, strain, and its travel."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field

@@ -8,13 +8,13 @@ from typing import Any, cast
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
-from elastica_cad._values import require_positive, require_record, several
+from elastica_cad._values import require_flag, require_positive, require_record, several
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
+from elastica_cad.fabrication.strip.outline import Hole, Tab, pair_of_tabs
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
 from elastica_cad.fabrication.strip_checks import (
@@ -34,6 +34,7 @@ from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
+from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
@@ -88,6 +89,10 @@ class StripSpec(EqualByValue):
     joint : float, optional
         Where a closed strip begins and ends, mm along the curve as drawn; where it is bent least unless given, or
         as drawn with limits or keep. All places along the strip are counted from there. None for an open curve.
+    straight_ends : bool
+        Straight first and last pieces of the curve, where its end is held in its direction, become the tabs (at
+        least as long as drawn, with the circles drawn on them as holes), and only what lies between them is bent.
+        All places along the strip are counted from there. False: the whole curve is bent.
     slots : sequence of Slot
     label : str
         Engraved on the strip; empty for none.
@@ -144,6 +149,7 @@ class StripSpec(EqualByValue):
     samples: int | None = None
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
     joint: float | None = None
+    straight_ends: bool = True
     slots: tuple[Slot, ...] = ()
     label: str = ""
     smooth: float | None = None
@@ -185,6 +191,7 @@ class StripSpec(EqualByValue):
                 ignore_limits=self.ignore_limits,
                 where={"field": "ignore_limits"},
             )
+        require_flag(self.straight_ends, "straight_ends")
         check_compensate(self.compensate)
         if not isinstance(self.shop, Shop):
             raise InputError(
@@ -264,6 +271,30 @@ class StripSpec(EqualByValue):
             largest_stiffness=self._largest_stiffness if weight is not None else None,
         )
 
+    @cached_property
+    def run_ins(self) -> StraightEnds:
+        """The drawn curve and the part of it that is bent, between straight ends that are the tabs."""
+        counted = isinstance(self.natural_curvature, RestCurvature)  # from the start of the curve
+        if counted or not self.straight_ends or (self.curve.has_corners and not self.smooth):
+            return StraightEnds(self.curve, self.curve)
+        return StraightEnds.of(self.curve, require_supports(self.supports))
+
+    @cached_property
+    def tabs(self) -> tuple[Tab, Tab]:
+        """The tabs, at least as long as straight ends are drawn, with the holes that are drawn on those."""
+        run_ins = self.run_ins
+        holes: tuple[list[Hole], list[Hole]] = ([], [])
+        drawn = self.curve.provenance
+        for x, y, diameter in drawn.holes if run_ins and drawn is not None else ():
+            place = run_ins.place_of((x, y), diameter)
+            if place is not None:
+                holes[place[0]].append(Hole(round(place[1], 6), round(diameter, 6)))
+        first, last = (
+            replace(tab, length=max(tab.length, length), holes=(*tab.holes, *drilled)) if length else tab
+            for tab, length, drilled in zip(self.ends, run_ins.lengths, holes, strict=True)
+        )
+        return first, last
+
     @property
     def _largest_stiffness(self) -> float | None:
         """Of a plain strip as wide as it may be, N mm2: masses settle how wide it is."""
@@ -274,7 +305,7 @@ class StripSpec(EqualByValue):
     @cached_property
     def _begun(self) -> PlaneCurve:
         """The curve; a closed one from where the strip is joined: where told, else only where it may not change."""
-        curve = self.curve
+        curve = self.run_ins.bent
         if not curve.is_closed or (curve.has_corners and not self.smooth):  # refused, with places as drawn
             return curve
         if self.joint is not None:
@@ -364,14 +395,15 @@ class StripSpec(EqualByValue):
             rod = replace(rod, section=self._width_law)
         if isinstance(self.style, Laminated):  # which makes the section itself, as stiff as the rod was found
             rod = replace(rod, section=None)
-        notes = self.rod_spec.smoothing.notes
+        run_ins = self.run_ins.told
+        notes = (*([] if run_ins is None else [run_ins]), *self.rod_spec.smoothing.notes)
         made = Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,
             self.material,
             max_width=self.max_width,
             min_width=self.min_width,
             style=self.style,
-            ends=self.ends,
+            ends=self.tabs,
             slots=self.slots,
             label=self.label,
             creep=self.creep,

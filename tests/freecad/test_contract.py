@@ -13,7 +13,7 @@ from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS
 from tests.contract.table import REFUSED, REQUESTS
 
-WORKBENCH = Path(__file__).resolve().parents[2] / "freecad_workbench"
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def asked_in(document, sketch, asked):
@@ -56,12 +56,12 @@ def test_more_requests(name, document, drawn):
     assert_same_answer(MORE_REQUESTS[name], document, drawn)
 
 
-def test_readme_of_the_workbench(document, sketch, capsys):
+def test_page_of_the_workbench(document, sketch, capsys):
     """What it types into the Python console, with a sketch in the document."""
     (code,) = re.findall(
-        r"```python\n(.*?)```", (WORKBENCH / "README.md").read_text(encoding="utf-8"), re.DOTALL
+        r"```python\n(.*?)```", (ROOT / "docs" / "freecad.md").read_text(encoding="utf-8"), re.DOTALL
     )
     names = {}
-    exec(compile(code, "README.md", "exec"), names)
+    exec(compile(code, "freecad.md", "exec"), names)
     assert "takes this curve" in capsys.readouterr().out
     assert names["strip"].MaxWidth.Value == 40

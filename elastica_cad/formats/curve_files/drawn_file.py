@@ -3,10 +3,11 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from itertools import islice
 from pathlib import Path
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs, near_ends
+from elastica_cad.formats.curve_files.chains import curve_from_run, holes_on_chains, join_runs, near_ends
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
 from elastica_cad.formats.file_access.source_file import name_source
@@ -244,14 +245,20 @@ def collect_curves(
         found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
         raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))
 
-    def make(chain: Run) -> PlaneCurve:
-        plane = chain if flat is None else flat(chain, tolerance)
-        return curve_from_run(plane, tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown)
+    chains, holes = holes_on_chains(chains)
+
+    def make(chain: Run, drilled: Sequence[Run]) -> PlaneCurve:
+        edges = (*chain, *(edge for circle in drilled for edge in circle))
+        plane = iter(edges if flat is None else flat(edges, tolerance))
+        parts = [tuple(islice(plane, len(part))) for part in (chain, *drilled)]
+        return curve_from_run(
+            parts[0], tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown, holes=parts[1:]
+        )
 
     sources = [chain[0].source or Source() for chain in chains]
     curves = [
-        DrawnCurve(number, partial(make, chain), source.name, source.layer)
-        for number, (chain, source) in enumerate(zip(chains, sources, strict=True), start=1)
+        DrawnCurve(number, partial(make, chain, drilled), source.name, source.layer)
+        for number, (chain, drilled, source) in enumerate(zip(chains, holes, sources, strict=True), start=1)
     ]
     gaps = tuple(
         f"{curves[i].called} and {curves[j].called} end {apart:.2g} mm apart near "

@@ -5,7 +5,7 @@ what they say, are in `keys`.
 """
 
 import tomllib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from os import PathLike
 from pathlib import Path
@@ -178,11 +178,22 @@ def read_design(
     path = require_file(path)
     below = several("folders to read from", below, str | PathLike, "path")
     with read_below(path.parent, Path(), *below):
-        return _read(path, read_curves, read_surface)
+        return design_of(parse_design(path), path, read_curves, read_surface)
 
 
-def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | None") -> Design:
-    data = parse_design(path)
+def design_of(
+    data: Mapping[str, Any],
+    path: Path,
+    read_curves: CurveReader,
+    read_surface: "SurfaceReader | None" = None,
+) -> Design:
+    """The design that tables tell of, as `read_design` makes it of a file at `path` that holds them.
+
+    Raises
+    ------
+    InputError
+        As `read_design`.
+    """
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*TOP)
@@ -227,7 +238,13 @@ def _read(path: Path, read_curves: CurveReader, read_surface: "SurfaceReader | N
 
 
 def parse_design(path: Path) -> dict[str, Any]:
-    """The tables of a TOML file."""
+    """The tables of a TOML file.
+
+    Raises
+    ------
+    InputError
+        No TOML, or nothing that can be read.
+    """
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         return tomllib.loads(text)

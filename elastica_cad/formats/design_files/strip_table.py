@@ -263,8 +263,15 @@ def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve
 
 
 def _from_spline(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
+    """A spline of evenly spaced knots, or of the knots that are told, with weights or without."""
     curve.only(*STRIP_TABLES["curve spline"])
-    return PlaneCurve.spline(curve.points("spline", 2), degree=curve.count("degree", 4))
+    points, degree = curve.points("spline", 2), curve.count("degree", 4)
+    if not curve.has("knots"):
+        if curve.has("weights"):
+            raise InputError("{place} needs knots beside it: give both", place=curve.place("weights"))
+        return PlaneCurve.spline(points, degree=degree)
+    weights = np.array(curve.row("weights")) if curve.has("weights") else None
+    return PlaneCurve(np.array(curve.row("knots")), np.array(points), degree, weights)
 
 
 def _gravity(table: Table) -> Gravity | tuple[float, ...] | None:

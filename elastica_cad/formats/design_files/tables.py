@@ -205,6 +205,15 @@ class Table:
             for i, one in enumerate(value, start=1)
         )
 
+    def row(self, key: str) -> tuple[float, ...]:
+        """Any number of numbers or formulae; none where it is not given."""
+        given = self.raw(key, ())
+        if not isinstance(given, Sequence) or isinstance(given, str):
+            raise InputError(
+                "{key} is {value}: it must be numbers in brackets", key=self.place(key), value=quoted(given)
+            )
+        return self.vector(key, len(given), ())
+
     def pair(self, key: str, default: Sequence[float] | None = None) -> tuple[float, float]:
         """Two numbers or formulae."""
         x, y = self.vector(key, 2, default)

@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._values import is_whole, require_record
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.holders.holding_template import distance_between, held_ends, tell_ends
 from elastica_cad.fabrication.holding.held_shape import HeldShape, Reactions
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
@@ -173,6 +174,7 @@ def report_strip(
             "limit": strip.strain_limit,
         },
         "backing_side": strip.backing_side or None,
+        "ends": _ends(strip),
         "held": _held(strip),
         "joint": _joint(strip),
         "mass": round_numbers(strip.mass),
@@ -300,6 +302,28 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
             for end, pose in (("start", shape.start), ("end", shape.end))
         },
     }
+
+
+def _ends(strip: Strip) -> dict[str, Any] | None:
+    """Where the ends are held, in the plane of the curve, mm and degrees; None for a closed strip."""
+    if strip.is_closed:
+        return None
+    ends = held_ends(strip)
+    found: dict[str, Any] = {
+        "distance": round_numbers(distance_between(ends)),
+        "meaning": str(tell_ends(strip)),
+    }
+    for name, end in zip(("start", "end"), ends, strict=True):
+        found[name] = {
+            "position": round_numbers(end.position + 0.0),
+            "angle": round_numbers(end.angle),
+            "from_the_line": round_numbers(end.tilt),
+            "tab": round_numbers(end.tab),
+            "holes": [
+                {"at": hole.at, "across": hole.across, "diameter": hole.diameter} for hole in end.holes
+            ],
+        }
+    return found
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:

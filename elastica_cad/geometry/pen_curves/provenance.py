@@ -33,6 +33,8 @@ class Provenance:
         What those coordinates are called: "mm", "user units".
     name, layer : str
         What the file calls the curve and its layer; empty when it has no name for them.
+    holes : tuple of (float, float, float)
+        Circles drawn on a straight first or last piece of the curve: centre and diameter, mm.
     """
 
     drawn: Drawn = "exact"
@@ -43,6 +45,7 @@ class Provenance:
     unit: str = "mm"
     name: str = ""
     layer: str = ""
+    holes: tuple[tuple[float, float, float], ...] = ()
 
     def shown(self, point: ArrayLike) -> str:
         """A point (2,) in mm as the drawing program shows it.
@@ -62,12 +65,17 @@ class Provenance:
         """The record of the curve's image under a 3 x 3 map; of a projective one the digits say nothing."""
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
-            return replace(self, rounding=0.0, place=None)
+            return replace(self, rounding=0.0, place=None, holes=())
         linear = m[:2, :2] / m[2, 2]
         stretch = float(np.linalg.norm(linear, 2))
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
+        holes = tuple((*(m @ (x, y, 1.0))[:2] / m[2, 2], stretch * size) for x, y, size in self.holes)
         return replace(
-            self, rounding=self.rounding * stretch, healed=self.healed * stretch, place=np.asarray(place)
+            self,
+            rounding=self.rounding * stretch,
+            healed=self.healed * stretch,
+            place=np.asarray(place),
+            holes=tuple((float(x), float(y), float(size)) for x, y, size in holes),
         )
 
 

@@ -22,6 +22,7 @@ from elastica_cad.mechanics.material.sheet_library import (
     USUAL_RATIO,
     NominalRatio,
     built_in_figures,
+    built_in_titles,
     checked_poisson_ratio,
     even_shear_ratio,
     figures_from_table,
@@ -385,6 +386,17 @@ class Sheet:
     def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
         """Weight of a plain strip of this sheet; `direction` (2,): where things fall in the curve's plane."""
         return Gravity(self.elasto_gravity_length, direction)
+
+    @property
+    def full_name(self) -> str:
+        """What people call it, "Birch plywood 0.8 mm"; of a user's own sheet its name.
+
+        Examples
+        --------
+        >>> Sheet.named("card-200gsm").full_name
+        'Card 200 g/m2'
+        """
+        return built_in_titles().get(self.name, self.name)
 
     @property
     def least_radius(self) -> float:

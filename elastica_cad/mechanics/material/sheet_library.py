@@ -225,6 +225,27 @@ def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
     )
 
 
+@lru_cache(maxsize=1)
+def built_in_titles() -> Mapping[str, str]:
+    """What people call the built-in sheets, by name.
+
+    Examples
+    --------
+    >>> built_in_titles()["pom-0.5"]
+    'POM (acetal) 0.5 mm'
+    """
+    import tomllib
+
+    text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
+    return MappingProxyType(
+        {
+            name: entry["title"] if "name" in entry else f"{entry['title']} {fields['thickness']:g} mm"
+            for table, entry in tomllib.loads(text).items()
+            for name, fields in _sheets(table, entry)
+        }
+    )
+
+
 def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
     """Name and fields of one sheet for each thickness."""
     thicknesses = entry["thickness_mm"]["value"]

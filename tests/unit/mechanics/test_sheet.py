@@ -83,7 +83,7 @@ def test_every_built_in_sheet_states_source_and_ranges():
         assert 0.002 < sheet.max_strain < 0.02
         assert sheet.range_of("max_strain")[0] < sheet.range_of("max_strain")[1]
         assert sheet.kerf > 0 or "kerf not published" in sheet.source
-        assert (sheet.grain != "none") == (sheet.kind in ("plywood", "card", "composite"))
+        assert (sheet.grain != "none") == (sheet.kind in ("plywood", "card", "composite", "wood"))
         assert ("-across-" in name) == (sheet.grain == "across")
 
 

@@ -214,6 +214,8 @@ STRIP_TABLES: dict[str, Keys] = {
     "curve spline": {
         "spline": (points(2), "control points, mm"),
         "degree": (COUNT, "4 unless told"),
+        "knots": (NUMBERS, "full knot vector; evenly spaced with clamped ends unless told"),
+        "weights": (NUMBERS, "of the control points; all alike unless told"),
         **_RESHAPE,
     },
     "ellipse": {
