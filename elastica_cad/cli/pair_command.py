@@ -42,7 +42,7 @@ _WISHES = (
     click.option("--least-thickness", type=LENGTH, metavar="MM",
                  help="Thinnest place in the plane  [default: the most that the sheet's strain allows]."),
     click.option("--fillet", type=LENGTH, metavar="MM", help="Radius at the roots  [default: 1]."),
-    click.option("--push-at", type=LENGTH, metavar="MM", help="Where it is pushed, if bistable  [default: its middle]."),
+    click.option("--push-at", type=LENGTH, metavar="MM", help="Where it is pushed over  [default: its middle]."),
     click.option("--printed", is_flag=True, help="For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts."),
     click.option("--ignore-limits", is_flag=True, help="Make it although it is too thin or touches itself."),
     click.option("--label", metavar="TEXT", help="Engraved on the first pad."),
@@ -73,7 +73,7 @@ def pair(**chosen: Any) -> None:
         data = parse_design(path)
         if "pair" not in data:
             raise InputError(
-                "{path} has no table [pair]: give two curves, or `elastica model` for a model", path=path
+                "{path} has no table [pair]: give two curves, or ask `elastica model`", path=path
             )
         spec = read_pair(data, path, read_curves)
     else:

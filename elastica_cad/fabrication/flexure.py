@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -130,7 +131,7 @@ class Flexure:
     ----------
     pair : TwoStateRod
     sheet : Sheet or str
-        Its thickness is the depth of the part; its `max_strain` is what both states and the way between may ask for.
+        Its thickness is the depth of the part; its `max_strain` bounds both states and the way between them.
     least_thickness : float, optional
         Of the part in its plane, mm; unless given the largest that the strain allows.
     pad : Pad
@@ -218,7 +219,7 @@ class Flexure:
         scale = high if excess(high) <= 0 else float(brentq(excess, high / 3, high, xtol=1e-9 * high))
         if self.pair.bistable:
             try:
-                path = self._push(*self.pair.states, scale)
+                path = self._push(self.pair.first, scale)
             except NotConvergedError:
                 return scale  # which `warnings` tells
             scale *= min(1.0, SPARE * most / float(self._strains(self._nodal(path), scale).max()))
@@ -248,9 +249,8 @@ class Flexure:
     @cached_property
     def _bends(self) -> FloatArray:
         """Largest |kappa - kappa_0| (n,) of both states, 1/mm."""
-        return np.max(
-            [np.abs(rod.curvature - self.pair.natural_curvature) for rod in self.pair.states], axis=0
-        )
+        bends = [np.abs(rod.curvature - self.pair.natural_curvature) for rod in self.pair.states]
+        return np.asarray(np.max(bends, axis=0))
 
     @cached_property
     def strain(self) -> tuple[float, float]:
@@ -309,7 +309,7 @@ class Flexure:
             def points(s: FloatArray) -> FloatArray:
                 position, angle = line.at(s)
                 normal = np.column_stack([-np.sin(angle), np.cos(angle)])
-                return position + way * self.thickness_at(s)[:, None] / 2 * normal
+                return np.asarray(position + way * self.thickness_at(s)[:, None] / 2 * normal)
 
             breaks = [(place, 1) for place in (0.0, self.pair.length) if low < place < high]
             knots, rows = adaptive_spline(points, (low, high), degree=3, tolerance=SIDE_MM, breaks=breaks)
@@ -328,8 +328,8 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """How far beyond an end of the free length its pad begins, mm.
 
-        The fillet thickens the part towards the pad. It bends as little as a piece of the strip of the length `give`,
-        so it begins that far within the free length. What the pad's own root adds is that of a half-plane.
+        The fillet thickens the part towards the pad. It bends as a piece of the strip of the length `give`, so it
+        begins that far within the free length. What the pad's own root adds is that of a half-plane.
         """
         h, r = float(self.thickness_at(np.array([s]))[0]), self.fillet
         x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
@@ -400,7 +400,7 @@ class Flexure:
                 apart=Length(apart),
             )
         texts = [
-            Text(tuple((group.mean(axis=0) + [0, 0]).tolist()), name, 3.0, 0.0, ENGRAVE)
+            Text((float(group[:, 0].mean()), float(group[:, 1].mean())), name, 3.0, 0.0, ENGRAVE)
             for group, name in groups
             if name
         ]
@@ -437,7 +437,7 @@ class Flexure:
         return self._pushed(*self.pair.states[::-1]) if self.pair.bistable else None
 
     def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
-        path, B = self._push(start, goal, self.scale), self.bending_stiffness
+        path, B = self._push(start, self.scale), self.bending_stiffness
         place = np.column_stack([np.interp(path.s, goal.s, column) for column in goal.position.T])
         astray = float(np.hypot(*(path.position[-1] - place).T).max())
         return FlexureTravel(
@@ -446,7 +446,7 @@ class Flexure:
             astray <= REACHED_SHARE * start.length,
         )  # fmt: skip
 
-    def _push(self, start: Rod, goal: Rod, scale: float) -> PushPath:
+    def _push(self, start: Rod, scale: float) -> PushPath:
         """Along the straight way of the pushed point, as far as it is in the other state."""
         at, way = self.pushed
         way = way if start is self.pair.first else -way
@@ -492,7 +492,7 @@ class Flexure:
 
     @cached_property
     def contacts(self) -> dict[str, float]:
-        """Gaps, mm, between stretches that should keep apart and do not: of the unloaded part and of both states."""
+        """Gaps, mm, between stretches that come too near: of the unloaded part and of both states."""
         lines = {
             "unloaded": self.centre,
             "in its first state": self.states[0],
@@ -523,8 +523,8 @@ class Flexure:
             made = "printed" if self.printed else "cut"
             needs = self.pair.length * least / thin
             yield InputError(
-                "at the strain that {sheet} bears, {strain:.2g} %, the part may be {thin:.3g} thick at most where it "
-                "is thinnest, and {least:g} are {made} soundly: draw both curves {share:.2g} times as large, "
+                "at the strain that {sheet} bears, {strain:.2g} %, the part may be {thin:.3g} thick at most where "
+                "it is thinnest, and {least:g} are {made} soundly: draw both curves {share:.2g} times as large, "
                 "{needs:.0f} long, or closer to each other, or take a sheet that bears more",
                 sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
                 made=made, share=least / thin, needs=Length(needs),
@@ -533,8 +533,8 @@ class Flexure:
         verdict = judge_strain(self.sheet, worst)
         if verdict.refused:
             yield StrainError(
-                "the part is strained by {worst:.2g} % where {sheet} bears {most:.2g} %, and breaks: make it thinner, or "
-                "draw the curves closer to each other",
+                "the part is strained by {worst:.2g} % where {sheet} bears {most:.2g} %, and breaks: make it thinner, "
+                "or draw the curves closer to each other",
                 worst=100 * worst, sheet=self.sheet.name, most=100 * self.sheet.max_strain,
             )  # fmt: skip
         for name, gap in self.contacts.items():
@@ -569,12 +569,12 @@ class Flexure:
         else:
             most = float(way.strain.max())
             if not judge_strain(self.sheet, most).allowed and most > worst:
-                found.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet bears "
-                                  "{limit:.2g} % for long", severity="warning", most=100 * most,
+                found.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
+                                  "bears {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
             if not way.reached:
-                found.append(note("the way taken does not end in the second state: push it at another place, or lead it "
-                                  "by hand", severity="warning"))  # fmt: skip
+                found.append(note("the way taken does not end in the second state: push it at another place, or lead "
+                                  "it by hand", severity="warning"))  # fmt: skip
         return tuple(found)
 
     def as_dict(self) -> dict[str, Any]:
@@ -678,7 +678,7 @@ class CentreLine:
 
 
 def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
-    return [Line(a, b) for a, b in zip(corners[:-1], corners[1:], strict=True)]
+    return [Line(a, b) for a, b in pairwise(corners)]
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:

@@ -39,14 +39,14 @@ class PairKit:
     pictures: bool = True
 
     @cached_property
-    def files(self) -> dict[str, Callable[[Path], None]]:
+    def files(self) -> dict[str, Callable[[Path], object]]:
         """What writes each file, by its name: all that the installed libraries allow."""
         part, options = self.part, self.cutting.options(self.part.sheet)
 
-        def cut(drawing: Drawing) -> Callable[[Path], None]:
+        def cut(drawing: Drawing) -> Callable[[Path], object]:
             return lambda path: save(drawing, path, **options)
 
-        files: dict[str, Callable[[Path], None]] = {}
+        files: dict[str, Callable[[Path], object]] = {}
         for name, drawing in ((self.name, part.drawing()), (f"{self.name}-holder", part.holder())):
             files |= {f"{name}.{kind}": cut(drawing) for kind in ("dxf", "svg")}
         if self.step and not step_trouble():

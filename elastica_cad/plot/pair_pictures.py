@@ -11,7 +11,7 @@ CHORD_SHARE = 1e-4  # of the length: how closely the picture follows splines
 
 
 def pair_sheet(part: Flexure) -> Figure:
-    """The part flat, in its states with the holes of the holder, and how hard it is pushed from one to the other."""
+    """The part flat, in its states with the holes of the holder, and the push from one to the other."""
     chord = CHORD_SHARE * part.pair.length
     lines = _lines(part)
     drawn = [

@@ -30,13 +30,13 @@ def read_pair(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> 
     table = Table(data["pair"], f"{path}: pair", {}).only(*KEYS)
     limits = table.table("limits").only(*LIMITS)
     pad = table.table("pad").only(*PAD)
-    named: dict[str, Any] = {
+    given: dict[str, Any] = {
         name: table.text(name, choices=get_args(kind))
-        for name, kind in (("match", Match), ("free", State), ("objective", Objective))
+        for name, kind in (("match", Match), ("free", State), ("objective", Objective), ("label", str))
         if table.has(name)
     }
-    flags = {name: table.flag(name) for name in ("printed", "ignore_limits") if table.has(name)}
-    label = {"label": table.text("label")} if table.has("label") else {}
+    given |= {name: table.flag(name) for name in ("printed", "ignore_limits") if table.has(name)}
+    given |= table.numbers("least_thickness", "fillet", "push_at")
     with table.naming():
         return FlexureSpec(
             first=_curve(table, "first", path, read_curves),
@@ -44,10 +44,7 @@ def read_pair(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> 
             sheet=Sheet.named(table.text("sheet"), folder=path.parent),
             limits=PairLimits(**limits.numbers(*LIMITS)),
             pad=Pad(**pad.numbers(*PAD)),
-            **table.numbers("least_thickness", "fillet", "push_at"),
-            **named,
-            **flags,
-            **label,
+            **given,
         )
 
 

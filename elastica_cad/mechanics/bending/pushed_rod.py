@@ -11,7 +11,7 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
 
 EDGES = 240
-"""Of the discrete rod (paper, section 7.1): its error, (1 / EDGES)^2 of turns of some radians, is that of a drawing."""
+"""Of the discrete rod (paper, section 7.1): its error, (1 / EDGES)^2 of turns of some radians, is a drawing's."""
 
 STIFF = 400.0
 """Length over thickness of a rod of which none is known: it stretches by next to nothing."""
@@ -175,7 +175,7 @@ class _Chain:
 
     def bends(self, x: FloatArray) -> FloatArray:
         """kappa - kappa_0 (n + 1,)."""
-        return self._edges(x)[2] / self.weight - self.natural
+        return np.asarray(self._edges(x)[2] / self.weight - self.natural)
 
     def energy(self, x: FloatArray) -> float:
         """Of bending and stretching."""
@@ -187,14 +187,14 @@ class _Chain:
     def gradient(self, x: FloatArray) -> FloatArray:
         """Forces (n + 1, 2) that hold the nodes."""
         force = self._edge_forces(x)
-        return np.concatenate([np.zeros((1, 2)), force]) - np.concatenate([force, np.zeros((1, 2))])
+        return np.asarray(np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0))))
 
     def _edge_forces(self, x: FloatArray) -> FloatArray:
         r, t, turn = self._edges(x)
         moment = self.stiffness * (turn / self.weight - self.natural)
         normal = np.column_stack([-t[:, 1], t[:, 0]])
         pull = self.axial * (r / self.s[1] - 1)
-        return ((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t
+        return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
 
     def _band(self, x: FloatArray) -> FloatArray:
         """The second derivatives by the inner nodes, upper band (6, 2 n - 2)."""
@@ -296,7 +296,7 @@ class _Chain:
         """The nodes moved off a ridge of the energy."""
         share = self.s / self.s[-1]
         bow = KICK * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
-        moved = x + bow[:, None] * np.array([0.6, 0.8])
+        moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))
         if held:
             moved[self.pushed, 0] = x[self.pushed, 0]
         return moved
