@@ -142,7 +142,7 @@ class CurveOfRest(RestCurvature):
         return along(t, left=left)
 
 
-NaturalCurvature: TypeAlias = "float | RestCurvature"
+NaturalCurvature: TypeAlias = float | RestCurvature
 """1/mm along the whole strip, or a blank."""
 
 
