@@ -18,7 +18,6 @@ from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.design_file import parse_design
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.design_files.pair_table import read_pair
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -70,12 +69,7 @@ def pair(**chosen: Any) -> None:
     if path.suffix == ".toml":
         if chosen["second"] is not None or chosen["sheet"] is not None:
             raise InputError("a design file names both curves and the sheet: give it alone")
-        data = parse_design(path)
-        if "pair" not in data:
-            raise InputError(
-                "{path} has no table [pair]: give two curves, or ask `elastica model`", path=path
-            )
-        spec = read_pair(data, path, read_curves)
+        spec = read_pair(path, read_curves)
     else:
         spec = _asked(chosen)
     name = chosen["name"] or path.stem

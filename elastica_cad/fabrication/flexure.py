@@ -1,15 +1,16 @@
 """A part with two rest shapes, cut in the plane of its sheet: outline, pads, holder, strain, and its travel."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, NotConvergedError, StrainError
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
@@ -69,10 +70,10 @@ class Pad:
         From the ends of the pad to the middles of the holes, mm.
     """
 
-    length: float = 18.0
-    width: float = 10.0
-    hole: float = 3.2
-    inset: float = 4.5
+    length: Annotated[float, Asked("Along the part.", "mm", least=0)] = 18.0
+    width: Annotated[float, Asked("Across the part.", "mm", least=0)] = 10.0
+    hole: Annotated[float, Asked("Diameter of its two holes; 3.2 for M3.", "mm", least=0)] = 3.2
+    inset: Annotated[float, Asked("From its ends to the middles of the holes.", "mm", least=0)] = 4.5
 
     def __post_init__(self) -> None:
         for name in ("length", "width", "hole", "inset"):
@@ -287,12 +288,27 @@ class Flexure:
         """As it lies without load, from the origin along x."""
         rod = self.pair.first
         turn = spline_through(rod.s, self.pair.natural_curvature, 3).antiderivative()
-        return CentreLine.of(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
+        return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
+
+    @cached_property
+    def rods(self) -> tuple[Rod, Rod]:
+        """Both states, the second moved so that its start is held where that of the first is."""
+        first, second = self.pair.states
+        turn = float(first.angle[0] - second.angle[0])
+        c, s = np.cos(turn), np.sin(turn)
+        matrix = np.eye(3)
+        matrix[:2, :2] = [[c, -s], [s, c]]
+        matrix[:2, 2] = first.position[0] - matrix[:2, :2] @ second.position[0]
+        moved = replace(
+            second, position=second.position @ matrix[:2, :2].T + matrix[:2, 2], angle=second.angle + turn,
+            force=second.force @ matrix[:2, :2].T, shape=second.curve.transformed(matrix),
+        )  # fmt: skip
+        return first, moved
 
     @cached_property
     def states(self) -> tuple["CentreLine", "CentreLine"]:
-        """Both states, as drawn."""
-        first, second = (CentreLine.of(rod.s, rod.angle, rod.position[0]) for rod in self.pair.states)
+        """The centre lines of these."""
+        first, second = (CentreLine(rod.s, rod.angle, rod.position[0]) for rod in self.rods)
         return first, second
 
     @cached_property
@@ -383,8 +399,7 @@ class Flexure:
         places = [self.hole_places(line) for line in self.states]
         groups = [(places[0][0], ""), (places[0][1], "" if self.pair.bistable else "1")]
         if not self.pair.bistable:
-            turned = _onto(places[1][0], places[0][0])
-            groups.append((turned(places[1][1]), "2"))
+            groups.append((places[1][1], "2"))
         middles = np.concatenate([group for group, _ in groups])
         margin = self.pad.width / 2 + self.pad.hole
         low, high = middles.min(axis=0) - margin, middles.max(axis=0) + margin
@@ -418,7 +433,7 @@ class Flexure:
     @cached_property
     def pushed(self) -> tuple[float, FloatArray]:
         """Where a bistable part is pushed, mm, and the way of this point from the first state to the second."""
-        first, second = self.pair.states
+        first, second = self.rods
         way = second.position - first.position
         far = np.hypot(*way.T)
         i = int(np.abs(first.s - (first.length / 2 if self.push_at is None else self.push_at)).argmin())
@@ -429,12 +444,12 @@ class Flexure:
     @cached_property
     def travel(self) -> FlexureTravel:
         """From the first state to the second: pushed where it is bistable, else its end led."""
-        return self._pushed(*self.pair.states) if self.pair.bistable else self._led()
+        return self._pushed(*self.rods) if self.pair.bistable else self._led()
 
     @cached_property
     def travel_back(self) -> FlexureTravel | None:
         """From the second state to the first, of a bistable part."""
-        return self._pushed(*self.pair.states[::-1]) if self.pair.bistable else None
+        return self._pushed(*self.rods[::-1]) if self.pair.bistable else None
 
     def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
         path, B = self._push(start, self.scale), self.bending_stiffness
@@ -449,7 +464,7 @@ class Flexure:
     def _push(self, start: Rod, scale: float) -> PushPath:
         """Along the straight way of the pushed point, as far as it is in the other state."""
         at, way = self.pushed
-        way = way if start is self.pair.first else -way
+        way = way if start is self.rods[0] else -way
         travel = np.linspace(0.0, float(np.hypot(*way)), TRAVEL_STEPS + 1)
         return push_path(start, at, way, travel, thickness=scale)
 
@@ -459,18 +474,15 @@ class Flexure:
 
     def _led(self) -> FlexureTravel:
         """The end led along a straight line while it turns evenly, the start staying where it is."""
-        first, second = self.pair.states
-        line = CentreLine.of(second.s, second.angle, second.position[0])
-        turn = float(first.angle[0] - second.angle[0])
-        chord = line.turned(turn, first.position[0])
-        end, angle = chord.at(second.s[-1:])
+        first, second = self.rods
+        end, angle = second.position[-1], float(second.angle[-1])
         shares = np.linspace(0.0, 1.0, TRAVEL_STEPS // 2 + 1)
         steps = [
             {
-                "end": first.position[-1] + share * (end[0] - first.position[-1]),
+                "end": first.position[-1] + share * (end - first.position[-1]),
                 "angles": (
                     float(first.angle[0]),
-                    float(first.angle[-1] + share * (angle[0] - first.angle[-1])),
+                    float(first.angle[-1] + share * (angle - first.angle[-1])),
                 ),
             }
             for share in shares
@@ -478,8 +490,7 @@ class Flexure:
         rods = bend_path(first, steps)
         B = self.bending_stiffness
         bends = np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
-        goal = chord.at(second.s)[0]
-        astray = float(np.hypot(*(rods[-1].position - goal).T).max())
+        astray = float(np.hypot(*(rods[-1].position - second.position).T).max())
         energy = B * np.array([rod.bending_energy for rod in rods])
         force = B * np.array([np.hypot(*rod.force[-1]) for rod in rods])
         return FlexureTravel(
@@ -648,15 +659,6 @@ class CentreLine:
     angle: FloatArray
     start: FloatArray
 
-    @classmethod
-    def of(cls, s: FloatArray, angle: FloatArray, start: FloatArray) -> "CentreLine":
-        """From nodal angles."""
-        return cls(s, angle, start)
-
-    def turned(self, by: float, start: FloatArray) -> "CentreLine":
-        """Turned by an angle, rad, and moved to another start."""
-        return CentreLine(self.s, self.angle + by, start)
-
     @cached_property
     def _turn(self) -> Any:
         return spline_through(self.s, self.angle, 3)
@@ -688,12 +690,3 @@ def _distinct(places: FloatArray) -> list[FloatArray]:
         if all(np.hypot(*(place - other)) > 0.01 for other in kept):
             kept.append(place)
     return kept
-
-
-def _onto(pair: FloatArray, target: FloatArray) -> Any:
-    """The motion of the plane that brings two points onto two others as far apart."""
-    a, b = (one[1] - one[0] for one in (pair, target))
-    turn = np.arctan2(a[0] * b[1] - a[1] * b[0], a @ b)
-    c, s = np.cos(turn), np.sin(turn)
-    matrix = np.array([[c, -s], [s, c]])
-    return lambda points: (points - pair[0]) @ matrix.T + target[0]

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.flexure import CentreLine, Flexure
+from elastica_cad.fabrication.flexure import Flexure
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
@@ -13,12 +12,12 @@ CHORD_SHARE = 1e-4  # of the length: how closely the picture follows splines
 def pair_sheet(part: Flexure) -> Figure:
     """The part flat, in its states with the holes of the holder, and the push from one to the other."""
     chord = CHORD_SHARE * part.pair.length
-    lines = _lines(part)
+    lines = part.states
     drawn = [
         part.outline.points(chord),
         np.concatenate([part.outline_along(one).points(chord) for one in lines]),
     ]
-    tall = [float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 4.5)) for p in drawn]
+    tall = [float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 3.2)) for p in drawn]
     panels = [Panel(tall[0], 0.3, 0.1), Panel(tall[1], 0.35, 0.1), Panel(1.8, 0.35, 0.5, 0.7, 0.2)]
     figure, (flat, bent, push) = new_page(panels)
     flat.fill(*drawn[0].T, color=CUT, lw=0.6, ec=INK)
@@ -30,7 +29,7 @@ def pair_sheet(part: Flexure) -> Figure:
     )
     way = part.travel
     for line in way.position[:: max(1, len(way.position) // 6)]:
-        bent.plot(*line.T, color=WAY, lw=0.8)
+        bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
     for line, colour, name in zip(lines, (FIRST, SECOND), ("first", "second"), strict=True):
         bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=name)
         for x, y in part.hole_places(line).reshape(-1, 2):
@@ -48,17 +47,6 @@ def pair_sheet(part: Flexure) -> Figure:
     push.tick_params(labelsize=7)
     push.set_title(f"force, {way.largest_force:.3g} N at most", fontsize=9, loc="left")
     return figure
-
-
-def _lines(part: Flexure) -> tuple[CentreLine, CentreLine]:
-    """Both states, the second where its start is held as the first's is."""
-    first, second = part.states
-    place, angle = first.at(np.zeros(1))
-    return first, second.turned(float(angle[0] - second.at(np.zeros(1))[1][0]), _point(place))
-
-
-def _point(place: FloatArray) -> FloatArray:
-    return np.asarray(place[0])
 
 
 def _even(axes: Axes, title: str) -> None:

@@ -59,7 +59,7 @@ def flexed(name: str, part: Flexure, folder: Path, *, size: float = 0.5) -> Flex
     s, off = _along(part, body.nodes)
     bodies = _Body(part, body, s, off)
     rests = [bodies.let_go(line, folder / f"state{i}") for i, line in enumerate(part.states)]
-    rods = part.pair.states
+    rods = part.rods
     deviation = tuple(bodies.astray(rest, rod) for rest, rod in zip(rests, rods, strict=True))
     if not part.pair.bistable:
         return FlexedPart(name, deviation)
