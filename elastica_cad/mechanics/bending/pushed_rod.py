@@ -197,33 +197,31 @@ class _Chain:
         return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
 
     def _band(self, x: FloatArray) -> FloatArray:
-        """The second derivatives by the inner nodes, upper band (6, 2 n - 2)."""
-        from scipy import sparse
+        """The second derivatives by the inner nodes, upper band (6, 2 n - 2).
 
+        By the edges they are blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside it, with a_i the
+        derivative of the angle of edge i; a node moves the end of one edge and the start of the next.
+        """
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])
         moment = self.stiffness * (turn / self.weight - self.natural)
         shear, pull = moment[:-1] - moment[1:], self.axial * (r / self.s[1] - 1)
-        K = self.stiffness / self.weight
-        count = r.size
-        by_angle = sparse.diags([K[:-1] + K[1:], -K[1:-1], -K[1:-1]], [0, 1, -1])
-        rows = np.repeat(np.arange(count), 2)
-        columns = np.arange(2 * count)
-        turns = sparse.csr_matrix(((n / r[:, None]).ravel(), (rows, columns)), shape=(count, 2 * count))
+        K, a = self.stiffness / self.weight, n / r[:, None]
 
-        def outer(a: FloatArray, b: FloatArray) -> FloatArray:
-            return a[:, :, None] * b[:, None, :]
+        def outer(scale: FloatArray, one: FloatArray, other: FloatArray) -> FloatArray:
+            return np.asarray(scale[:, None, None] * one[:, :, None] * other[:, None, :])
 
-        blocks = (self.axial / self.s[1])[:, None, None] * outer(t, t)
-        blocks += (pull / r)[:, None, None] * outer(n, n)
-        blocks -= (shear / r**2)[:, None, None] * (outer(n, t) + outer(t, n))
-        own = sparse.block_diag(list(blocks), format="csr")
-        by_edges = turns.T @ by_angle @ turns + own
-        step = sparse.diags([1.0, -1.0], [0, -2], shape=(2 * count, 2 * (count - 1)))
-        whole = (step.T @ by_edges @ step).tocsr()
-        band = np.zeros((6, whole.shape[0]))
-        for k in range(6):
-            band[5 - k, k:] = whole.diagonal(k)
+        A = outer(self.axial / self.s[1], t, t) + outer(pull / r, n, n) + outer(K[:-1] + K[1:], a, a)
+        A -= outer(shear / r**2, n, t) + outer(shear / r**2, t, n)
+        C = -outer(K[1:-1], a[:-1], a[1:])
+        blocks = [A[:-1] + A[1:] - C - C.transpose(0, 2, 1), C[:-1] + C[1:] - A[1:-1], -C[1:-1]]
+        band = np.zeros((6, 2 * r.size - 2))
+        for apart, block in enumerate(blocks):
+            for row in (0, 1):
+                for column in (0, 1):
+                    off = 2 * apart + column - row
+                    if off >= 0:
+                        band[5 - off, 2 * apart + column :: 2] = block[:, row, column]
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:

@@ -1,5 +1,6 @@
 """Parts with two states by finite elements: their cut file meshed, put into each state and let go, and pushed over."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -7,6 +8,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from elastica_cad.fabrication.flexure import CentreLine, Flexure
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
+from elastica_cad.files import read_curves
+from elastica_cad.formats.design_files.pair_table import read_pair
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -14,7 +18,9 @@ from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Material, displaced, model_cards, run_deck, strict
 from tests.campaign.finite_elements.flat_mesh import mesh_cut_files
 
-PUSHES = 60
+EXAMPLES = Path(__file__).parents[3] / "examples" / "two_states"
+
+PUSHES = 24
 """Steps of the pushed point on its way."""
 
 HELD_MM = 1.0
@@ -50,7 +56,21 @@ class FlexedPart:
         return near and forces and (all(self.snapped) or not any(self.told))
 
 
-def flexed(name: str, part: Flexure, folder: Path, *, size: float = 0.5) -> FlexedPart:
+def flexed_parts(folder: Path) -> Iterator[FlexedPart]:
+    """The two examples that are shipped, and a lopsided clip."""
+    for name in ("stand", "clip"):
+        part = read_pair(EXAMPLES / f"{name}.toml", read_curves).make()
+        yield flexed(name, part, folder / name)
+    first, second = (_lopsided(rise) for rise in (30.0, -15.0))
+    yield flexed("lopsided clip", FlexureSpec(first, second, "pom-3").make(), folder / "lopsided")
+
+
+def _lopsided(rise: float) -> PlaneCurve:
+    x = 150 * np.array([0, 0.18, 0.37, 0.73, 0.82, 1])
+    return PlaneCurve.spline(np.column_stack([x, [0, 0, rise, rise, 0, 0]]), degree=4)
+
+
+def flexed(name: str, part: Flexure, folder: Path, *, size: float = 1.1) -> FlexedPart:
     """The part put into both states and, where it is bistable, pushed from each to the other."""
     folder.mkdir(parents=True, exist_ok=True)
     write_drawing(part.drawing(), folder / "part.dxf", force=True)
