@@ -5,6 +5,7 @@ there; explanation/stand.png, the other example.
 """
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -23,13 +24,13 @@ EXAMPLES = DOCS.parent / "examples" / "two_states"
 FIRST, SECOND, INK, BAD = "#1f5fa8", "#c2571a", "#222222", "#b2182b"
 UP = [(0, 0), (27, 0), (53, 24), (105, 24), (123, 0), (150, 0)]
 DOWN = [(0, 0), (27, 0), (53, -20), (105, -20), (123, 0), (150, 0)]
-LOWER = [(0, 0), (27, 0), (53, 21), (105, 21), (123, 0), (150, 0)]
-WAVY = [(0, 0), (22, 9), (45, -9), (75, 9), (105, -9), (128, 9), (150, 0)]
+LOWER = [(0, 0), (30, 26), (60, 36), (95, 36), (122, 26), (150, 0)]
+WAVY = [(0, 0), (16, 22), (34, -22), (56, 24), (78, -24), (100, 24), (120, -22), (136, 22), (150, 0)]
 
 
 def main() -> None:
     """Three pictures."""
-    figure, axes = plt.subplots(3, 2, figsize=(10, 8.2), layout="constrained")
+    figure, axes = plt.subplots(3, 2, figsize=(10, 7), layout="constrained")
     column(axes[:, 0], "They go together", *ec.matched_pair(spline(UP), spline(DOWN)))
     column(axes[:, 1], "They do not", *ec.matched_pair(spline(LOWER), spline(WAVY), keep="shape"))
     figure.savefig(DOCS / "explanation" / "two_states.png", dpi=110)
@@ -43,8 +44,8 @@ def spline(points: list[tuple[int, int]]) -> ec.PlaneCurve:
     return ec.PlaneCurve.spline(points, degree=4)
 
 
-def column(axes: "np.ndarray", title: str, first: ec.PlaneCurve, second: ec.PlaneCurve) -> None:
-    """Two curves, the difference of their curvatures, and the moments' difference and stiffness or why there is none."""
+def column(axes: Any, title: str, first: ec.PlaneCurve, second: ec.PlaneCurve) -> None:
+    """Two curves, the difference of their curvatures, and that of the moments or why there is none."""
     drawn, bent, held = axes
     check = ec.check_pair(first, second)
     s = np.linspace(0, check.length, 600)
@@ -70,7 +71,7 @@ def column(axes: "np.ndarray", title: str, first: ec.PlaneCurve, second: ec.Plan
         held.plot(pair.first.s, pair.first.moment - pair.second.moment, color=INK, lw=1)
         held.plot(at, np.zeros(len(at)), "o", color=INK, ms=4)
         held.set_ylabel("difference of\nmoments, 1/mm", fontsize=8)
-        held.set_title(f"the quotient is the stiffness, {pair.ratio:.2f} times as large at most as at least", fontsize=9)
+        held.set_title(f"the quotient is the stiffness, of a ratio of {pair.ratio:.2f}", fontsize=9)
     else:
         held.set_axis_off()
         held.text(0, 0.6, "five numbers make the difference of the moments:\nit vanishes in four places as a rule",

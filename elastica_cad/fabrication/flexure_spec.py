@@ -60,19 +60,29 @@ class FlexureSpec:
     ]
     match: Annotated[
         Match,
-        Asked("Make both curves equally long: with their ends where they are, by scaling, or not.", common=True),
+        Asked(
+            "Make both curves equally long: with their ends where they are, by scaling, or not.", common=True
+        ),
     ] = "ends"
     smooth: Annotated[
-        float | None, Asked("Move the curves so far to make their curvature smooth.", "mm", least=0, common=True)
+        float | None,
+        Asked("Move the curves so far to make their curvature smooth.", "mm", least=0, common=True),
     ] = None
-    limits: Annotated[PairLimits, Asked("What the strip may have at most.")] = field(default_factory=PairLimits)
+    limits: Annotated[PairLimits, Asked("What the strip may have at most.")] = field(
+        default_factory=PairLimits
+    )
     free: Annotated[State | None, Asked("The state that needs no holding.", common=True)] = None
     objective: Annotated[
         Objective, Asked("The thickest part that the strain allows, or the most even one.", common=True)
     ] = "thickness"
     least_thickness: Annotated[
         float | None,
-        Asked("Thinnest place in the plane; the most that the sheet's strain allows.", "mm", least=0, common=True),
+        Asked(
+            "Thinnest place in the plane; the most that the sheet's strain allows.",
+            "mm",
+            least=0,
+            common=True,
+        ),
     ] = None
     pad: Annotated[Pad, Asked("What holds both ends.")] = field(default_factory=Pad)
     fillet: Annotated[float, Asked("Radius at the roots of the pads.", "mm", least=0, common=True)] = 1.0

@@ -225,7 +225,9 @@ def design_of(
         kit = read_kit(top, reader)
     slips.tell()
     if top.has("pair"):
-        raise InputError("{where_} holds a part with two rest shapes: `elastica pair` makes it", where_=top.where)
+        raise InputError(
+            "{where_} holds a part with two rest shapes: `elastica pair` makes it", where_=top.where
+        )
     if not entries and revolution is None:
         raise InputError("{where_} has no strips: write at least one table [[strips]]", where_=top.where)
     twice = sorted({w.label for w in entries if sum(w.label == v.label for v in entries) > 1})

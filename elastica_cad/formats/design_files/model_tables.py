@@ -147,7 +147,8 @@ class DesignKeys(SharedKeys):
         tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
     ] = ()
     pair: Annotated[
-        FlexureSpec | None, Asked("A part that rests in two curves: `elastica pair` makes it, alone in its file.")
+        FlexureSpec | None,
+        Asked("A part that rests in two curves: `elastica pair` makes it, alone in its file."),
     ] = None
     interlock: Annotated[Any, Asked("Slots wherever two strips cross.", written=slots_at_crossings)] = None
     base: Annotated[Any, Asked("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None

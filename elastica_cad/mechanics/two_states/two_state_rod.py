@@ -62,12 +62,15 @@ class PairLimits:
     """
 
     ratio: Annotated[
-        float | None, Asked("Largest stiffness ratio; 8 is a ratio of 2 in the thickness.", least=1, common=True)
+        float | None,
+        Asked("Largest stiffness ratio; 8 is a ratio of 2 in the thickness.", least=1, common=True),
     ] = None
     natural_curvature: Annotated[
         float | None, Asked("How far the strip is curved at most before it is bent.", "1/mm", least=0)
     ] = None
-    bend: Annotated[float | None, Asked("How far it is bent at most in either state.", "1/mm", least=0)] = None
+    bend: Annotated[float | None, Asked("How far it is bent at most in either state.", "1/mm", least=0)] = (
+        None
+    )
 
     def __post_init__(self) -> None:
         if self.ratio is not None:

@@ -74,8 +74,12 @@ def flexed(name: str, part: Flexure, folder: Path, *, size: float = 1.1) -> Flex
     """The part put into both states and, where it is bistable, pushed from each to the other."""
     folder.mkdir(parents=True, exist_ok=True)
     write_drawing(part.drawing(), folder / "part.dxf", force=True)
-    across = float(part.centre.at(np.array([part.pushed[0]]))[0][0, 0])  # a line of elements' sides to push at
-    body = extrude(mesh_cut_files([folder / "part.dxf"], size=size, at=(across,)), [0.0, part.sheet.thickness])
+    across = float(
+        part.centre.at(np.array([part.pushed[0]]))[0][0, 0]
+    )  # a line of elements' sides to push at
+    body = extrude(
+        mesh_cut_files([folder / "part.dxf"], size=size, at=(across,)), [0.0, part.sheet.thickness]
+    )
     s, off = _along(part, body.nodes)
     bodies = _Body(part, body, s, off)
     rests = [bodies.let_go(line, folder / f"state{i}") for i, line in enumerate(part.states)]

@@ -206,7 +206,11 @@ def _joined(row: dict[str, Any]) -> tuple[str, ...]:
 
 
 def _flexed(row: dict[str, Any]) -> tuple[str, ...]:
-    pushes = [f"{force:.3g}" if force else "" for both in zip(row["told"], row["found"], strict=True) for force in both]
+    pushes = [
+        f"{force:.3g}" if force else ""
+        for both in zip(row["told"], row["found"], strict=True)
+        for force in both
+    ]
     return row["name"], *(f"{share:.1e}" for share in row["deviation"]), *pushes
 
 

@@ -104,7 +104,9 @@ def test_the_push_is_the_slope_of_the_energy_and_ends_in_the_other_state(clip):
     middle = (way.travel[1:] + way.travel[:-1]) / 2
     slope = np.diff(way.energy) / np.diff(way.travel)
     calm = np.abs(np.diff(way.force)) < 0.1 * way.largest_force
-    assert np.interp(middle, way.travel, way.force)[calm] == pytest.approx(slope[calm], abs=0.02 * way.largest_force)
+    assert np.interp(middle, way.travel, way.force)[calm] == pytest.approx(
+        slope[calm], abs=0.02 * way.largest_force
+    )
     assert way.reached
     assert clip.travel_back.reached
     assert 0 < way.snap < way.travel[-1]
