@@ -1,7 +1,7 @@
 """Draws the pictures of parts with two states: python docs/pair_pictures.py.
 
-explanation/two_states.png, what decides whether two curves go together; tutorials/clip.png, the example that is made
-there; explanation/stand.png, the other example.
+explanation/two_states.png shows what decides whether two curves go together, tutorials/clip.png and
+explanation/stand.png the two examples.
 """
 
 from pathlib import Path

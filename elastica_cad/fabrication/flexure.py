@@ -544,8 +544,8 @@ class Flexure:
         verdict = judge_strain(self.sheet, worst)
         if verdict.refused:
             yield StrainError(
-                "the part is strained by {worst:.2g} % where {sheet} bears {most:.2g} %, and breaks: make it thinner, "
-                "or draw the curves closer to each other",
+                "the part is strained by {worst:.2g} % where {sheet} bears {most:.2g} %, and breaks: make it "
+                "thinner, or draw the curves closer to each other",
                 worst=100 * worst, sheet=self.sheet.name, most=100 * self.sheet.max_strain,
             )  # fmt: skip
         for name, gap in self.contacts.items():
@@ -584,8 +584,8 @@ class Flexure:
                                   "bears {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
             if not way.reached:
-                found.append(note("the way taken does not end in the second state: push it at another place, or lead "
-                                  "it by hand", severity="warning"))  # fmt: skip
+                found.append(note("the way taken does not end in the second state: push it at another "
+                                  "place, or lead it by hand", severity="warning"))  # fmt: skip
         return tuple(found)
 
     def as_dict(self) -> dict[str, Any]:

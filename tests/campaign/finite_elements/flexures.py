@@ -1,4 +1,4 @@
-"""Parts with two states by finite elements: their cut file meshed, put into each state and let go, and pushed over."""
+"""Parts with two states by finite elements: cut files meshed, put into each state and let go, and pushed over."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -43,9 +43,10 @@ as their side view is high. The tabs are held in the drawn pose; asked are 1e-03
 JOINED = """Strips 20 or 30 mm wide of two pieces: the base is cut through, a plate of the same sheet, as wide as
 the strip, is glued over the joint. Shares of the length, held by the tabs in the drawn pose."""
 
-FLEXURES = """Cut in the plane of a sheet, meshed from their DXF and put into each state, then let go but for their pads:
-the largest distance of the centre line from the drawn curve, as a share of the length; asked are 3e-03. Bistable ones
-are pushed at their middle from either state into the other: the largest push, within a tenth of what is told."""
+FLEXURES = """Cut in the plane of a sheet, meshed from their DXF and put into each state, then let go but for their
+pads: the largest distance of the centre line from the drawn curve, as a share of the length; asked are 3e-03.
+Bistable ones are pushed at their middle from either state into the other: the largest push, which is to be within
+a tenth of what is told."""
 
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
