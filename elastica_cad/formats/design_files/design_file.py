@@ -209,7 +209,7 @@ def design_of(
             file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
         ))  # fmt: skip
     top.scope = top.within(data.get("let", {}))
-    reader = Reader(_own_sheets(top, path), path.parent, read_curves)
+    reader = Reader(own_sheets(top, path), path.parent, read_curves)
     revolution = None
     with slips.gathering():
         revolution = _read_revolution(top, reader)
@@ -224,6 +224,10 @@ def design_of(
     with slips.gathering():
         kit = read_kit(top, reader)
     slips.tell()
+    if top.has("pair"):
+        raise InputError(
+            "{where_} holds a part with two rest shapes: `elastica pair` makes it", where_=top.where
+        )
     if not entries and revolution is None:
         raise InputError("{place} has no strips: write at least one table [[strips]]", place=top.where)
     return Design(
@@ -288,7 +292,7 @@ class _Sheets(dict[str, Sheet]):
         return Sheet.named(name, folder=self.folder)
 
 
-def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
+def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     """Sheets that the design brings along."""
     sheets = _Sheets()
     sheets.folder = path.parent

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from elastica_cad.declared import Asked, Field, Record
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.plate_pairs import end_plates
 from elastica_cad.fabrication.holders.plates import base_plate
@@ -156,6 +157,10 @@ class DesignKeys(SharedKeys):
     patterns: Annotated[
         tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
     ] = ()
+    pair: Annotated[
+        FlexureSpec | None,
+        Asked("A part that rests in two curves: `elastica pair` makes it, alone in its file."),
+    ] = None
     interlock: Annotated[Any, Asked("Slots wherever two strips cross.", written=slots_at_crossings)] = None
     base: Annotated[Any, Asked("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
     rings: Annotated[Any, Asked("A plate for each end.", written=Rings | tuple[Rings, ...])] = None
