@@ -299,11 +299,13 @@ def _bend(request: Mapping[str, Any], _: FilePath) -> Record:
         raise InputError("a closed strip is not led by its ends: open it to bend it here")
     out = np.arctan2(way[1], way[0])
     flat = start + NEARLY_FLAT * made.rod.length * np.array([np.cos(out), np.sin(out)])
+    held = [support.angle for support in made.rod.supports.ends]
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
     def led(part: float, there: FloatArray, turn: float) -> Record:
-        turned = angles + turn * part * (level - angles)
-        return {"end": end + part * (there - end), "angles": tuple(turned.tolist())}
+        turned = (angles + turn * part * (level - angles)).tolist()
+        turned = [angle if clamped else None for angle, clamped in zip(turned, held, strict=True)]
+        return {"end": end + part * (there - end), "angles": tuple(turned)}
 
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(made, [led(part, flat, 1.0) for part in parts])

@@ -92,7 +92,7 @@ class Studio {
             html("div", {}, ...files.map(([kind, text]) => button(text, () => this.download(kind), { "data-kind": kind })))),
           select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language))),
       html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point),
-      html("section", { class: "told", "aria-label": t("Strip") }, this.verdict, this.numbers, this.say),
+      html("section", { class: "told", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
         html("div", { class: "bend" }, html("label", {}, t("Bend it"), this.bar), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
@@ -120,7 +120,7 @@ class Studio {
       get: (path) => reach(tableOf(this.design, this.strip, path[0]), path),
       set: (path, value) => this.history.change((design) => put(tableOf(design, this.strip, path[0]), path, value)),
     });
-    this.model3d = new Form(this.copies, COPIES.map((field) => ({ ...field, common: true })), {
+    this.model3d = new Form(this.copies, COPIES, {
       t, sheets: [], get: ([key]) => COPY[key].get(this.design), set: ([key], value) => this.history.change((design) => COPY[key].set(design, value)),
     });
     this.draws(!this.points().length);
@@ -229,7 +229,7 @@ class Studio {
     }
     const { refused } = answer, state = refused ? "no" : answer.warnings.length ? "care" : "yes";
     const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state];
-    const texts = refused ? [refused.message] : [...answer.warnings, answer.text];
+    const texts = refused ? [refused.message] : [...answer.warnings, ...(answer.deviation == null ? [answer.text] : [])];
     this.verdict.className = `verdict ${state}`;
     this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
     showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
@@ -432,10 +432,9 @@ function put(table, path, value) {
 
 // Copies and what holds them: keys of the whole design, not of a strip.
 const holderOf = (design) => Object.keys(HOLDERS).find((key) => key in design);
+const copyField = (name, value) => ({ name, common: true, group: "", unit: "", help: name, default: null, of: [{ choices: [], ...value }] });
 const COPIES = [
-  { name: "Around the axis x = 0", kind: "count", help: "" },
-  { name: "Holders", kind: "choice", choices: Object.keys(HOLDERS), help: "" },
-  { name: "Sheet of the holders", kind: "text", default: "mdf-3", help: "" },
+  copyField("Around the axis x = 0", { kind: "count" }), copyField("Holders", { kind: "choice", choices: Object.keys(HOLDERS) }), copyField("Sheet of the holders", { kind: "text" }),
 ];
 const COPY = {
   "Around the axis x = 0": {
