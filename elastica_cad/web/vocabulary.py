@@ -54,5 +54,9 @@ def _value(kind: Kind) -> dict[str, Any]:
     told: dict[str, Any] = {"kind": kind.name, "choices": list(kind.choices), "size": kind.size}
     if kind.name == "table" and kind.record is not None:
         word = word_of(kind.record)
-        return told | {"title": word or title(kind.record), "tagged": word is not None, "fields": form_of(kind.record)}
+        return told | {
+            "title": word or title(kind.record),
+            "tagged": word is not None,
+            "fields": form_of(kind.record),
+        }
     return told | {"of": [_value(written(one)) for one in kind.of]}
