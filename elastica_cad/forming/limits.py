@@ -276,7 +276,7 @@ class Limits:
 BOTH_ENDS: dict[str, bool | tuple[bool, bool]] = {
     "both": True, "start": (True, False), "end": (False, True), "none": False,
 }  # fmt: skip
-"""Words for which ends keep what `Keep` says of both."""
+"""Words for the ends that `Keep` can keep."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,17 +27,18 @@ from elastica_cad.refusals import Length, note
 Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
-"""Ends that lie this near to each other, in lengths, and turn this alike, are meant to be the same clamps."""
+"""Ends this near to each other, as a share of the length, and of this little difference in direction are meant
+to be the same clamps."""
 
 LONGEST_STEP = 0.02  # of the logarithm of the length, for Newton's method
 NEWTON_STEPS = 20
 MET = 1e-13  # in lengths and rad
 
 TANGENT_ERROR = 1e-9
-"""Of the changed curve: ends meet to that share of the length."""
+"""Accuracy of the ends of the changed curve, as a share of the length."""
 
 LARGEST_TURN = 0.5
-"""rad: a curve that would have to turn further anywhere is no small change of the drawn one."""
+"""Largest change of direction, rad, anywhere on the curve."""
 
 EQUAL = 1e-12  # lengths that differ by less of themselves are equal
 
@@ -148,7 +149,7 @@ def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
-    """Are both held by the same clamps, to a share of the length?"""
+    """Whether both are held by the same clamps, to a share of the length."""
     size = max(first.curve.length, second.curve.length)
     (start, end, angles), (other_start, other_end, other_angles) = first.clamps, second.clamps
     apart = max(np.hypot(*(start - other_start)), np.hypot(*(end - other_end)))
@@ -158,7 +159,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """The common length of the least sum of both changes of curvature."""
+    """The common length for which the sum of both changes of curvature is least."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)

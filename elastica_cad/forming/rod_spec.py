@@ -1,4 +1,5 @@
-"""What is asked of a rod: to follow a curve exactly, alone, loaded or in two layers, or to come near it."""
+"""Requests for a rod: one that follows a curve exactly, also with loads or in two layers, or the nearest one
+within limits."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property

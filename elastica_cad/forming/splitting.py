@@ -229,7 +229,7 @@ class _Cut:
         return float(offered[low]) if low >= 0 else start
 
     def turned(self, t: FloatArray) -> FloatArray:
-        """The same places on the reversed curve, in order."""
+        """Parameters of the same places on the reversed curve, in order."""
         return np.asarray((self.curve.knots[0] + self.curve.knots[-1] - t)[::-1])
 
 

@@ -35,12 +35,12 @@ def test_no_module_reaches_itself(plan, imports):
 def test_no_room_reaches_itself(plan):
     """Rooms are the sub-packages of a floor, and single modules beside them; the workbench is one floor."""
     inside = [f"elastica_cad.{f.name}" for f in plan.ROOTS["elastica_cad"].iterdir() if f.is_dir()]
-    found = {floor: plan.circles(plan.rooms(floor)) for floor in (*plan.ROOTS, *inside)}
+    found = {floor: plan.circles(plan.parts_of(floor)) for floor in (*plan.ROOTS, *inside)}
     assert {floor: circles for floor, circles in found.items() if circles} == {}
 
 
 def test_imports_go_to_the_module_that_defines(modules, imports):
-    """No module of the package enters by a front door (`__init__`): doors are for users."""
+    """No module imports from an `__init__`: the names there are for users."""
     doors = {name for name, file in modules.items() if file.with_suffix(".pyi").exists()}
     users = {name: sorted(targets & doors) for name, targets in imports.items() if targets & doors}
     assert users == {}
@@ -75,4 +75,4 @@ def test_an_underscore_says_what_is_private(plan, modules):
 
 def test_the_drawing_of_the_packages_is_of_these_imports(plan):
     """`make generate` draws it again."""
-    assert (ROOT / "docs" / "plan.svg").read_text(encoding="utf-8") == plan.house()
+    assert (ROOT / "docs" / "plan.svg").read_text(encoding="utf-8") == plan.packages()

@@ -294,6 +294,7 @@ MAKE = ("strip", "arch.svg", *PLY, "-o", "o")
 NEAR = ("strip", "s.svg", *PLY, "--nearest", "-o", "o")
 PROVOKED = {
     "can take this curve": (r"can take this curve", "check", "arch.svg"),
+    "Sheets that bend so far at this size": (r"Sheets that bend so far at this size", "check", "arch.svg"),
     "its inflections do not lie on one line": (
         r"Its inflections do not lie on one line",
         "check",

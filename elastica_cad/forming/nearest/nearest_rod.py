@@ -234,13 +234,14 @@ def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
 
 
 def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
-    """What is asked now, from where a search ended; its steps count too."""
+    """Continue from the end of a search with the present request; the steps are added."""
     more = _search(task, measure, found.ended)
     return more._replace(steps=found.steps + more.steps)
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """What is found from there, where that meets the limits and is about as near as what all starts found."""
+    """Search from the end of a previous search; None where the limits are not met or the result is not about as
+    near."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -306,7 +307,7 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
-    """What is met comes first, then what is near; what is not met is judged by both."""
+    """Order of results: those that meet the limits first, by distance; the others by distance and violation."""
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
@@ -465,7 +466,7 @@ def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
 
 
 _UNBEARABLE = 50.0
-"""Gravity lengths in a curve from which it is its weight that leaves no rod to begin with."""
+"""Length of a curve, in elasto-gravity lengths, from which its weight is the reason that no first rod exists."""
 
 
 def nearest_rod(

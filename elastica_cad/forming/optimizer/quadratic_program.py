@@ -123,7 +123,8 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """The same, with the program's numbers over the largest in its gradient or on its Hessian's diagonal."""
+    """Solve the program in Python, scaled by the largest number in its gradient or on the diagonal of its
+    Hessian."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
     H, g, y_high, A, r = p.hessian * scale, p.gradient * scale, p.price * scale, p.rows, p.right

@@ -284,7 +284,7 @@ class _Walk(Generic[Point]):
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
-    """Where the search begins: at a point as it is given, or where that does not close, at that of its unknowns."""
+    """First iterate: the given point, or where that cannot be closed, the point that belongs to its unknowns."""
     point = program.clip(start)
     found = iterate_at(program, point)
     if found is not None:

@@ -24,13 +24,13 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.refusals import Length, Listed, Point, note
 
 SHOWN_PLACES = 3
-"""Places that a complaint lists."""
+"""Largest number of places that a message lists."""
 
 CRACK_SHARE = 1e-5
-"""Borders nearer to each other than this share of their extent are one edge that was rounded twice."""
+"""Borders nearer to each other than this share of their extent are one edge with different rounding errors."""
 
 FARTHEST_MM = 1e9
-"""mm; coordinates beyond are no lengths of anything made of strips."""
+"""Largest coordinate, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -302,7 +302,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
-    """How a plane comes to cut nothing."""
+    """Reason why a plane cuts nothing."""
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:

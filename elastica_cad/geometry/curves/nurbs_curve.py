@@ -29,19 +29,21 @@ from elastica_cad.geometry.polynomials.splines import (
 )
 
 SAME_KNOT = 1e-12
-"""Share of the domain within which a place is a knot: spans of rounding size are never made."""
+"""A place nearer to a knot than this share of the domain is that knot, so that no span is as short as rounding
+errors."""
 
 FAR_SIZES = 1e6
-"""A curve moved farther away than so many of its sizes loses digits, and is checked again."""
+"""A curve that is moved farther than this many of its sizes loses digits and is checked again."""
 
 _AHEAD_SHARE = 1e-6
-"""Of the chord between the ends: steps of a control polygon that go so far along it are none on the spot."""
+"""Steps of a control polygon that advance by more than this share of the chord between the ends count as
+advancing."""
 
 MOST_TURNS = 100
-"""Of an arc."""
+"""Largest number of turns of an arc."""
 
 MOST_UNEVEN = 1e8
-"""Largest weight over the least: beyond, places come to rounding."""
+"""Largest ratio of weights; beyond it, points are lost in rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,7 +243,7 @@ class NurbsCurve:
         return cls(knots, control_points, degree)
 
     def drawn_as(self, provenance: Provenance | None) -> Self:
-        """The same curve with another record of where it comes from."""
+        """Return the curve with another record of its source."""
         return self._part(self.knots, self.control_points, self.weights, provenance)
 
     @property
@@ -251,7 +253,7 @@ class NurbsCurve:
 
     @property
     def is_rational(self) -> bool:
-        """Are there weights that differ?"""
+        """Whether the weights differ."""
         return self.weights is not None
 
     def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:

@@ -23,7 +23,7 @@ from elastica_cad.geometry.polynomials.bernstein import (
 )
 
 _MOST_HALVINGS = 40
-"""A piece halved this often is as short as rounding."""
+"""A piece that was halved this often is as short as rounding errors."""
 
 _NEWTON_SHARE = 1e-4  # of the extent: from here Newton steps find the common point
 _MOST_PAIRS = 1000  # more are overlapping stretches: a tenth of their points is enough

@@ -26,10 +26,10 @@ _FLATTEST_MM = 1e-7
 """An arc that rises less than this over its chord (mm) is a line."""
 
 _FARTHEST_MM = 1e9
-"""So is one of a larger radius (mm): in double precision its ends could not be told to 1e-6 mm."""
+"""An arc of a larger radius (mm) is a line, too: in double precision its ends are not known to 1e-6 mm."""
 
 RATIONAL_NODES = 32
-"""Of Gauss's rule for the area beside a piece with weights: of a quarter circle rounding is left."""
+"""Nodes of Gauss's rule for the area beside a rational piece; for a quarter circle it is exact to rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ class Line:
 
     @property
     def direction(self) -> tuple[float, float]:
-        """Of length 1, from start to end."""
+        """Direction from start to end, of length 1."""
         start, end = self.start.tolist(), self.end.tolist()
         size = dist(start, end)
         return (end[0] - start[0]) / size, (end[1] - start[1]) / size
@@ -227,7 +227,7 @@ class Arc:
         return float(_swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
 
     def reversed(self) -> "Arc":
-        """The arc run the other way."""
+        """The arc in the opposite direction."""
         return Arc(self.center, self.radius, self.end_angle, self.start_angle)
 
     def transformed(self, matrix: ArrayLike) -> "Arc":
@@ -363,7 +363,7 @@ def place(p: ArrayLike) -> str:
 
 
 def point(value: ArrayLike, name: str) -> FloatArray:
-    """A point (2,), mm, that is not written to; refuses what is none."""
+    """Check a point (2,), mm, and return it as a read-only array."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
         raise InputError("{name} must be two finite numbers in mm, got {value!r}", name=name, value=value)
@@ -419,7 +419,7 @@ PROBES = np.array([0.25, 0.5, 0.75])
 """Places of a span at which its distance from the chord is measured, in shares of the span."""
 
 MOST_ROUNDS = 40
-"""Of halving: a span is then as short as rounding."""
+"""Largest number of halvings; a span is then as short as rounding errors."""
 
 
 def require_tolerance_mm(tolerance: float) -> float:

@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import bernstein_values
 
 SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
-"""Of knots that are computed with."""
+"""Shortest domain and largest knot with which splines are computed."""
 
 
 def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
@@ -248,7 +248,7 @@ def spline_through(x: FloatArray, values: FloatArray, degree: int) -> Any:
 
 
 def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
-    """Where splines over clamped knots take values (m,): Greville abscissae, the ends exactly at the ends."""
+    """Places (m,) for interpolation with clamped knots: the Greville abscissae, with both ends exact."""
     sites = greville(knots, degree)
     sites[[0, -1]] = knots[[0, -1]]
     return sites

@@ -56,7 +56,7 @@ class ElasticaBetween:
 
     @property
     def inflections(self) -> int:
-        """How often the bend changes its side."""
+        """Number of sign changes of the curvature."""
         kappa = self.rod.curvature
         signs = np.sign(kappa[np.abs(kappa) > 1e-6 * np.abs(kappa).max(initial=0.0)])
         return int(np.count_nonzero(np.diff(signs)))
@@ -216,7 +216,8 @@ def _led_by_loads(
 
 
 def _load_shares(load: float) -> list[float]:
-    """Of a force times length^2 / stiffness, from small to whole: close together where slender strips buckle."""
+    """Shares of a load (force times length^2 / stiffness) from small to 1, close together where slender strips
+    buckle."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:

@@ -58,7 +58,7 @@ def require_ratio(ratio: object, name: str) -> None:
 
 
 MOST_COUNTED = 1_000_000
-"""Nodes, samples: beyond, a computer has no memory for them."""
+"""Largest number of nodes or samples; more would not fit into memory."""
 
 
 def whole_number(value: object, name: str, least: int) -> int:

@@ -65,7 +65,7 @@ class Weight:
                 )
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
-        """The same with alpha and beta that many times as large; the masses stay."""
+        """Return the weight with alpha and beta multiplied by these factors; the masses stay."""
         return replace(self, alpha=_times(self.alpha, alpha), beta=_times(self.beta, beta))
 
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:

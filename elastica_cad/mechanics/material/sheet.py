@@ -52,16 +52,17 @@ ROWS_INCH = {
         (0.375, 54.0, 36.0),
     ),
 }  # fmt: skip
-"""Plies: rows of the table."""
+"""Rows of the table by number of plies."""
 
 SOLD_AS = 0.02
-"""Share by which a sheet may be thinner than the first row of its plies: 4 mm is sold for 0.160 in."""
+"""Share by which a sheet may be thinner than the first row of its number of plies: 4 mm is sold as 0.160 in."""
 
 TOLD_TO = 0.01
-"""Share to which a radius is known: the table has two digits, and a sheet's largest strain is rounded."""
+"""Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6
-"""Thicknesses that the rows speak of: a sheet of 0.8 mm takes the strain of the thinnest row, 0.89 mm."""
+"""Range of thicknesses for which the rows are used: a sheet of 0.8 mm has the strain of the thinnest row, 0.89
+mm."""
 
 
 def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) -> float | None:

@@ -18,7 +18,7 @@ from elastica_cad.refusals import note
 SCHEMA = 1
 
 NOMINAL_KEY = "nominal_poisson_ratio"
-"""Of a Poisson's ratio that is not known for the sheet."""
+"""Key of a Poisson ratio that is not measured for this sheet."""
 
 UNITS = {
     "thickness": "mm",
@@ -73,7 +73,7 @@ def plausible_number(value: object, key: str, where: str) -> float:
 
 
 def _advise_key(key: str) -> str:
-    """What was probably meant by an unknown key."""
+    """Suggest the known key that is nearest to an unknown one."""
     keys = sheet_keys()
     for known, field in keys.items():
         stem = field.name
@@ -132,7 +132,7 @@ def toml_text(text: str) -> str:
 
 
 def toml_value(value: str | float | tuple[float, float]) -> str:
-    """What stands behind a key: a text, a number or a range."""
+    """Write the value of a key as TOML: a text, a number or a range."""
     if isinstance(value, tuple):
         return f"[{value[0]!r}, {value[1]!r}]"
     return toml_text(value) if isinstance(value, str) else repr(float(value))
@@ -157,7 +157,7 @@ class NominalRatio(float):
 
 
 USUAL_RATIO = NominalRatio(0.3)
-"""Of a sheet of which nothing is said."""
+"""Poisson ratio of a sheet that gives none."""
 
 
 def checked_poisson_ratio(value: Any, where: str) -> float:
@@ -196,7 +196,7 @@ _ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other figures, where 
 
 
 LARGEST_FILE = 2**20
-"""Bytes of a file of sheets."""
+"""Largest size of a file of sheets, bytes."""
 
 
 @lru_cache(maxsize=1)

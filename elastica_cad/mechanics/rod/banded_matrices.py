@@ -10,13 +10,13 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
 RANK_TOLERANCE = 1e-9
-"""Rows closer to dependent than this (relative) are one: a straight rod has rank 1."""
+"""Relative tolerance below which two rows count as dependent: a straight rod has rank 1."""
 
 _FEW = 40
-"""Edges below which dense algebra finds a mode, and no mode is smooth."""
+"""Number of edges below which a mode is found by dense algebra."""
 
 _SMOOTH = 10
-"""Polynomials among which compiled code seeks a lowest mode first."""
+"""Number of polynomials in which compiled code looks for a lowest mode first."""
 
 _EPS = float(np.finfo(float).eps)
 

@@ -334,7 +334,7 @@ class Stability:
 
     @property
     def meaning(self) -> str:
-        """What the margin means to a maker, in words."""
+        """What the margin means for a maker, in a sentence."""
         return {
             "unstable": "in balance but it will not stay: it snaps into another shape",
             "low": "it stays, but a push, a loose clamp or a cut that is off may make it snap",

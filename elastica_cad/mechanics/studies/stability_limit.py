@@ -252,7 +252,7 @@ def _bisected(course: _Course, low: Visit, high: Visit) -> tuple[Visit, bool]:
 
 
 def _lost(course: _Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
-    """The record of a loss of stability next to t."""
+    """Record of the loss of stability near path parameter t."""
     kind = _kind(course, t, state)
     beyond = min(t + 1e-4 * course.end, course.end)
     mode = state.discrete.margin.mode
@@ -313,7 +313,7 @@ def _entry(step: Any) -> dict[str, Any]:
 
 
 def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
-    """What the rod is subject to now, for the names that a path changes."""
+    """Present values of the quantities that a path changes, by name."""
     system = system_of(rod, rod)
     if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
         raise InputError("a path of load factors needs a rod that carries weight, a dead force or a moment")
