@@ -7,6 +7,7 @@ memory refuses the question; one that takes too long is ended by the server, whi
 import json
 import sys
 import traceback
+from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
 from typing import Any
@@ -18,6 +19,18 @@ from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
 """Bytes of address space; a CAD kernel takes a third of that."""
+
+FREECAD_NAMES = ("MaxWidth", "MinWidth", "LeastWidth", "Anyway", "NaturalCurvature", "HoleRatio")
+GERMAN_NAMES = (
+    "größte Breite",
+    "kleinste Breite",
+    "Werkstatt",
+    "Grenzen übergehen",
+    "Vorkrümmung",
+    "Lochanteil",
+)
+CHINESE_NAMES = ("最大宽度", "最小宽度", "车间", "忽略限制", "初始曲率", "孔比例")
+"""Names of fields in catalogues, and in the page."""
 
 
 def reply(line: bytes) -> tuple[bytes, bytes]:
@@ -43,9 +56,29 @@ def reply(line: bytes) -> tuple[bytes, bytes]:
     return b"text", json.dumps(head | _worded(found, words), allow_nan=False).encode()
 
 
+class _PageWords(Translated):
+    """Sentences with the names of fields that the page shows, where catalogues have those of FreeCAD."""
+
+    def __init__(self, language: str, names: Mapping[str, str]) -> None:
+        super().__init__(language)
+        self._names, self.point = names, "," if language == "de" else "."
+
+    def template(self, text: str) -> str:
+        """From the catalogue."""
+        said = super().template(text)
+        for shown, name in self._names.items():
+            said = said.replace(shown, name)
+        return said
+
+
 @cache
 def _words(language: str) -> Wording:
-    return Translated({"zh": "zh-CN"}.get(language, language))
+    match language:
+        case "de":
+            return _PageWords("de", dict(zip(FREECAD_NAMES, GERMAN_NAMES, strict=True)))
+        case "zh":
+            return _PageWords("zh-CN", dict(zip(FREECAD_NAMES, CHINESE_NAMES, strict=True)))
+    return Wording()
 
 
 def _worded(value: Any, words: Wording) -> Any:
