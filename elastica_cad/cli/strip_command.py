@@ -30,6 +30,7 @@ from elastica_cad.cli.running.suggestions import (
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
+from elastica_cad.fabrication.holding.held_shape import two_digits
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
@@ -185,7 +186,10 @@ def _tell_compensation(kit: StripKit) -> None:
         return
     better = compensate_within(made, kit.spec.shop)
     if better.correction is not None and better.held_deviation < made.held_deviation / 2:
-        say(f"--compensate makes up for that in the widths: {better.held_deviation:.2g} mm are left")
+        left = two_digits(better.held().expected)
+        say(
+            f"--compensate makes up for that in the widths: about {left} mm are left, sheet and model included"
+        )
 
 
 def _tell(kit: StripKit, written: Iterable[Path]) -> None:

@@ -32,6 +32,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 # what solves and holds strips is imported when it is asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+    from elastica_cad.fabrication.holding.expected_error import MakingTolerance
     from elastica_cad.fabrication.makeability.shop import Shop
     from elastica_cad.fabrication.strip_checks import AskedGravity
     from elastica_cad.fabrication.strip_spec import StripSpec
@@ -83,6 +84,7 @@ class StripOptions(TypedDict, total=False):
     creep: float
     law: BoundedLaw | None
     ignore_limits: bool
+    tolerance: "MakingTolerance"
 
 
 class _FixtureSizes(TypedDict, total=False):

@@ -173,10 +173,15 @@ def test_a_sentence_is_known_by_its_key(monkeypatch):
     assert user_units.worded("at (25.4, -50.8) mm") == "bei (25,4; -50,8) mm"
     assert user_units.worded("12.7 x 25.4 mm, birch-plywood-0.8") == "12,7 x 25,4 mm, birch-plywood-0.8"
     assert user_units.worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
-    held = "as made and held the strip strays 1.2 mm from its design, 0.59 % of its length"
+    held = (
+        "as made and held the strip strays about 1.2 mm from its design, 0.59 % of its length, most of it as "
+        "modelled: the model says 1.1 mm and leaves 0.2 mm open, and sheet, cut and clamps add 0.4 mm"
+    )
     assert user_units.worded(f"{held}; each cause alone: 1.1 mm by slots; 0.15 mm by narrow tabs") == (
-        "so wie er gemacht und gehalten ist, weicht der Streifen 1,2 mm von seinem Entwurf ab, "
-        "0,59 % seiner Länge; jede Ursache für sich: 1,1 mm durch Schlitze; 0,15 mm durch schmale Laschen"
+        "so wie er gemacht und gehalten ist, weicht der Streifen etwa 1,2 mm von seinem Entwurf "
+        "ab, 0,59 % seiner Länge, das meiste davon laut Modell: Das Modell sagt 1,1 mm und lässt 0,2 mm offen, und "
+        "Platte, Schnitt und Einspannung tragen 0,4 mm bei; "
+        "jede Ursache für sich: 1,1 mm durch Schlitze; 0,15 mm durch schmale Laschen"
     )
     thin = (
         "A1: only 2.53 mm wide at 9.88 mm along it, 3 mm are needed in birch-plywood-0.8; only 2.54 mm wide "

@@ -1,7 +1,7 @@
 """How a strip is held: its reactions, its lap if it closes, and the shape that it takes as it is made."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -93,8 +93,15 @@ Seats = tuple[TabSeat | None, TabSeat | None]
 ANTICLASTIC = "anticlastic bending"
 """A wide strip curls across as it bends, and is stiffer for it."""
 
+LEAF_ENDS = "ends of leaves"
+"""Where a glued leaf ends, the neutral axis of the stack jumps by half its thickness."""
+
 LEAST_TOLD_MM = 0.005
 """Deviations below it are not told one by one."""
+
+
+MOST = np.sqrt(0.5)
+"""Of what a strip strays in all: more than this is most of it, as independent causes add by their squares."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +113,7 @@ class HeldShape:
     rod : Rod
         The shape it takes, with all causes together.
     deviation : float
-        Largest distance of any place of the strip from where it was designed to be, mm.
+        Largest distance of any place of the strip from where it was designed to be, mm, as the model has it.
     parts : mapping of str to float
         What each cause alone adds to first order, mm: "slots", "narrow tabs", "leaning ligaments", "anticlastic
         bending", "start: pocket" and so on.
@@ -116,6 +123,12 @@ class HeldShape:
         Do the widths make up for the causes? `parts` are then those of the strip without the correction.
     as_plate : bool
         Are the widths made by how the strip curls across? Anticlastic bending is then no cause.
+    open : float
+        How far a strip of a perfect sheet may lie from where the model has it, mm: see `open_deviation`.
+    sheet : mapping of str to float
+        What the sheet, its cut and its clamps add, mm, by cause: see `sheet_effects`.
+    notes : tuple of str
+        What the model takes for granted of this strip.
     """
 
     rod: Rod
@@ -125,27 +138,62 @@ class HeldShape:
     end: EndPose
     corrected: bool = False
     as_plate: bool = False
+    open: float = 0.0
+    sheet: Mapping[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     @property
     def made_up_for(self) -> tuple[str, ...]:
         """The causes that widths make up for."""
         return (*(self.parts if self.corrected else ()), *((ANTICLASTIC,) if self.as_plate else ()))
 
+    @property
+    def sheet_adds(self) -> float:
+        """What sheet, cut and clamps add together, mm; they are independent of each other."""
+        return float(np.linalg.norm([*self.sheet.values(), 0.0]))
+
+    @property
+    def expected(self) -> float:
+        """How far a real strip strays, mm: as modelled, by what the model leaves open, and by its sheet."""
+        return float(np.linalg.norm([self.deviation, self.open, self.sheet_adds]))
+
     def __str__(self) -> str:
-        """One sentence."""
+        """One sentence, and one for each note."""
         told = [
-            f"{mm:.2g} mm by {cause}"
+            f"{two_digits(mm)} mm by {cause}"
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
             if mm >= LEAST_TOLD_MM
         ]
         before = ", without its correction" if self.corrected else ""
         of = f"; each cause alone{before}: {'; '.join(told)}" if told else ""
         curl = ", its widths made for anticlastic bending," if self.as_plate else ""
-        share = 100 * self.deviation / self.rod.length
-        return (
-            f"as made and held{curl} the strip strays {self.deviation:.2g} mm from its design, {share:.2g} % of "
-            f"its length{of}"
+        figures = {
+            "as modelled": self.deviation,
+            "left open by the model": self.open,
+            "from the sheet": self.sheet_adds,
+        }
+        largest = max(figures, key=lambda words: figures[words])
+        most = f", most of it {largest}" if figures[largest] > MOST * self.expected else ""
+        share = two_digits(100 * self.expected / self.rod.length)
+        return ". ".join(
+            (
+                f"as made and held{curl} the strip strays about {two_digits(self.expected)} mm from its design, "
+                f"{share} % of its length{most}: the model says {two_digits(self.deviation)} mm and leaves "
+                f"{two_digits(self.open)} mm open, and sheet, cut and clamps add {two_digits(self.sheet_adds)} mm"
+                f"{of}",
+                *self.notes,
+            )
         )
+
+
+def two_digits(value: float) -> str:
+    """A number to two digits, as people write it: "0.83", "0.0012", "190"."""
+    rounded = float(f"{value:.2g}")
+    return f"{rounded:.0f}" if abs(rounded) >= 10 else f"{rounded:.{max(0, 1 - _power(rounded))}f}"
+
+
+def _power(value: float) -> int:
+    return int(np.floor(np.log10(abs(value)))) if value else 0
 
 
 def strayed(design: Rod, place: FloatArray) -> float:

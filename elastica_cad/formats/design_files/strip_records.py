@@ -3,6 +3,7 @@
 from typing import Any
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holding.expected_error import MakingTolerance
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -41,6 +42,18 @@ def read_shop(table: Table) -> Shop:
         given["stock"] = table.vector("stock", 2)
     with table.naming():
         return Shop(**given)
+
+
+TOLERANCE_LINE = "thickness_wave = 0.01, clamps = 0.01, kerf = 0.05"
+"""A line that tells one, as people may write it."""
+
+
+def read_tolerance(table: Table) -> MakingTolerance:
+    """What is assumed to be off in sheet, cut and clamps."""
+    names = tuple(STRIP_TABLES["tolerance"])
+    table.only(*names)
+    with table.naming():
+        return MakingTolerance(**table.numbers(*names))
 
 
 def read_tabs(table: Table) -> tuple[Tab, Tab]:

@@ -28,6 +28,7 @@ from elastica_cad.formats.design_files.strip_records import (
     read_slot,
     read_style,
     read_tabs,
+    read_tolerance,
 )
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -126,6 +127,7 @@ def read_strip(
         "creep": table.number("creep", 0.0),
         "law": read_law(table.table("law"), sheet) if table.has("law") else None,
         "ignore_limits": table.flag("ignore_limits"),
+        "tolerance": read_tolerance(table.table("tolerance")),
     }
     curve = read_drawn_curve(table, folder, read_curves) if section is None else section.curve
     with table.naming():

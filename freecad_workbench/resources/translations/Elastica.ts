@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>What is off in sheet, cut and clamps, rad and mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How it strays as made and held, and by what</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2183,7 +2191,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>as made and held%1 the strip strays %2 mm from its design, %3 % of its length%4</source>
+        <source>as made and held%1 the strip strays about %2 mm from its design, %3 % of its length%4: the model says %5 mm and leaves %6 mm open, and sheet, cut and clamps add %7 mm%8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, most of it from the sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, most of it as modelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, most of it left open by the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction in the pockets is not counted</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>What is off in sheet, cut and clamps, rad and mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</source>
+        <translation>Was an Platte, Schnitt und Einspannung nicht stimmt, rad und mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</translation>
+    </message>
+    <message>
+        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <translation>Wie weit ein wirklicher Streifen von seinem Entwurf abweicht: laut Modell, durch das, was es offen lässt, und durch die Platte</translation>
+    </message>
+    <message>
         <source>Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"</source>
         <translation>Verjüngung: kind = "thickness", limits = [3, 8], width = 20; oder "rod", "tube"</translation>
     </message>
@@ -2195,8 +2203,24 @@
         <translation>%1 mm durch %2</translation>
     </message>
     <message>
-        <source>as made and held%1 the strip strays %2 mm from its design, %3 % of its length%4</source>
-        <translation>so wie er gemacht und gehalten ist%1, weicht der Streifen %2 mm von seinem Entwurf ab, %3 % seiner Länge%4</translation>
+        <source>as made and held%1 the strip strays about %2 mm from its design, %3 % of its length%4: the model says %5 mm and leaves %6 mm open, and sheet, cut and clamps add %7 mm%8</source>
+        <translation>so wie er gemacht und gehalten ist%1, weicht der Streifen etwa %2 mm von seinem Entwurf ab, %3 % seiner Länge%4: Das Modell sagt %5 mm und lässt %6 mm offen, und Platte, Schnitt und Einspannung tragen %7 mm bei%8</translation>
+    </message>
+    <message>
+        <source>, most of it from the sheet</source>
+        <translation>, das meiste davon durch die Platte</translation>
+    </message>
+    <message>
+        <source>, most of it as modelled</source>
+        <translation>, das meiste davon laut Modell</translation>
+    </message>
+    <message>
+        <source>, most of it left open by the model</source>
+        <translation>, das meiste davon lässt das Modell offen</translation>
+    </message>
+    <message>
+        <source>Friction in the pockets is not counted</source>
+        <translation>Reibung in den Taschen ist nicht gerechnet</translation>
     </message>
     <message>
         <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>

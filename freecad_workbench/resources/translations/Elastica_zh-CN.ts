@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>What is off in sheet, cut and clamps, rad and mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</source>
+        <translation>板材、切割和夹持的偏差，单位 rad 和 mm：thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</translation>
+    </message>
+    <message>
+        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <translation>实际条带偏离设计的距离：模型所得、模型未定的部分以及板材造成的部分</translation>
+    </message>
+    <message>
         <source>Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"</source>
         <translation>渐变：kind = "thickness", limits = [3, 8], width = 20；或 "rod"、"tube"</translation>
     </message>
@@ -2195,8 +2203,24 @@
         <translation>%2 %1 mm</translation>
     </message>
     <message>
-        <source>as made and held%1 the strip strays %2 mm from its design, %3 % of its length%4</source>
-        <translation>按制作和夹持的实际情况%1，条带偏离设计 %2 mm，为其长度的 %3 %%4</translation>
+        <source>as made and held%1 the strip strays about %2 mm from its design, %3 % of its length%4: the model says %5 mm and leaves %6 mm open, and sheet, cut and clamps add %7 mm%8</source>
+        <translation>按制作和夹持的实际情况%1，条带偏离设计约 %2 mm，为其长度的 %3 %%4：模型算得 %5 mm，另有 %6 mm 未定，板材、切割和夹持再加 %7 mm%8</translation>
+    </message>
+    <message>
+        <source>, most of it from the sheet</source>
+        <translation>，其中大部分来自板材</translation>
+    </message>
+    <message>
+        <source>, most of it as modelled</source>
+        <translation>，其中大部分为模型所得</translation>
+    </message>
+    <message>
+        <source>, most of it left open by the model</source>
+        <translation>，其中大部分为模型未定</translation>
+    </message>
+    <message>
+        <source>Friction in the pockets is not counted</source>
+        <translation>未计入槽座中的摩擦</translation>
     </message>
     <message>
         <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>

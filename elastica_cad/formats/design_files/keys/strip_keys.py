@@ -62,6 +62,7 @@ MAKING: Keys = {
         "what stiffness is made of in place of width",
     ),
     "ignore_limits": (FLAG, "make what the workshop cannot, and say so"),
+    "tolerance": (table("tolerance"), "what is assumed to be off in sheet, cut and clamps; what that adds is told"),
 }  # fmt: skip
 """Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
 
@@ -174,6 +175,12 @@ STRIP_TABLES: dict[str, Keys] = {
         "least_bridge": (NUMBER, "between the cuts of a plate, mm"),
         "stock": (vector(2), "sides of the largest sheet, mm"),
         "lap": (NUMBER, "length of the plates that join pieces of a strip longer than the stock, mm"),
+    },
+    "tolerance": {
+        "thickness_wave": (NUMBER, "amplitude of a wave of thickness along the strip, as a share of it; 0.01"),
+        "grain": (NUMBER, "by how much the grain wanders to either side, rad; 2 * degrees"),
+        "clamps": (NUMBER, "by how much each clamp is turned, rad; 0.5 * degrees"),
+        "kerf": (NUMBER, "width that is lost beyond the kerf that was corrected for, mm; 0.05"),
     },
     "law thickness": {
         "kind": (choice("thickness"), "a batten of one width, planed thinner"),

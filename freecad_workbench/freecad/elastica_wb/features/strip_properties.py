@@ -59,6 +59,14 @@ PROPERTIES = (
     Property("Float", "Creep", "Sheet", "Creep factor of the sheet in the long run; 0 leaves creep out", 0.0),
     Property(
         "String",
+        "Tolerance",
+        "Sheet",
+        "What is off in sheet, cut and clamps, rad and mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, "
+        "kerf = 0.05",
+        "",
+    ),
+    Property(
+        "String",
         "Law",
         "Width",
         'Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"',
@@ -164,6 +172,14 @@ PROPERTIES = (
         "HeldDeviation",
         "Result",
         "Largest distance of the strip, as it is made and held, from its design",
+        0.0,
+        result=True,
+    ),
+    Property(
+        "Length",
+        "ExpectedDeviation",
+        "Result",
+        "How far a real strip strays from its design, by the model, what that leaves open, and its sheet",
         0.0,
         result=True,
     ),

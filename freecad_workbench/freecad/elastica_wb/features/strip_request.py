@@ -29,7 +29,14 @@ from elastica_cad.formats.design_files.rod_records import (
     read_rest_curvature,
     read_stiffness_bounds,
 )
-from elastica_cad.formats.design_files.strip_records import LAW_LINE, read_law, read_slot, read_tab
+from elastica_cad.formats.design_files.strip_records import (
+    LAW_LINE,
+    TOLERANCE_LINE,
+    read_law,
+    read_slot,
+    read_tab,
+    read_tolerance,
+)
 from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -85,6 +92,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         creep=obj.Creep,
         law=law,
         ignore_limits=obj.Anyway,
+        tolerance=parse_line(obj.Tolerance, "Tolerance", read_tolerance, example=TOLERANCE_LINE),
     )
 
 

@@ -28,6 +28,7 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
+from elastica_cad.fabrication.holding.held_shape import two_digits
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
 
@@ -48,7 +49,8 @@ def _held_deviation(obj: Any) -> str:
     """How far it strays; not yet known, or none where it takes no shape and the footnote says why."""
     if not obj.Held:
         return "..."
-    return f"{obj.HeldDeviation.Value:.2g} mm" if obj.HeldDeviation.Value else "-"
+    far = obj.ExpectedDeviation.Value
+    return f"≈ {two_digits(far)} mm" if far else "-"
 
 
 def _sideways_margin(obj: Any) -> str:
