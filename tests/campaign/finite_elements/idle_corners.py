@@ -4,8 +4,8 @@ python -m tests.campaign.finite_elements.idle_corners
 
 Thin orthotropic plates (Kirchhoff) on rectangular grids, elements of sixteen unknowns that are exact to third order
 (Bogner, Fox and Schmit 1965). One end of a strip is turned by a unit angle; what the moment lacks beside a strip
-without a cut is the length of strip that the cut stands for. It is printed over that of `crack_energy`, to be compared
-with `CUT` times the power `CUT_GRAIN` of sqrt(E / G), or with `TAB` and `TAB_GRAIN`, of `as_made`.
+without a cut is the length of strip that the cut stands for. Printed over that of `crack_energy`, beside `CUT`
+times the power `CUT_GRAIN` of sqrt(E / G), and `TAB` and `TAB_GRAIN` likewise, of `as_made`.
 """
 
 from collections.abc import Callable, Sequence
