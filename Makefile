@@ -17,7 +17,7 @@ endef
 # What the compiled library is made of: an environment is brought up to date where one of these is newer.
 SOURCES := $(wildcard elastica_cad/_native/*.[ch])
 
-.PHONY: demo docs test lint programs test-main test-windows test-oldest freecad benchmark clean
+.PHONY: demo docs generate test lint programs test-main test-windows test-oldest freecad benchmark clean
 
 demo: $(VENV)/demo-installed
 	$(BIN)/elastica strip examples/arch/arch.dxf --sheet birch-plywood-0.8 --max-width 40 \
@@ -26,6 +26,11 @@ demo: $(VENV)/demo-installed
 # The manual as a site in out/manual, in three languages; a warning is an error.
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
+
+# Writes again what is made from the code: the reference pages of the manual and the drawing of the packages.
+generate: $(VENV)/test-installed
+	$(BIN)/python docs/generated_pages.py
+	$(BIN)/python docs/plan.py
 
 # The everyday suite. Programs and environments are installed first; then two jobs keep two cores busy: FreeCAD and the
 # other programs, which wait much, beside all that is Python alone.
@@ -136,7 +141,7 @@ $(VENV)/created:
 	@touch $@
 
 $(VENV)/demo-installed: $(VENV)/created pyproject.toml $(SOURCES)
-	$(call install,$(VENV),--editable ".[plot$(COMMA)mesh]")
+	$(call install,$(VENV),--editable ".[plot$(COMMA)mesh$(COMMA)studio]")
 
 $(VENV)/docs-installed: $(VENV)/created pyproject.toml $(SOURCES)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)docs]")

@@ -1,22 +1,19 @@
 """How the manual is built: Sphinx with MyST; docs/build.py builds it in every language, a warning is an error."""
 
-import sys
+import re
 import tomllib
 from pathlib import Path
 
-DOCS = Path(__file__).parent
-sys.path.insert(0, str(DOCS))
+from docutils import nodes
+from sphinx.addnodes import pending_xref
 
-import generated_pages  # noqa: E402  # lies beside this file
-from docutils import nodes  # noqa: E402
-from sphinx.addnodes import pending_xref  # noqa: E402
+DOCS = Path(__file__).parent
 
 project = "elastica_cad"
 release = tomllib.loads((DOCS.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 copyright = "the elastica_cad engineers, MIT licence"
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
-myst_enable_extensions = ["colon_fence", "attrs_inline"]
+extensions = ["myst_parser"]
 myst_heading_anchors = 3
 suppress_warnings = ["myst.xref_missing_anchor"]  # anchors of headings in files outside of the manual
 exclude_patterns = ["_build", "*.py"]
@@ -32,11 +29,7 @@ if tags.has("translated"):  # noqa: F821  # Sphinx brings it
     exclude_patterns += [*here, "reference"]
     suppress_warnings += ["toc.excluded", "toc.not_readable"]
 
-napoleon_google_docstring = False
-napoleon_use_ivar = True
-autodoc_member_order = "bysource"
-autodoc_typehints = "none"  # the docstrings give shapes and units
-default_role = "code"
+highlight_language = "none"  # a block that names no language is no code
 
 html_theme = "furo"
 html_title = "elastica_cad"
@@ -70,6 +63,20 @@ def name_languages(app, pagename, _templatename, context, _doctree):
     ]
 
 
+LISTED = re.compile(r"^- \[[^\]]+\]\((?!\.\.)(\S+)\.md\)", re.MULTILINE)
+
+
+def list_contents(_app, docname, source):
+    """Make the table of contents from the lists of links on these two pages, which any viewer shows."""
+    if docname in ("index", "freecad_tools/index"):
+        for part in source[0].split("\n## ")[1:]:
+            pages = LISTED.findall(part)
+            title = part.partition("\n")[0]
+            source[0] += "\n".join(
+                ["", "```{toctree}", ":hidden:", f":caption: {title}", "", *pages, "```", ""]
+            )
+
+
 def lead_to_english(app, doctree):
     """Pages that this language has not are linked in English."""
     up = "../" * (app.env.docname.count("/") + 1)
@@ -81,7 +88,7 @@ def lead_to_english(app, doctree):
 
 
 def setup(app):
-    """Write the pages that the code tells before any page is read."""
-    app.connect("builder-inited", lambda _: generated_pages.write(DOCS / "reference"))
+    """Connect the functions above to the events of Sphinx."""
+    app.connect("source-read", list_contents)
     app.connect("html-page-context", name_languages)
     app.connect("doctree-read", lead_to_english)

@@ -1,18 +1,23 @@
-"""Reference pages that the code itself tells: commands and their options, public names, sheets, templates."""
+"""Writes the reference pages from the code: python docs/generated_pages.py, or `make generate`.
+
+The pages are plain Markdown and are committed; a test compares them with what this writes.
+"""
 
 import inspect
 import json
 import os
 import re
+from collections.abc import Iterator
+from enum import Enum
+from functools import cached_property
 from pathlib import Path
 
 import click
 
 import elastica_cad as ec
-from elastica_cad.cli.commands import elastica as main
+from elastica_cad.cli.commands import elastica
+from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema, tables
 from elastica_cad.formats.design_files.formulae import CONSTANTS, FUNCTIONS
-from elastica_cad.formats.design_files.keys import values
-from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, TABLES, design_schema
 
 NAMES = {
     "Curves": (
@@ -36,37 +41,35 @@ NAMES = {
 }  # fmt: skip
 """Public names in the order in which a curve meets them; a test holds that none is left out."""
 
+NUMBER = {"type": ["number", "string"]}
+"""What the schema says of a number, which a formula may stand for."""
+
 WIDTH = 88
 """Columns of a command's help, as on a terminal."""
 
 
-def write(folder: Path) -> None:
-    """Write all generated pages; a page that is as it was keeps its date."""
-    pages = {
+def pages() -> dict[str, str]:
+    """Text of every generated page by its name in docs/reference."""
+    return {
         "command_line.md": command_line(),
         "python.md": python(),
         "sheets.md": sheets(),
         "design_files.md": design_files(),
-        SCHEMA_FILE: json.dumps(design_schema(), indent=1),
+        SCHEMA_FILE: json.dumps(design_schema(), indent=1) + "\n",
     }
-    folder.mkdir(exist_ok=True)
-    for name, text in pages.items():
-        path = folder / name
-        if not path.exists() or path.read_text(encoding="utf-8") != text:
-            path.write_text(text, encoding="utf-8")
 
 
 def command_line() -> str:
     """Each command with its own help."""
-    context = click.Context(main, info_name="elastica", max_content_width=WIDTH, terminal_width=WIDTH)
+    context = click.Context(elastica, info_name="elastica", max_content_width=WIDTH, terminal_width=WIDTH)
     parts = ["# Command line", "",
              "What `elastica --help` and `elastica COMMAND --help` print.", "",
              "Every command takes `--json` ([one record](../json.md) for programs), `-q`, `-v`, and lengths with "
              "their unit (`--max-width 1.5in`, or `--units inch` for all); those that read files take `--watch` "
              "and make everything anew when one is saved.", ""]  # fmt: skip
-    parts += [_help(main, context)]
-    for name in main.list_commands(context):
-        command = main.get_command(context, name)
+    parts += [_help(elastica, context)]
+    for name in elastica.list_commands(context):
+        command = elastica.get_command(context, name)
         inner = click.Context(
             command, info_name=name, parent=context, max_content_width=WIDTH, terminal_width=WIDTH
         )
@@ -76,30 +79,84 @@ def command_line() -> str:
 
 def _help(command: click.Command, context: click.Context) -> str:
     os.environ.setdefault("COLUMNS", str(WIDTH))
-    return f"```{{code-block}} none\n{command.get_help(context)}\n```\n"
+    return f"```\n{command.get_help(context)}\n```\n"
 
 
 def python() -> str:
-    """Every public name with its docstring."""
+    """Every public name with its signature and its docstring."""
     parts = [
         "# Python",
         "",
-        "Lengths are mm, angles rad, moduli MPa, densities kg/m3, unless a name says else.",
+        "Lengths are mm, angles rad, moduli MPa, densities kg/m3, unless a name says otherwise.",
         "",
     ]
     for title, names in NAMES.items():
         parts += [f"## {title}", ""]
         for name in names:
             thing = getattr(ec, name)
-            kind = "autofunction" if inspect.isfunction(thing) else "autoclass"
-            if inspect.isclass(thing) and issubclass(thing, Exception):
-                kind = "autoexception"
-            members = "   :members:\n" if inspect.isclass(thing) else ""
-            if inspect.isclass(thing) and thing.__base__.__module__.startswith("elastica_cad.geometry"):
-                members += "   :inherited-members:\n"
-            where = f"elastica_cad.{name}"
-            parts += [f"### {name}", "", f"```{{eval-rst}}\n.. {kind}:: {where}\n{members}```", ""]
+            parts += [f"### {name}", "", *_described(f"ec.{name}", thing)]
+            if inspect.isclass(thing):
+                for member, value in _members(thing):
+                    parts += [f"#### {name}.{member}", "", *_described(member, value)]
     return "\n".join(parts)
+
+
+def _members(cls: type) -> Iterator[tuple[str, object]]:
+    """Public methods and properties of a class, those of a base in geometry too, in the order of the source."""
+    for base in cls.__mro__:
+        if base is cls or base.__module__.startswith("elastica_cad.geometry"):
+            for name, found in vars(base).items():
+                value = getattr(found, "__func__", found)  # of a class method or a static method
+                described = isinstance(value, (property, cached_property)) or inspect.isfunction(value)
+                if described and not name.startswith("_") and inspect.getdoc(value):
+                    yield name, value
+
+
+def _described(name: str, thing: object) -> list[str]:
+    """Signature and docstring of a function, class or property as Markdown."""
+    lines = []
+    if inspect.isfunction(thing) or (inspect.isclass(thing) and not issubclass(thing, (Enum, Exception))):
+        signature = inspect.signature(thing)
+        asked = [
+            one.replace(annotation=one.empty)
+            for one in signature.parameters.values()
+            if one.name not in ("self", "cls")
+        ]
+        signature = signature.replace(parameters=asked, return_annotation=signature.empty)
+        lines += ["```python", f"{name}{signature}", "```", ""]
+    return [*lines, *_markdown(inspect.getdoc(thing) or "")]
+
+
+SECTION = re.compile(
+    r"^(Parameters|Attributes|Returns|Yields|Raises|References|Notes|Examples)\n-+\n", re.MULTILINE
+)
+
+
+def _markdown(docstring: str) -> list[str]:
+    """A docstring in numpy's form as Markdown: entries become list items, examples a code block."""
+    text, *sections = SECTION.split(docstring)
+    lines = [_escaped(text.strip()), ""]
+    for title, body in zip(sections[::2], sections[1::2], strict=True):
+        lines += [f"**{title}**", ""]
+        if title == "Examples":
+            lines += ["```pycon", body.strip(), "```"]
+        elif title in ("References", "Notes"):
+            lines += [_escaped(body.strip())]
+        else:
+            for head, words in re.findall(r"^(\S.*)\n((?:(?: .*)?\n)*)", body.rstrip() + "\n", re.MULTILINE):
+                name, _, kind = head.partition(" : ")
+                said = _escaped(" ".join(words.split()))
+                lines += [f"- `{name}`{f', {_escaped(kind)}' if kind else ''}{f': {said}' if said else ''}"]
+        lines.append("")
+    return lines
+
+
+def _escaped(text: str) -> str:
+    """Signs that Markdown would read, outside of backticks."""
+    return "".join(
+        part if part.startswith("`") else re.sub(r"([*<])", r"\\\1", part)
+        for part in re.split(r"(`[^`]*`)", text)
+    )
 
 
 def sheets() -> str:
@@ -142,7 +199,7 @@ def design_files() -> str:
     for path in sorted(folder.glob("*.toml")):
         parts += [f"### {path.stem}", "", f"```toml\n{path.read_text(encoding='utf-8')}```", ""]
     parts += ["## Keys", "", "The file itself is the table *design*.", ""]
-    for name, keys in TABLES.items():
+    for name, keys in tables().items():
         parts += [f"### table {name}", "", "| key | value | says |", "| --- | --- | --- |"]
         parts += [
             f"| `{key}` | {_linked(_in_words(value))} | {text} |" for key, (value, text) in keys.items()
@@ -155,7 +212,7 @@ def design_files() -> str:
 
 def _linked(words: str) -> str:
     """Names of tables lead to them."""
-    names = sorted(TABLES, key=len, reverse=True)
+    names = sorted(tables(), key=len, reverse=True)
     return re.sub(
         rf"table ({'|'.join(names)})(?=,|$)",
         lambda found: f"[{found[0]}](#table-{found[1].replace(' ', '-')})",
@@ -171,17 +228,28 @@ def _in_words(fragment: dict) -> str:
         return "table " + fragment["$ref"].removeprefix("#/definitions/")
     if "enum" in fragment:
         return " or ".join(f'"{word}"' for word in fragment["enum"])
-    if fragment == values.NUMBERS:
-        return "numbers in brackets"
     if fragment.get("type") == "array":
         count, inner = fragment.get("maxItems"), fragment["items"]
-        if inner == values.NUMBER:
+        if inner == NUMBER:
             return f"{'' if count is None else f'{count} '}numbers in brackets"
         return f"list of{'' if count is None else f' {count}'}: {_in_words(inner)}"
     plain = (
-        (values.NUMBER, "number"),
-        (values.COUNT, "whole number"),
-        (values.FLAG, "true or false"),
-        (values.TEXT, "text"),
+        (NUMBER, "number"),
+        ({"type": ["integer", "string"]}, "whole number"),
+        ({"type": "boolean"}, "true or false"),
+        ({"type": "string"}, "text"),
     )
     return next((words for one, words in plain if one == fragment), "table of names and numbers")
+
+
+def main() -> None:
+    """Write all pages."""
+    folder = Path(__file__).with_name("reference")
+    folder.mkdir(exist_ok=True)
+    for name, text in pages().items():
+        (folder / name).write_text(text, encoding="utf-8")
+        print(folder / name)
+
+
+if __name__ == "__main__":
+    main()

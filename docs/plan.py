@@ -1,6 +1,6 @@
-"""Plans of the house, drawn from its import statements.
+"""Draws the packages from their import statements.
 
-`python docs/plan.py` draws docs/plan.svg, all floors with their rooms and the way of a drawn curve through them.
+`python docs/plan.py` draws docs/plan.svg: the packages, their sub-packages, and the way of a drawn curve.
 `python docs/plan.py FOLDER` draws the modules of one folder (for instance elastica_cad/mechanics/rod) as FOLDER.svg
 in the current directory: who imports whom, with all arrows in one direction.
 """
@@ -23,12 +23,12 @@ FLOORS = (
     ("elastica_cad.kit", "a folder of files for a strip or a model"),
     ("elastica_cad.files", "the format taken from a file's name"),
     ("elastica_cad.plot", "pictures (matplotlib)"),
-    ("elastica_cad.build123d", "a skin for build123d"),
-    ("elastica_cad.cadquery", "a skin for CadQuery"),
+    ("elastica_cad.build123d", "objects for build123d"),
+    ("elastica_cad.cadquery", "functions for CadQuery"),
     ("elastica_cad.kernel", "OpenCASCADE"),
     ("elastica_cad.formats", "files in and out"),
     ("elastica_cad.fabrication", "what is cut, bent and held"),
-    ("elastica_cad.published", "the paper's own routes"),
+    ("elastica_cad.published", "the paper's own algorithms"),
     ("elastica_cad.forming", "curves that can be made"),
     ("elastica_cad.mechanics", "rods"),
     ("elastica_cad.geometry", "curves and paths"),

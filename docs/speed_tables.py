@@ -19,8 +19,9 @@ KEPT = ROOT / "tests" / "benchmarks" / "measured.json"
 
 HEAD = """# Speed: ours beside others in the same run
 
-`make benchmark` writes this page (`docs/speed_tables.py`, from `tests/benchmarks`). Seconds are medians and hang on
-the machine; a ratio divides our time by the peer's in the same run and hangs on it little, less than 1 is faster.
+`make benchmark` writes this page (`docs/speed_tables.py`, from `tests/benchmarks`). Seconds are medians and
+depend on the machine. A ratio divides our time by the peer's in the same run and depends on it little; less
+than 1 is faster.
 """
 
 PEERS = {
@@ -91,13 +92,13 @@ OURS = {
         "sixteen heavy, stable nearest rods, inner loops compiled",
         "the same in Python (`ELASTICA_PURE`)",
     ),
-    "test_batch_speed.py::test_two_processes": ("200 wishes in two processes", "the same in one"),
-    "test_batch_speed.py::test_time_is_linear": ("600 wishes in two processes", "200 wishes"),
+    "test_batch_speed.py::test_two_processes": ("200 requests in two processes", "the same in one"),
+    "test_batch_speed.py::test_time_is_linear": ("600 requests in two processes", "200 requests"),
     "test_batch_speed.py::test_ten_thousand": (
-        "10,000 wishes in two processes",
+        "10,000 requests in two processes",
         "half the time of one process",
     ),
-    "test_batch_speed.py::test_memory_is_constant": ("memory of 600 wishes at most", "of 200 wishes"),
+    "test_batch_speed.py::test_memory_is_constant": ("memory of 600 requests at most", "of 200 requests"),
     "test_slot_speed.py::test_slots_cost_a_few_times_the_strips": (
         "the Pavilion interlocked: 102 slots in 31 strips",
         "its 31 rods under their weight",
@@ -108,7 +109,7 @@ OURS = {
 ALONE = {
     "test_nearest_speed.py::test_sixteen_light_curves": "nearest rods of sixteen light curves, ratio 2.5",
     "test_nearest_speed.py::test_sixteen_heavy_stable_curves": "the same under weight, ratio 3.3, margin 5",
-    "test_nearest_speed.py::test_wishes_that_no_rod_meets": "wishes that no near rod meets: ratio 1.3, margin 500",
+    "test_nearest_speed.py::test_wishes_that_no_rod_meets": "requests that no rod meets: ratio 1.3, margin 500",
     "test_nearest_speed.py::test_unstable_s": "an S that snaps, made stable, tangents kept",
     "test_nearest_speed.py::test_march_with_sensitivities": "one march along 201 nodes with all derivatives",
 }

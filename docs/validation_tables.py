@@ -27,9 +27,9 @@ DATA = ROOT / "tests" / "data"
 
 HEAD = """# Validation: published numbers and ours
 
-Each table has one source; the columns *ours* are written by a run of `docs/validation_tables.py`, and a test
-runs it again. Files named `tests/validation/` ask more of each, to tighter bounds;
-[finite elements](../finite_elements.md) have a page of their own.
+Each table compares one source with the results of this program. `docs/validation_tables.py` writes the columns
+*ours*, and a test runs it again. The tests in `tests/validation` compare more numbers, to tighter bounds.
+[Strips bent by finite elements](../finite_elements.md) have a page of their own.
 """
 
 
@@ -39,7 +39,7 @@ def page() -> str:
 
 
 def _table(title: str, source: str, test: str, columns: list[str], rows: list[list[str]]) -> Iterator[str]:
-    yield f"## {title}\n\n{source} Asked by `tests/validation/{test}.py`.\n"
+    yield f"## {title}\n\n{source} Tested by `tests/validation/{test}.py`.\n"
     yield f"| {' | '.join(columns)} |\n|{' --- |' * len(columns)}"
     yield from (f"| {' | '.join(row)} |" for row in rows)
     yield ""
@@ -88,8 +88,8 @@ def lateral() -> Iterator[str]:
     ]
     yield from _table(
         "Strips that leave their plane",
-        "Critical loads over the root of edgewise bending times torsion; ours from a rod of 601 nodes and a "
-        "margin of 201.",
+        "Critical loads divided by the root of edgewise bending stiffness times torsional stiffness; ours from a "
+        "rod of 601 nodes and a margin of 201.",
         "test_sideways",
         ["source", "published", "ours"],
         rows,
@@ -124,9 +124,9 @@ def pot() -> Iterator[str]:
     ]
     rows.append(["mean", f"{100 * published.mean():.1f}", f"{100 * np.mean(ours):.1f}"])
     yield from _table(
-        "The paper's Flower Pot: distance from what was drawn",
+        "The paper's Flower Pot: distance from the drawn curves",
         "Hafner and Bickel 2021, section 9.2, results of their published code; largest distance in percent of "
-        "the curve's diagonal, less is nearer. Ours holds the ratio at 2.5 or below for every curve.",
+        "the curve's diagonal, less is nearer. Ours keeps the ratio at 2.5 or below for every curve.",
         "test_nearest_published",
         ["curve", "theirs", "ours"],
         rows,
@@ -146,8 +146,8 @@ def revolution() -> Iterator[str]:
                      f"({end[0]:.3f}, {end[1]:.3f})", f"{off:.1f}"])  # fmt: skip
     yield from _table(
         "The paper's surfaces of revolution: where the meridians end",
-        "Hafner and Bickel 2021, section 9.4, their published loop, which marches in steps of first order: its "
-        "end is off by some of its steps, and comes to ours as the steps get shorter.",
+        "Hafner and Bickel 2021, section 9.4, their published loop, which integrates with steps of first order: "
+        "its end is off by some of its steps, and approaches ours as the steps get shorter.",
         "test_revolution",
         ["surface", "theirs", "ours", "apart, in their steps"],
         rows,

@@ -30,6 +30,7 @@ from elastica_cad.files import read_curves as read_curves, save as save
 from elastica_cad.formats.curve_files.write_curves import write_curves as write_curves
 from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
 from elastica_cad.forming.many_rods import nearest_rods as nearest_rods
+from elastica_cad.forming.matched_pair import matched_pair as matched_pair
 from elastica_cad.forming.nearest.nearest_record import NearestRod as NearestRod, Status as Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod as nearest_rod
 from elastica_cad.forming.revolution.meridian import (
@@ -59,4 +60,10 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium 
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,
+)
+from elastica_cad.mechanics.two_states.pair_check import check_pair as check_pair
+from elastica_cad.mechanics.two_states.two_state_rod import (
+    PairLimits as PairLimits,
+    TwoStateRod as TwoStateRod,
+    two_state_rod as two_state_rod,
 )

@@ -1,4 +1,4 @@
-"""Build every example, time it, draw it, and write the table of examples/gallery.md.
+"""Build every example, time it, draw it, and write docs/models_in_numbers.md.
 
 python examples/gallery.py             the table
 python examples/gallery.py --pictures  and NAME/NAME.png beside each script
@@ -18,6 +18,7 @@ from elastica_cad.forming import rod_spec
 from elastica_cad.forming.nearest import nearest_rod
 
 HERE = Path(__file__).parent
+NUMBERS = HERE.parent / "docs" / "models_in_numbers.md"
 race = runpy.run_path(str(HERE / "plain_highs.py"))["race"]
 # seconds for stiffness and fabricability, and in all, from Table 1 of the paper
 PAPER = {
@@ -145,7 +146,7 @@ def row(name, model, found, solving, seconds):
 
 def main(*options):
     lines = [
-        "| model | sheets | strips (different) | samples | size, cm | R | from the wish, mm | as made, mm "
+        "| model | sheets | strips (different) | samples | size, cm | R | from the target, mm | as made, mm "
         "| rods, s | paper | all, s | paper |",
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |",
     ]
@@ -174,18 +175,21 @@ def main(*options):
     )
     raced.append(race_row("all", *programs))
     text = (
-        "Written by gallery.py from one run; seconds are those of the processor, so that other work on the machine "
-        "does not count. From the wish: the largest distance of the design from the curve "
-        "that was asked for; as made: that of the strip as it is made and held, bent forward, from the design; in "
-        "brackets as shares of the curve's length. Rods: the seconds for stiffness and fabricability; all: from "
-        "surfaces or formulae to strips. Beside them those of the paper's Table 1, on another machine and, but for "
-        "the Pavilion and the Spiral, for other surfaces of the same kind.\n\n" + "\n".join(lines) + "\n\n"
+        "# The paper's models in numbers\n\n"
+        "`python examples/gallery.py` writes this page from one run. Seconds are processor time. Columns:\n\n"
+        "- *from the target*: the largest distance of the design from the curve that was asked for, also as a "
+        "share of the curve's length;\n"
+        "- *as made*: the largest distance of the strip, as it is made and held, from its design;\n"
+        "- *rods*: seconds for stiffness and limits; *all*: from surfaces or formulae to strips;\n"
+        "- *paper*: the seconds of Table 1 of Hafner and Bickel, on another machine and, except for the Pavilion "
+        "and the Spiral, for other surfaces of the same kind.\n\n" + "\n".join(lines) + "\n\n"
         f"The rods of the paper's models took {total[0] / total[2]:.1%} of the paper's seconds.\n\n"
+        "## Beside HiGHS\n\n"
         "The least stiffness ratio of every different strip above, at its samples: by `sampled_stiffness`, and by "
-        "all rows of the paper's programs (Eq. 4; with weight Eq. 6 with its 3n + 4 variables) handed to HiGHS at "
-        f"once. Both find the same ratios to {apart:.0e}.\n\n" + "\n".join(raced) + "\n"
+        "HiGHS with all rows of the paper's programs at once (Eq. 4; with weight Eq. 6 with its 3n + 4 variables). "
+        f"Both find the same ratios to {apart:.0e}.\n\n" + "\n".join(raced) + "\n"
     )
-    (HERE / "gallery.md").write_text(text, encoding="utf-8")
+    NUMBERS.write_text(text, encoding="utf-8")
 
 
 def race_row(name, count, ours, plain):

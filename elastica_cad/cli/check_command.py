@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from functools import partial
 from itertools import groupby
+from math import ceil
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from elastica_cad.cli.asking.asked_curves import (
     which_options,
 )
 from elastica_cad.cli.asking.options import smooth_option
-from elastica_cad.cli.asking.support_options import support_options
+from elastica_cad.cli.asking.support_options import natural_curvature_of, support_options
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
     changed_requests,
@@ -27,12 +28,16 @@ from elastica_cad.cli.running.suggestions import (
     typed_length,
     typed_line,
 )
-from elastica_cad.cli.running.voice import answer, say, voice, warn
-from elastica_cad.errors import Change, ElasticaError
-from elastica_cad.formats.reports.strip_report import report_check
+from elastica_cad.cli.running.voice import answer, say, voice, warn, wrote
+from elastica_cad.errors import Change, ElasticaError, InputError
+from elastica_cad.formats.reports.strip_report import report_check, round_numbers
 from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.forming.straight_ends import StraightEnds
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
+from elastica_cad.mechanics.material.sheets_for_curve import sheets_for_curve
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
@@ -44,12 +49,26 @@ WIDTHS_MM = (8.0, 120.0)
 """Of a strip for a curve of which no width is said."""
 
 
+MOST_SHEETS = 6
+"""Named in a sentence: those that can just do it, and those that need the least larger curve."""
+
+WIDE_MM = 40.0
+"""A usual width, by which a ratio of widths is shown."""
+
+
 @click.command()
 @curve_options
 @which_options
 @split_option
 @support_options
 @smooth_option
+@click.option(
+    "--picture",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Draw the curve with its inflections, their line and what is wrong where (PNG, SVG or PDF).",
+)
+@click.option("--force", is_flag=True, help="Overwrite that file.")
 @click.pass_context
 def check(
     ctx: click.Context,
@@ -60,8 +79,10 @@ def check(
     split_corners: bool,
     start: EndName,
     end: EndName,
-    natural_curvature: NaturalCurvature,
+    natural_curvature: Any,
     smooth: float | None,
+    picture: Path | None,
+    force: bool,
 ) -> None:
     """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
 
@@ -70,11 +91,14 @@ def check(
     smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
+    bent = natural_curvature_of(natural_curvature)
     of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
+    if picture is not None:
+        _draw(asked, picture, supports, natural_curvature, smooth, force=force)
     for said, alike in groupby(
-        ((one, _judged(one, supports, natural_curvature, smooth, alone=not several)) for one in asked),
+        ((one, _judged(one, supports, bent, smooth, alone=not several)) for one in asked),
         key=lambda pair: " ".join((pair[1]["advice"], *pair[1].get("notes", ()))),
     ):
         curves, found = zip(*alike, strict=True)
@@ -86,8 +110,10 @@ def check(
         else:
             which = one.drawn.called if one is last else f"{one.drawn.called} to {last.drawn.called}"
             say(f"{curve.name}, {which} of {one.count}:\n{said}" if several else said)
+            for sentence in answered.get("advice_on_sheets", ()):
+                say(sentence)
         if not (good or several or voice().quiet):
-            suggestion = _suggestion(one, supports, natural_curvature, smooth)
+            suggestion = _suggestion(one, supports, bent, smooth)
             if suggestion:
                 answered |= {"suggestion": suggestion}
                 say(suggestion)
@@ -141,7 +167,7 @@ def _judged(
 ) -> dict[str, Any]:
     """The report on one curve; of one among several also where it is no open, smooth curve."""
     try:
-        return _report(asked, supports, natural_curvature, smooth)
+        return _report(asked, supports, natural_curvature, smooth, alone=alone)
     except ElasticaError as problem:
         if not alone:
             return {"realizable": False, "problem": str(problem), "advice": f"{problem}."}
@@ -151,9 +177,69 @@ def _judged(
 
 
 def _report(
-    asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
+    asked: AskedCurve,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    smooth: float | None,
+    *,
+    alone: bool,
 ) -> dict[str, Any]:
-    drawn = asked.bendable(smooth)
-    smoothing = smooth_curve(drawn, smooth, supports=supports)
+    ends = StraightEnds.of(asked.bendable(smooth), supports)
+    smoothing = smooth_curve(ends.bent, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
-    return report_check(found) | {"notes": list(smoothing.notes)}
+    told = report_check(found) | {"notes": [*([ends.told] if ends else []), *smoothing.notes]}
+    if found.realizable and alone:
+        told |= _told_sheets(smoothing.curve, supports, natural_curvature)
+    return told
+
+
+def _draw(
+    asked: Sequence[AskedCurve],
+    path: Path,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    smooth: float | None,
+    *,
+    force: bool,
+) -> None:
+    """The picture of the verdict on the one curve."""
+    from elastica_cad.plot.canvas import save_figure
+    from elastica_cad.plot.check_picture import check as draw_check
+
+    if len(asked) > 1:
+        raise InputError(
+            "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
+        )
+    bent = StraightEnds.of(asked[0].bendable(smooth), supports).bent
+    curve = smooth_curve(bent, smooth, supports=supports).curve
+    found = check_equilibrium(curve, supports=supports, natural_curvature=natural_curvature)
+    save_figure(draw_check(found), path, force=force)
+    wrote([path])
+
+
+def _told_sheets(
+    curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature
+) -> dict[str, Any]:
+    """The least stiffness ratio, and which sheets bend so far at this size, or at which larger one."""
+    ratio = optimal_rod(curve, supports=supports, natural_curvature=natural_curvature).ratio
+    known = sheets_for_curve(curve, natural_curvature)
+    can = [one for one in known if one.fits]
+    larger = [one for one in known if not one.fits]
+    sheets = [
+        f"The widest place of a plain strip is {ratio:.3g} times as wide as the narrowest: "
+        f"{WIDE_MM:g} mm and {WIDE_MM / ratio:.3g} mm, for example."
+    ]
+    if can:
+        told = ", ".join(one.sheet.full_name for one in can[-MOST_SHEETS:][::-1])
+        more = f", and {len(can) - MOST_SHEETS} others" if len(can) > MOST_SHEETS else ""
+        sheets.append(f"Sheets that bend so far at this size: {told}{more}.")
+    if larger:
+        told = ", ".join(
+            f"{one.sheet.full_name} from {ceil(100 * one.scale)} %" for one in larger[:MOST_SHEETS]
+        )
+        sheets.append(f"Sheets that bear it from a larger size on, in percent of this one: {told}.")
+    return {
+        "ratio": round_numbers(ratio),
+        "sheets": [{"name": one.sheet.name, "scale": round_numbers(one.scale)} for one in known],
+        "advice_on_sheets": sheets,
+    }

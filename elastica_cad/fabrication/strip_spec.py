@@ -3,19 +3,20 @@
 from dataclasses import dataclass, field, replace
 from dataclasses import fields as fields_of
 from functools import cached_property
-from typing import Any, cast
+from typing import Annotated, Any, cast
 
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
-from elastica_cad._values import require_positive, require_record, several
+from elastica_cad._values import require_flag, require_positive, require_record, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.holding.expected_error import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
+from elastica_cad.fabrication.strip.outline import Hole, Tab, pair_of_tabs
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
 from elastica_cad.fabrication.strip_checks import (
@@ -35,6 +36,7 @@ from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
+from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
@@ -89,6 +91,10 @@ class StripSpec(EqualByValue):
     joint : float, optional
         Where a closed strip begins and ends, mm along the curve as drawn; where it is bent least unless given, or
         as drawn with limits or keep. All places along the strip are counted from there. None for an open curve.
+    straight_ends : bool
+        Straight first and last pieces of the curve, where its end is held in its direction, become the tabs (at
+        least as long as drawn, with the circles drawn on them as holes), and only what lies between them is bent.
+        All places along the strip are counted from there. False: the whole curve is bent.
     slots : sequence of Slot
     label : str
         Engraved on the strip; empty for none.
@@ -132,30 +138,128 @@ class StripSpec(EqualByValue):
     True
     """
 
-    curve: PlaneCurve
-    sheet: Sheet | str
+    curve: Annotated[PlaneCurve, Asked("The curve that the strip takes.", group="curve")]
+    sheet: Annotated[
+        Sheet | str,
+        Asked(
+            "Material: the name of a sheet, or a file of yours, my.toml or my.toml:NAME.",
+            group="sheet",
+            common=True,
+            written=Sheet,
+        ),
+    ]
     frame: Frame | None = None
-    max_width: float | None = None
-    min_width: float | None = None
-    style: Style = PLAIN
-    limits: Limits | None = None
-    keep: Keep | None = None
-    gravity: AskedGravity = None
-    loads: tuple[PointMass, ...] | Weight = ()
-    supports: Supports = field(default_factory=Supports)
-    natural_curvature: NaturalCurvature = 0.0
-    samples: int | None = None
-    ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
-    joint: float | None = None
-    slots: tuple[Slot, ...] = ()
-    label: str = ""
-    smooth: float | None = None
-    shop: Shop = DEFAULT_SHOP
-    compensate: bool | None = None
-    creep: float = 0.0
-    law: BoundedLaw | None = None
-    ignore_limits: bool = False
-    tolerance: MakingTolerance = USUAL_TOLERANCE
+    max_width: Annotated[
+        float | None, Asked("Width of the widest place.", "mm", least=0, group="widths", common=True)
+    ] = None
+    min_width: Annotated[
+        float | None,
+        Asked("Width of the narrowest place, or its limit.", "mm", least=0, group="widths", common=True),
+    ] = None
+    style: Annotated[Style, Asked("How stiffness becomes material.", group="widths", common=True)] = PLAIN
+    limits: Annotated[
+        Limits | None,
+        Asked("The curve may change, as little as these limits ask for.", group="limits", common=True),
+    ] = None
+    keep: Annotated[
+        Keep | None, Asked("What a curve that may change keeps.", group="limits", common=True)
+    ] = None
+    gravity: Annotated[
+        AskedGravity,
+        Asked(
+            "The strip carries its own weight: true, the direction in which it falls, or a length of its own.",
+            group="weight",
+            common=True,
+            written=bool | tuple[float, float, float] | tuple[float, float] | Gravity,
+        ),
+    ] = None
+    loads: Annotated[
+        tuple[PointMass, ...] | Weight,
+        Asked(
+            "Masses hung on the strip, or all weight in newtons.",
+            group="weight",
+            written=tuple[PointMass, ...] | Weight,
+        ),
+    ] = ()
+    supports: Annotated[
+        Supports, Asked("What holds the start and the end of the curve.", group="ends", common=True)
+    ] = field(default_factory=Supports)
+    natural_curvature: Annotated[
+        NaturalCurvature,
+        Asked(
+            "Curvature of the strip before it is bent, or a blank that is bent beforehand.",
+            "1/mm",
+            group="curve",
+            common=True,
+        ),
+    ] = 0.0
+    samples: Annotated[
+        int | None, Asked("Nodes of the rod; chosen unless given.", least=2, most=20000, group="curve")
+    ] = None
+    ends: Annotated[
+        tuple[Tab, Tab],
+        Asked(
+            "Tab of both ends, or the two of start and end.",
+            group="ends",
+            common=True,
+            written=Tab | tuple[Tab, Tab],
+        ),
+    ] = (Tab(10.0), Tab(10.0))
+    joint: Annotated[
+        float | None,
+        Asked(
+            "Where a closed strip is joined, along its curve; where it is bent least unless given.",
+            "mm",
+            least=0,
+            group="ends",
+        ),
+    ] = None
+    straight_ends: Annotated[
+        bool,
+        Asked(
+            "Straight first and last pieces of the curve become the tabs; false: the whole curve is bent.",
+            group="ends",
+        ),
+    ] = True
+    slots: Annotated[tuple[Slot, ...], Asked("Slots from the edge.", group="ends")] = ()
+    label: Annotated[
+        str, Asked("Text engraved on the strip, and its name in messages.", group="ends", common=True)
+    ] = ""
+    smooth: Annotated[
+        float | None,
+        Asked(
+            "How far the curve may be moved to become fair; 0 follows it exactly as drawn.",
+            "mm",
+            least=0,
+            group="curve",
+        ),
+    ] = None
+    shop: Annotated[Shop, Asked("What the workshop can make.", group="limits")] = DEFAULT_SHOP
+    compensate: Annotated[
+        bool | None,
+        Asked(
+            "Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone.",
+            group="widths",
+            common=True,
+        ),
+    ] = None
+    creep: Annotated[
+        float,
+        Asked("Creep factor of the sheet in the long run; 0 leaves creep out.", least=0, group="weight"),
+    ] = 0.0
+    law: Annotated[
+        BoundedLaw | None,
+        Asked(
+            "What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves.",
+            group="widths",
+        ),
+    ] = None
+    ignore_limits: Annotated[
+        bool, Asked("Make a strip that cannot be cut or handled, and say so.", group="limits", common=True)
+    ] = False
+    tolerance: Annotated[
+        MakingTolerance, Asked("What is off in sheet, cut and clamps; what that adds is told.", group="sheet")
+    ] = USUAL_TOLERANCE
 
     def __new__(cls, *_: Any, **fields: Any) -> "StripSpec":
         """Refuse old names of fields with what they are called now."""
@@ -189,6 +293,7 @@ class StripSpec(EqualByValue):
                 ignore_limits=self.ignore_limits,
                 where={"field": "ignore_limits"},
             )
+        require_flag(self.straight_ends, "straight_ends")
         check_compensate(self.compensate)
         if not isinstance(self.shop, Shop):
             raise InputError(
@@ -268,6 +373,30 @@ class StripSpec(EqualByValue):
             largest_stiffness=self._largest_stiffness if weight is not None else None,
         )
 
+    @cached_property
+    def run_ins(self) -> StraightEnds:
+        """The drawn curve and the part of it that is bent, between straight ends that are the tabs."""
+        counted = isinstance(self.natural_curvature, RestCurvature)  # from the start of the curve
+        if counted or not self.straight_ends or (self.curve.has_corners and not self.smooth):
+            return StraightEnds(self.curve, self.curve)
+        return StraightEnds.of(self.curve, require_supports(self.supports))
+
+    @cached_property
+    def tabs(self) -> tuple[Tab, Tab]:
+        """The tabs, at least as long as straight ends are drawn, with the holes that are drawn on those."""
+        run_ins = self.run_ins
+        holes: tuple[list[Hole], list[Hole]] = ([], [])
+        drawn = self.curve.provenance
+        for x, y, diameter in drawn.holes if run_ins and drawn is not None else ():
+            place = run_ins.place_of((x, y), diameter)
+            if place is not None:
+                holes[place[0]].append(Hole(round(place[1], 6), round(diameter, 6)))
+        first, last = (
+            replace(tab, length=max(tab.length, length), holes=(*tab.holes, *drilled)) if length else tab
+            for tab, length, drilled in zip(self.ends, run_ins.lengths, holes, strict=True)
+        )
+        return first, last
+
     @property
     def _largest_stiffness(self) -> float | None:
         """Of a plain strip as wide as it may be, N mm2: masses settle how wide it is."""
@@ -278,7 +407,7 @@ class StripSpec(EqualByValue):
     @cached_property
     def _begun(self) -> PlaneCurve:
         """The curve; a closed one from where the strip is joined: where told, else only where it may not change."""
-        curve = self.curve
+        curve = self.run_ins.bent
         if not curve.is_closed or (curve.has_corners and not self.smooth):  # refused, with places as drawn
             return curve
         if self.joint is not None:
@@ -368,14 +497,15 @@ class StripSpec(EqualByValue):
             rod = replace(rod, section=self._width_law)
         if isinstance(self.style, Laminated):  # which makes the section itself, as stiff as the rod was found
             rod = replace(rod, section=None)
-        notes = self.rod_spec.smoothing.notes
+        run_ins = self.run_ins.told
+        notes = (*([] if run_ins is None else [run_ins]), *self.rod_spec.smoothing.notes)
         made = Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,
             self.material,
             max_width=self.max_width,
             min_width=self.min_width,
             style=self.style,
-            ends=self.ends,
+            ends=self.tabs,
             slots=self.slots,
             label=self.label,
             creep=self.creep,

@@ -5,6 +5,7 @@ from elastica_cad.forming.many_rods import (
     nearest_rods as nearest_rods,
     stream_nearest_rods as stream_nearest_rods,
 )
+from elastica_cad.forming.matched_pair import MatchedPair as MatchedPair, matched_pair as matched_pair
 from elastica_cad.forming.nearest.nearest_record import NearestRod as NearestRod, Status as Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod as nearest_rod
 from elastica_cad.forming.plane_sections.section_spec import (

@@ -7,7 +7,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from elastica_cad._counts import counted
+from elastica_cad._counts import and_more, counted
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, crowded_blocks
 from elastica_cad.fabrication.holders.held_tabs import hold_each, holder_plays, rocking_tabs
@@ -16,19 +16,21 @@ from elastica_cad.fabrication.interlocking.collisions import tell_missing_slots
 from elastica_cad.fabrication.makeability.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
-from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.model.assembly import Holder, unheld_ends
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces, widened_by
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, note
 
 Writer: TypeAlias = Callable[[Path], object]
 
@@ -116,7 +118,9 @@ def kit_of(
         nests += _nest(laid, nesting, spec, f"{model.name}-{names}-nest")
     told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)], model.placed)
     told += tell_missing_slots(model.placed, model.joints)
-    held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
+    unheld = unheld_ends(model, holders) if model.plates or holders else {}
+    told += _tell_unheld(model, unheld)
+    held, notes = _held(model, (*model.plates, *holders), unheld) if effects else ({}, ())
     told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
     return Kit(
@@ -206,11 +210,29 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
     )
 
 
-def _held(model: Model, holders: Sequence[Holder]) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Of every strip its shape as made and held; of those that find none, why, and which tabs rock."""
+def _tell_unheld(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
+    """Which strips have an end that no plate, ring or block holds; how to hold it the assembly sheet says."""
+    if not unheld:
+        return []
+    names = distinct_names(model.placed)
+    (first, ends), *_ = unheld.items()
+    which = " and ".join(f"end {1 + ENDS.index(end)}" for end in ends)
+    return [
+        f"{names[first]}{and_more([*unheld])}: nothing holds {which}, so it is not told how it rests; add a holder "
+        "(stand, fixtures), or hold it where the order of assembly says"
+    ]
+
+
+def _held(
+    model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
+) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
+    """Of every held strip its shape as made; of those that find none, why, and which tabs rock."""
     found = dict[str, HeldShape]()
     notes = [*holder_plays(model.placed, holders), *rocking_tabs(model.placed, holders)]
-    for name, shape in zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True):
+    shapes = zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True)
+    for k, (name, shape) in enumerate(shapes):
+        if k in unheld:
+            continue
         if isinstance(shape, NotConvergedError):
             notes.append(f"{name}: {shape}")
         else:
@@ -230,6 +252,10 @@ def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
     if not far:
         return ()
     return (
-        f"strips rest farther from their design than slots have room ({CLEARANCE_MM:g} mm), so they may have to be "
-        f"pushed into each other: {', '.join(far)}",
+        note(
+            "strips rest farther from their design than slots have room ({room:g}), so "
+            "they may have to be pushed into each other: {strips}",
+            room=Length(CLEARANCE_MM),
+            strips=", ".join(far),
+        ),
     )

@@ -10,6 +10,7 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.holders.holding_template import holding_template
 from elastica_cad.fabrication.makeability.makeable_strip import spliced
 from elastica_cad.fabrication.slots.marks import Cuts, end_numbers
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -98,6 +99,9 @@ class StripKit:
             names |= {
                 f"{layer.name} {kind}": file.replace(self.name, glued, 1) for kind, file in cuts.items()
             }
+        if not self.strip.is_closed:
+            held = {"holding dxf": f"{self.name}-holding.dxf", "holding svg": f"{self.name}-holding.svg"}
+            names |= held | ({"holding pdf": f"{self.name}-holding.pdf"} if self.asked.paper else {})
         more = {
             "png": self.asked.pictures and find_spec("matplotlib"),
             "pdf": self.asked.paper,
@@ -181,8 +185,21 @@ def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
     if kind in WRITERS:
         return WRITERS[kind]
     name, _, kind = kind.rpartition(" ")
+    if name == "holding":
+        return partial(_write_holding, kind=kind)
     number = [layer.name for layer in kit.strip.layers].index(name)
     return partial({"dxf": _write_dxf, "svg": _write_svg}[kind], layer=number)
+
+
+def _write_holding(kit: StripKit, path: Path, kind: str) -> None:
+    drawing = replace(holding_template(kit.strip), name=f"{kit.name}-holding")
+    if kind == "pdf":
+        from elastica_cad.plot.template_pages import save_template
+
+        save_template(drawing, path, paper=str(kit.asked.paper))
+    else:
+        version = {"version": kit.asked.cutting.version} if kind == "dxf" else {}
+        save(drawing, path, **version)
 
 
 def _draw_picture(kit: StripKit, path: Path) -> None:

@@ -88,4 +88,12 @@ from elastica_cad.mechanics.theorem1.verdict import InflectionLine as Inflection
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,
+    PairCheck as PairCheck,
+    PairZero as PairZero,
+)
+from elastica_cad.mechanics.two_states.pair_check import check_pair as check_pair
+from elastica_cad.mechanics.two_states.two_state_rod import (
+    PairLimits as PairLimits,
+    TwoStateRod as TwoStateRod,
+    two_state_rod as two_state_rod,
 )

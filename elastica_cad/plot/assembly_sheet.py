@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
@@ -121,7 +122,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
     toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
     screen = screen_of(ELEVATION_DEG, AZIMUTH_DEG)
-    figure = _page(f"{model.name}: {len(model.placed)} strips, taken apart")
+    figure = _page(f"{model.name}: {counted(len(model.placed), 'strip')}, taken apart")
     axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
     shown: list[tuple[FloatArray, FloatArray]] = []
     spread = []

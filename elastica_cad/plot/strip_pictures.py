@@ -9,6 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.holders.holding_template import HeldEnd, distance_between, held_ends
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import Travel
 from elastica_cad.geometry.boxes import box_about
@@ -84,8 +85,7 @@ def drawing(drawing: Drawing) -> Figure:
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
         )
     axes.autoscale_view()
-    _paint_both_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
-    _paint_legend(axes)
+    finish_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
     return figure
 
 
@@ -104,9 +104,10 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     facts = f"{sheet.name}, {size}, {strip.mass_told}"
     strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
     title = f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}"
-    panels = [_bent_panel(strip.rod, wish), STIFFNESS, _flat_panel(strip)]
+    ends = () if strip.is_closed else held_ends(strip)
+    panels = [_bent_panel(strip.rod, wish, ends), STIFFNESS, _flat_panel(strip)]
     figure, (bent, *below) = new_page(panels, title)
-    _paint_bent(bent, strip.rod, wish)
+    _paint_bent(bent, strip.rod, wish, ends)
     _paint_stiffness(below[0], strip.rod)
     _paint_dimensioned(below[1], strip)
     (start, _), (end, _) = strip.outline.bounds
@@ -138,17 +139,18 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
         )
 
 
-def _bent_panel(rod: Rod, wish: PlaneCurve | None) -> Panel:
+def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> Panel:
     """The room of a bent rod."""
     if wish is not None:
         require_curve(wish)
     shown = [rod.position, _comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
+    shown += [end.tip[None] for end in ends]
     width, height = _widened(np.ptp(np.concatenate(shown), axis=0))
     return NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
 
 
-def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
-    """The rod as it is bent, its curvature comb and inflection line, and the curve that was asked for."""
+def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> None:
+    """The rod as it is bent, its curvature comb and inflection line, how it is held, and the curve asked for."""
     position, tips, turns = rod.position, _comb_tips(rod), _inflections(rod)
     step = max(1, len(position) // 100)
     teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
@@ -162,11 +164,17 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
     if len(turns):
         called = "inflection" if len(turns) == 1 else "inflections"
         axes.plot(*turns.T, "o", color=LINE, markersize=6, label=called)
-    low, high = box_about(np.concatenate([position, tips, *wished, turns]))
+    tabs = [np.array([end.position, end.tip]) for end in ends]
+    for end, tab in zip(ends, tabs, strict=True):
+        axes.plot(*tab.T, color=FAINT, linewidth=2.2)
+        told = f"{end.tilt:.1f}°" if end.support.angle else "free to turn"
+        below = {"xytext": (0, -6), "textcoords": "offset points", "ha": "center", "va": "top"}
+        axes.annotate(told, tuple(end.position), fontsize=9, color=INK, **below)
+    low, high = box_about(np.concatenate([position, tips, *wished, *tabs, turns]))
     at_rest, shown = _inflection_line(rod), [low, high]
     if at_rest is not None:
         reach = 0.04 * float(np.max(high - low))
-        line = _clipped(*at_rest, low - reach, high + reach)
+        line = clipped(*at_rest, low - reach, high + reach)
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
             shown += [*line]
@@ -176,6 +184,10 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
     axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
     axes.set_ylim(middle[1] - least[1], middle[1] + least[1])
     _paint_both_axes(axes, f"Bent: {rod.length:.1f} mm along the curve")
+    if len(ends) == 2:
+        axes.set_xlabel(
+            f"x (mm); ends {distance_between(ends):.1f} mm apart, angles from the line between them"
+        )
     _paint_legend(axes)
 
 
@@ -277,9 +289,7 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     return rod.position[0] - gradient * rod.moment[0] / size, direction
 
 
-def _clipped(
-    point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray
-) -> FloatArray | None:
+def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
     """The part (2, 2) of a line inside a box, or None."""
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
@@ -308,6 +318,12 @@ def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float],
     middle = ((start[0] + end[0]) / 2, start[1])
     above = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
     axes.annotate(text, middle, fontsize=9, color=INK, **above)
+
+
+def finish_axes(axes: Axes, title: str) -> None:
+    """Numbers along both axes, a title, and the legend."""
+    _paint_both_axes(axes, title)
+    _paint_legend(axes)
 
 
 def _paint_both_axes(axes: Axes, title: str) -> None:

@@ -14,12 +14,12 @@ ROOT = Path(__file__).resolve().parents[2]
 KEPT = Path(__file__).with_name("results.json")
 PAGE = ROOT / "docs" / "trust.md"
 
-HEAD = """# Trust: what the campaigns found
+HEAD = """# What the long test runs found
 
-`make test` is run for every change. Campaigns take longer: they are run when what they guard has changed, and
-before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) says what each proves. This page is written with each run
-and keeps the last result, failures as they came out. Strips bent by finite elements have
-[a page of their own](finite_elements.md), and so have [bodies in three CAD kernels](kernels.md).
+`make test` is run for every change. Campaigns take longer: one is run when a change touches what it guards, and
+before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) says what each of them proves. Each run rewrites its row
+of this page, with failures as they occurred. [Strips bent by finite elements](finite_elements.md) and [bodies
+in three CAD kernels](kernels.md) have pages of their own.
 
 | campaign | date | commit | result |
 | --- | --- | --- | --- |

@@ -33,20 +33,21 @@ MEANT = {
 }
 """What each operation of `operations.py` does, in the order of the tables."""
 
-HEAD = """# What kernels do with the bodies
+HEAD = """# Bodies in three CAD kernels
 
-`make campaign-solids` writes this page: what users of build123d, CadQuery and FreeCAD do to
-the bodies of strips, thirty curves in five styles. "29/30": 29 succeed of 30 that were asked; the others of thirty
-were not asked yet. A body that comes out must be valid, and of the right volume where that is known; an operation
-that takes the processor longer than 10 s (shells 20 s, meshes and checks 60 s) has failed.
+`make campaign-solids` writes this page. It counts how often operations that users of build123d, CadQuery and
+FreeCAD apply to the bodies of strips succeed: thirty curves, each in five styles. "29/30" means that 29 of 30
+succeeded; a smaller second number means that the others have not been tried yet. The resulting body must be
+valid, and have the right volume where that is known. An operation that takes more than 10 s of processor time
+(shells 20 s, meshes and checks 60 s) counts as failed.
 
-What fails is asked again of plain bodies with the same faces, whose long sides are splines through nine points, as
-one would draw them, through 25, 17, 40 and 90, which is as many as ours have. Where one of these fails too, the
-kernel does: what succeeds through 25 and fails through 17 and 40 is luck. The rest is named at the end.
+An operation that fails is repeated on plain bodies with the same faces, whose long sides are splines through 9,
+17, 25, 40 and 90 points (ours have 90). Where it fails on one of them too, the cause is the kernel, not our
+body. Failures on our bodies only are listed at the end.
 
-The styles: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated (the
-backing). Meshes, STEP files and checks of CadQuery's bodies are those of build123d 0.12: the same body in the same
-OpenCASCADE.
+The styles: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated
+(the backing). For CadQuery, meshes, STEP files and checks are not repeated: its bodies are those of build123d
+0.12, in the same OpenCASCADE.
 """
 
 
@@ -106,7 +107,7 @@ def written(bodies: Sequence[dict[str, Any]]) -> str:
     head = ("operation", "style", "curve", "program", "answer")
     order = list(MEANT.values())
     ours.sort(key=lambda row: (order.index(row[0]), *row[1:]))
-    told = _table(head, ours, words=len(head)) if ours else ["Nothing of what was asked."]
+    told = _table(head, ours, words=len(head)) if ours else ["Nothing."]
     lines += ["## What fails on ours only", "", *told]
     return "\n".join(lines) + "\n"
 

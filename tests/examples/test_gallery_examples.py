@@ -402,7 +402,7 @@ def test_the_table_comes_from_a_run(project_root):
     asked, made = (float(cell.split()[0]) for cell in cells[6:8])
     assert asked == pytest.approx(max(near.deviation for near in found), abs=6e-4)
     assert made == pytest.approx(max(strip.held_deviation for strip in model.strips), abs=6e-4)
-    table = (project_root / "examples" / "gallery.md").read_text()
+    table = (project_root / "docs" / "models_in_numbers.md").read_text()
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
 
 
@@ -411,7 +411,7 @@ def test_the_table_comes_from_a_run(project_root):
 def test_the_table_is_of_the_models_as_they_are(name, built, project_root):
     """Sheets, counts, samples, size, ratios and deviation as made; seconds are those of the run that wrote it."""
     names = runpy.run_path(str(project_root / "examples" / "gallery.py"))
-    table = (project_root / "examples" / "gallery.md").read_text()
+    table = (project_root / "docs" / "models_in_numbers.md").read_text()
     (line,) = [
         one for one in table.split("\n") if one.startswith(f"| {name.replace('_', ' ')} | ") and "x" in one
     ]

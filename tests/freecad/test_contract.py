@@ -6,14 +6,14 @@ from pathlib import Path
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.features import strip as feature
-from freecad.elastica_wb.host.sentences import translated
+from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import ElasticaError
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS
 from tests.contract.table import REFUSED, REQUESTS
 
-WORKBENCH = Path(__file__).resolve().parents[2] / "freecad_workbench"
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def asked_in(document, sketch, asked):
@@ -39,7 +39,7 @@ def assert_same_answer(asked, document, drawn):
     )
     if isinstance(expected, ElasticaError):
         assert "Invalid" in made.State
-        assert answers.same_refusal(expected, made.getStatusString(), translated), made.getStatusString()
+        assert answers.same_refusal(expected, made.getStatusString(), worded), made.getStatusString()
     else:
         assert made.State == ["Up-to-date"], made.getStatusString()
         answers.assert_same_strip(feature.strip_of(made), expected)
@@ -56,12 +56,12 @@ def test_more_requests(name, document, drawn):
     assert_same_answer(MORE_REQUESTS[name], document, drawn)
 
 
-def test_readme_of_the_workbench(document, sketch, capsys):
+def test_page_of_the_workbench(document, sketch, capsys):
     """What it types into the Python console, with a sketch in the document."""
     (code,) = re.findall(
-        r"```python\n(.*?)```", (WORKBENCH / "README.md").read_text(encoding="utf-8"), re.DOTALL
+        r"```python\n(.*?)```", (ROOT / "docs" / "freecad.md").read_text(encoding="utf-8"), re.DOTALL
     )
     names = {}
-    exec(compile(code, "README.md", "exec"), names)
+    exec(compile(code, "freecad.md", "exec"), names)
     assert "takes this curve" in capsys.readouterr().out
     assert names["strip"].MaxWidth.Value == 40

@@ -71,3 +71,8 @@ def test_an_underscore_says_what_is_private(plan, modules):
         if not node.name.startswith("_") and node.name not in asked
     ]
     assert idle == []
+
+
+def test_the_drawing_of_the_packages_is_of_these_imports(plan):
+    """`make generate` draws it again."""
+    assert (ROOT / "docs" / "plan.svg").read_text(encoding="utf-8") == plan.house()

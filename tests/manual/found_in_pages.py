@@ -4,15 +4,16 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from tests.manual.run_page import FENCED, Block
+from tests.manual.run_page import blocks as blocks_of
+
 ROOT = Path(__file__).resolve().parents[2]
-WRITTEN_WHOLE = ROOT / "docs" / "reference"  # by docs/generated_pages.py at each build, never committed
+WRITTEN_WHOLE = ROOT / "docs" / "reference"  # by `make generate`
 PAGES = [
     *sorted(path for path in (ROOT / "docs").rglob("*.md") if WRITTEN_WHOLE not in path.parents),
     *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md", "freecad_workbench/README.md")),
-    ROOT / "examples" / "gallery.md",  # docs/gallery.md includes it
 ]
 RULE = re.compile(r"\|[ :|-]*-[ :|-]*\|")
-FENCED = re.compile(r"^(?P<fence>`{3,})(?P<kind>[^\n]*)\n(?P<body>.*?)^(?P=fence)$", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -24,21 +25,11 @@ class Table:
     rows: tuple[tuple[str, ...], ...]
 
 
-@dataclass(frozen=True)
-class Block:
-    """One fenced block: its page, its line, what stands behind the fence, its text."""
-
-    page: str
-    line: int
-    kind: str
-    body: str
-
-
 def tables() -> list[Table]:
     """All tables, in the order of the pages."""
     found = []
     for page in PAGES:
-        lines = FENCED.sub("", page.read_text(encoding="utf-8")).split("\n")
+        lines = FENCED.sub(r"\g<lead>", page.read_text(encoding="utf-8")).split("\n")
         for number, line in enumerate(lines):
             if RULE.fullmatch(line):
                 end = next(
@@ -56,15 +47,13 @@ def cells(line: str) -> tuple[str, ...]:
     return tuple(cell.strip() for cell in line.strip().removeprefix("|").removesuffix("|").split("|"))
 
 
-def blocks() -> list[Block]:
-    """All fenced blocks, in the order of the pages."""
-    found = []
-    for page in PAGES:
-        text = page.read_text(encoding="utf-8")
-        for block in FENCED.finditer(text):
-            line = text[: block.start()].count("\n") + 1
-            found.append(Block(page.relative_to(ROOT).as_posix(), line, block["kind"].strip(), block["body"]))
-    return found
+def blocks() -> list[tuple[str, Block]]:
+    """All fenced blocks with their pages, in the order of the pages."""
+    return [
+        (page.relative_to(ROOT).as_posix(), block)
+        for page in PAGES
+        for block in blocks_of(page.read_text(encoding="utf-8"))
+    ]
 
 
 def quoted(cell: str) -> list[str]:

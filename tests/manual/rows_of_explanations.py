@@ -17,15 +17,21 @@ CHECK = "tests/unit/mechanics/test_equilibrium_check.py"
 
 @asks(f"{EXPLAINED}/which_curves.md", "curve", "verdict")
 def _verdicts(row, _):
-    def verdict(points):
-        return ec.check_equilibrium(ec.PlaneCurve.spline(points, degree=3)).realizable
+    def verdict(points, degree=3):
+        return ec.check_equilibrium(ec.PlaneCurve.spline(points, degree=degree)).realizable
 
-    if row[0] == "no inflection":
+    if row[0].startswith("bends to one side"):
         assert verdict([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    elif row[0].startswith("no inflection, but"):
+        assert not verdict([(-100, 60), (-50, -60), (0, 60), (50, -60), (100, 60)], 4)  # y = x^4
+    elif row[0].startswith("a straight piece"):
+        assert not verdict([(0, 0), (60, 0), (120, 0), (180, 0), (240, 60), (300, 240)])
+    elif row[0] == "straight":
+        assert verdict([(0, 0), (60, 0), (120, 0), (180, 0)])
     elif row[0] == "one inflection":
         proved_by(f"{CHECK}::test_no_line_through_one_inflection")
     else:
-        assert row[0] == "two or more"
+        assert row[0] == "two or more inflections"
         assert verdict([(-150, 0), (-100, 60), (-50, -60), (0, 0), (50, 60), (100, -60), (150, 0)])
         assert not verdict([(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)])
 
@@ -119,7 +125,7 @@ def _what_helps(row, _):
     elif row[0].startswith("corners"):
         proved_by(f"{VALIDATION}/test_steps_of_width.py::test_told_as_finite_elements_have_it")
         proved_by(f"{VALIDATION}/test_steps_of_width.py::test_widths_make_up_for_them")
-    elif row[0].startswith("wide strips"):
+    elif row[0].startswith("a wide strip"):
         assert strayed(max_width=60, compensate=True) < 0.5 * strayed(max_width=60)
         proved_by(
             f"{VALIDATION}/test_plate_widths.py::test_a_strip_takes_its_curve_by_default_where_nu_is_known"

@@ -1,38 +1,61 @@
 """Runs one page of the manual as its reader does: python run_page.py PAGE, in an empty folder.
 
-Blocks with a caption are saved as the file that it names, ```sh blocks are typed, ```python blocks share their
-names, and a ```text block must be what the block before it printed; `...` stands for further lines.
+A block after a line that names a file and ends in a colon ("Save as `arch.svg`:") is saved as that file, ```sh
+blocks are typed, ```python blocks share their names, and a ```text block must be what the block before it printed;
+`...` stands for further lines.
 """
 
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from contextlib import redirect_stdout
+from dataclasses import dataclass
 from io import StringIO
 from pathlib import Path
 
-BLOCK = re.compile(r"^(?P<fence>`{3,})(?P<kind>[^\n]*)\n(?P<body>.*?)^(?P=fence)$", re.MULTILINE | re.DOTALL)
-CAPTION = re.compile(r"\A:caption: (\S+)\n+")
+FENCED = re.compile(
+    r"(?P<lead>[^\n]*\n\s*)?^(?P<fence>`{3,})(?P<kind>[^\n]*)\n(?P<body>.*?)^(?P=fence)$",
+    re.MULTILINE | re.DOTALL,
+)
+SAVED_AS = re.compile(r"`([\w-]+\.\w+)`[^`]*:\s*\Z")
+NOT_FILES = ("sh", "python", "text")
+
+
+@dataclass(frozen=True)
+class Block:
+    """A fenced block: its line, its language, its text, and the name of the file that it is saved as, if any."""
+
+    line: int
+    kind: str
+    body: str
+    file: str | None
+
+
+def blocks(text: str) -> Iterator[Block]:
+    """The blocks of a page in their order."""
+    for found in FENCED.finditer(text):
+        kind = found["kind"].strip()
+        named = None if kind in NOT_FILES else SAVED_AS.search(found["lead"] or "")
+        line = text[: found.start("fence")].count("\n") + 1
+        yield Block(line, kind, found["body"], named and named[1])
 
 
 def main(page: str) -> None:
     """Exit with the place of the first block that fails."""
-    text, names, printed = Path(page).read_text(encoding="utf-8"), {"__name__": "manual"}, ""
-    for block in BLOCK.finditer(text):
-        kind, body = block["kind"].strip(), block["body"]
-        line = text[: block.start()].count("\n") + 1
-        caption = CAPTION.match(body)
-        if caption is not None:
-            Path(caption[1]).write_text(body[caption.end() :], encoding="utf-8")
-        elif kind == "sh":
-            printed = typed(body, line)
-        elif kind == "python":
+    names, printed = {"__name__": "manual"}, ""
+    for block in blocks(Path(page).read_text(encoding="utf-8")):
+        if block.file:
+            Path(block.file).write_text(block.body, encoding="utf-8")
+        elif block.kind == "sh":
+            printed = typed(block.body, block.line)
+        elif block.kind == "python":
             stream = StringIO()
             with redirect_stdout(stream):
-                exec(compile(body, f"{page}:{line}", "exec"), names)
+                exec(compile(block.body, f"{page}:{block.line}", "exec"), names)
             printed = stream.getvalue()
-        elif kind == "text" and not same(body, printed):
-            sys.exit(f"{page}:{line}: told\n{body}\nprinted\n{printed}")
+        elif block.kind == "text" and not same(block.body, printed):
+            sys.exit(f"{page}:{block.line}: told\n{block.body}\nprinted\n{printed}")
 
 
 def typed(commands: str, line: int) -> str:

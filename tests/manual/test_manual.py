@@ -1,6 +1,7 @@
 """The manual: every page is run as its reader does, and the site is built without a warning."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -46,6 +47,23 @@ def test_a_wrong_page_is_found(tmp_path):
     )
     assert done.returncode == 1
     assert "printed\n4" in done.stderr
+
+
+def test_pages_are_plain_markdown():
+    """Directives, roles and attributes of Sphinx would be shown as they stand by other viewers."""
+    odd = re.compile(r"^\s*(`{3,}\{|:{3,})|\{[\w-]+\}`|\]\([^)]*\)\{", re.MULTILINE)
+    pages = [*DOCS.rglob("*.md"), *ROOT.glob("*.md")]
+    assert len(pages) > 60
+    assert [page.name for page in pages if odd.search(page.read_text(encoding="utf-8"))] == []
+
+
+def test_reference_pages_are_those_of_the_code(monkeypatch):
+    """`make generate` writes them again."""
+    monkeypatch.syspath_prepend(str(DOCS))
+    import generated_pages
+
+    for name, text in generated_pages.pages().items():
+        assert (DOCS / "reference" / name).read_text(encoding="utf-8") == text, name
 
 
 @pytest.mark.campaign

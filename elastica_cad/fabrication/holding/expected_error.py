@@ -2,11 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_number
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holding.held_shape import (
     ANTICLASTIC,
@@ -84,10 +86,19 @@ class MakingTolerance:
     0.01
     """
 
-    thickness_wave: float = 0.01
-    grain: float = float(np.radians(2.0))
-    clamps: float = float(np.radians(0.5))
-    kerf: float = 0.05
+    thickness_wave: Annotated[
+        float,
+        Asked("Amplitude of a wave of thickness along the strip, as a share of the thickness.", least=0),
+    ] = 0.01
+    grain: Annotated[
+        float, Asked("By how much the grain wanders to either side along the strip.", "rad", least=0)
+    ] = float(np.radians(2.0))
+    clamps: Annotated[float, Asked("By how much each clamp is turned.", "rad", least=0)] = float(
+        np.radians(0.5)
+    )
+    kerf: Annotated[
+        float, Asked("Width that is lost beyond what the kerf was corrected for.", "mm", least=0)
+    ] = 0.05
 
     def __post_init__(self) -> None:
         for name in ("thickness_wave", "grain", "clamps", "kerf"):

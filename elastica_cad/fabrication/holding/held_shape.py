@@ -10,6 +10,7 @@ from elastica_cad.fabrication.holding.tab_seat import EndPose, TabSeat
 from elastica_cad.geometry.curves.plane_curve import CORNER_RAD
 from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length, note, sentences
 
 MEETING_SHARE = 1e-4
 """Of the length: ends that are nearer meet; rods on few nodes close as well as that."""
@@ -82,10 +83,13 @@ class Reactions:
 
     def __str__(self) -> str:
         start, end = (
-            f"{np.hypot(x, y):.4g} N, ({x:.4g}, {y:.4g}), and {moment:.4g} N mm"
+            note(
+                "{force:.3g} N, ({x:.3g}, {y:.3g}), and {moment:.3g} N mm",
+                force=np.hypot(x, y), x=x, y=y, moment=moment,
+            )
             for (x, y), moment in ((self.start_force, self.start_moment), (self.end_force, self.end_moment))
-        )
-        return f"the start is held by {start}; the end by {end}"
+        )  # fmt: skip
+        return note("the start is held by {start}; the end by {end}", start=start, end=end)
 
 
 Seats = tuple[TabSeat | None, TabSeat | None]
@@ -159,41 +163,47 @@ class HeldShape:
 
     def __str__(self) -> str:
         """One sentence, and one for each note."""
+        figures = {
+            "most of it as modelled": self.deviation,
+            "most of it left open by the model": self.open,
+            "most of it from the sheet": self.sheet_adds,
+        }
+        largest = max(figures, key=lambda words: figures[words])
+        strays = note(
+            "as made and held, its widths made for anticlastic bending, the strip strays about {far} from its "
+            "design, {percent:g} % of its length" if self.as_plate else
+            "as made and held the strip strays about {far} from its design, {percent:g} % of its length",
+            far=about(self.expected), percent=_two_digits(100 * self.expected / self.rod.length),
+        )  # fmt: skip
+        if figures[largest] > MOST * self.expected:
+            strays = note("{strays}, {most}", strays=strays, most=note(largest))
+        said = note(
+            "{strays}: the model says {modelled} and leaves {open} open, and sheet, cut and clamps add {sheet}",
+            strays=strays, modelled=about(self.deviation), open=about(self.open),
+            sheet=about(self.sheet_adds),
+        )  # fmt: skip
         told = [
-            f"{two_digits(mm)} mm by {cause}"
+            note("{far:.2g} by {cause}", far=Length(mm), cause=note(cause))
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
             if mm >= LEAST_TOLD_MM
         ]
-        before = ", without its correction" if self.corrected else ""
-        of = f"; each cause alone{before}: {'; '.join(told)}" if told else ""
-        curl = ", its widths made for anticlastic bending," if self.as_plate else ""
-        figures = {
-            "as modelled": self.deviation,
-            "left open by the model": self.open,
-            "from the sheet": self.sheet_adds,
-        }
-        largest = max(figures, key=lambda words: figures[words])
-        most = f", most of it {largest}" if figures[largest] > MOST * self.expected else ""
-        share = two_digits(100 * self.expected / self.rod.length)
-        return ". ".join(
-            (
-                f"as made and held{curl} the strip strays about {two_digits(self.expected)} mm from its design, "
-                f"{share} % of its length{most}: the model says {two_digits(self.deviation)} mm and leaves "
-                f"{two_digits(self.open)} mm open, and sheet, cut and clamps add {two_digits(self.sheet_adds)} mm"
-                f"{of}",
-                *self.notes,
+        if told:
+            each = (
+                "{strays}; each cause alone, without its correction: {causes}"
+                if self.corrected
+                else "{strays}; each cause alone: {causes}"
             )
-        )
+            said = note(each, strays=said, causes=sentences(told))
+        return sentences((said, *self.notes), ". ")
 
 
-def two_digits(value: float) -> str:
-    """A number to two digits, as people write it: "0.83", "0.0012", "190"."""
-    rounded = float(f"{value:.2g}")
-    return f"{rounded:.0f}" if abs(rounded) >= 10 else f"{rounded:.{max(0, 1 - _power(rounded))}f}"
+def _two_digits(value: float) -> float:
+    return float(f"{value:.2g}")
 
 
-def _power(value: float) -> int:
-    return int(np.floor(np.log10(abs(value)))) if value else 0
+def about(mm: float) -> Length:
+    """A length to two digits."""
+    return Length(_two_digits(mm))
 
 
 def strayed(design: Rod, place: FloatArray) -> float:

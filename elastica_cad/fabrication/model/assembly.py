@@ -9,15 +9,16 @@ from elastica_cad._values import several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color, sheet_color
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.placed_tab import tab_name
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab, tab_name
 from elastica_cad.fabrication.holders.plates import BasePlate, Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, PrismSolid, bent_sheets
-from elastica_cad.fabrication.strip.outline import ENDS
+from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import note
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
 """What strips are held by, as messages say it."""
@@ -161,7 +162,7 @@ class AssemblyStep:
     part : str
         The piece that is cut for it.
     ends : (str, str)
-        What holds end 1 and end 2, by name, or "free".
+        What holds end 1 and end 2, by name; "hold at (x, y, z)", mm, where nothing of the model does; "free".
     locks_into : tuple of str
         Strips that are there already and cross it in a slot.
     """
@@ -188,25 +189,58 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
     ('slot A:1 of base', 'slot A:2 of base')
     """
     require_model(model)
-    places = defaultdict[str, list[str]](list)
-    for tab, place in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
-        if place not in places[tab]:
-            places[tab].append(place)
+    places = _held_at(model, holders)
     parts = {member: part.name for part in model.parts for member in part.members}
     steps = []
     for i in range(len(model.placed)):
-        first, last = (" and ".join(places[tab_name(model.name_of(i), end)]) or FREE for end in ENDS)
+        first, last = (
+            " and ".join(places[tab_name(model.name_of(i), end)]) or _by_hand(model.placed[i], end)
+            for end in ENDS
+        )
         before = [min(j.members) for j in model.joints if max(j.members) == i]
         mates = tuple(dict.fromkeys(model.single_name_of(k) for k in before))
         steps.append(AssemblyStep(i + 1, model.single_name_of(i), parts[i], (first, last), mates))
     return tuple(steps)
 
 
+def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
+    """Ends that the design holds and nothing of the model does, by the place of their strip in the model."""
+    places = _held_at(model, holders)
+    found = {
+        i: tuple(
+            end for end in ENDS if not places[tab_name(model.name_of(i), end)] and _by_hand(one, end) != FREE
+        )
+        for i, one in enumerate(model.placed)
+    }
+    return {i: ends for i, ends in found.items() if ends}
+
+
+def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
+    """What holds each tab, by the tab's name."""
+    places = defaultdict[str, list[str]](list)
+    for tab, place in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
+        if place not in places[tab]:
+            places[tab].append(place)
+    return places
+
+
+def _by_hand(one: Placed, end: StripEnd) -> str:
+    """Where to hold an end that no part of the model holds."""
+    support = one.strip.rod.supports.ends[ENDS.index(end)]
+    if one.strip.is_closed or not (support.x or support.y or support.angle):
+        return FREE
+    x, y, z = PlacedTab.of(one.strip, end, one.frame).frame.origin + 0.0
+    return f"hold at ({x:.1f}, {y:.1f}, {z:.1f})"
+
+
 def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
     """Names of tabs with what holds them."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate | Ring):
-            yield from ((slot.name, f"slot {slot.name} of {holder.name}") for slot in holder.slots)
+            yield from (
+                (slot.name, note("slot {slot} of {holder}", slot=slot.name, holder=holder.name))
+                for slot in holder.slots
+            )
             if isinstance(holder, Ring):
                 yield from ((name, f"on {holder.name}") for name in holder.seated)
         elif isinstance(holder, EndFixture):

@@ -39,6 +39,7 @@ from elastica_cad.mechanics.material.plain_section import crack_energy
 from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, as_bent, resample
+from elastica_cad.refusals import note
 
 CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""
@@ -528,11 +529,14 @@ class StripAsMade:
         sheet, found = self.layout.sheet, []
         if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
             found.append(
-                f"The shear modulus of {sheet.name} is not known, so it counts as a sheet without grain: beside "
-                "slots, tabs and steps it is softer than that"
+                note(
+                    "The shear modulus of {sheet} is not known, so it counts as a sheet without grain: beside "
+                    "slots, tabs and steps it is softer than that",
+                    sheet=sheet.name,
+                )
             )
         if any(seat is not None for seat in seats):
-            found.append("Friction in the pockets is not counted")
+            found.append(note("Friction in the pockets is not counted"))
         return tuple(found)
 
     @cached_property

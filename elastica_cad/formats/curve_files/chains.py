@@ -19,6 +19,7 @@ from elastica_cad.geometry.polynomials.splines import bezier_spans, interpolatio
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
 NEAR_MM, NEAR_SHARE = 1.0, 0.01  # ends nearer than both, of the smaller curve, were perhaps meant to meet
+HOLE_ASIDE = 0.1  # of its diameter: how far a hole's circle may be drawn off the straight end that it is in
 _CORNER = np.cos(np.radians(50.0))  # cosine of the turn from which a vertex of a polyline is a corner
 _LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
 _CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
@@ -50,6 +51,55 @@ def join_runs(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE)
         way = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
         chains.append(tuple(e for i, side in way for e in (kept[i] if side else reverse_run(kept[i]))))
     return chains
+
+
+def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
+    """The chains without circles that lie on straight first or last edges of others, and for each its circles."""
+    circles = {i: circle for i, chain in enumerate(chains) if (circle := _circle(chain)) is not None}
+    ended = [
+        i
+        for i, run in enumerate(chains)
+        if len(run) > 1
+        and i not in circles
+        and (_is_line(run[0]) or _is_line(run[-1]))
+        and np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE
+    ]
+    found: dict[int, list[Run]] = {}
+    taken = set()
+    for i, (centre, size) in circles.items() if ended else ():
+        on = [k for k in ended if any(_is_on(centre, size, edge) for edge in (chains[k][0], chains[k][-1]))]
+        for k in on:
+            found.setdefault(k, []).append(chains[i])
+            taken.add(i)
+    kept = [i for i in range(len(chains)) if i not in taken]
+    return [chains[i] for i in kept], [found.get(i, []) for i in kept]
+
+
+def _is_line(edge: Edge) -> bool:
+    return len(edge.points) == 2
+
+
+def _is_on(centre: FloatArray, diameter: float, edge: Edge) -> bool:
+    """Is a straight edge a diameter of the circle, but for a tenth, that is well inside of the edge?"""
+    if not _is_line(edge):
+        return False
+    way, out = edge.end - edge.start, centre - edge.start
+    length = float(np.linalg.norm(way))
+    along = float(out @ way) / max(length, 1e-300)
+    aside = float(np.linalg.norm(out - along * way / max(length, 1e-300)))
+    return diameter / 2 < along < length - diameter / 2 and aside <= HOLE_ASIDE * diameter
+
+
+def _circle(run: Run) -> tuple[FloatArray, float] | None:
+    """Centre and diameter of a run that is one whole circle."""
+    if any(edge.degree < 2 or edge.weights is None for edge in run):
+        return None
+    if np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE:
+        return None
+    points = np.concatenate([edge.at(edge.stations(9)) for edge in run])
+    centre = (points.max(axis=0) + points.min(axis=0)) / 2
+    away = np.linalg.norm(points - centre, axis=1)
+    return (centre, 2 * float(away.mean())) if np.ptp(away) <= JOIN_TOLERANCE else None
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
@@ -168,6 +218,7 @@ def curve_from_run(
     tolerance: float = JOIN_TOLERANCE,
     fit_tolerance: float = FIT_TOLERANCE,
     shown: Provenance | None = None,
+    holes: Sequence[Run] = (),
 ) -> PlaneCurve:
     """One curve from edges (in the plane) that follow each other.
 
@@ -180,6 +231,8 @@ def curve_from_run(
     ----------
     shown : Provenance, optional
         How the drawing program shows places; the curve's own record is made of it.
+    holes : sequence of runs
+        Circles drawn on its straight ends, in the plane too.
 
     Raises
     ------
@@ -200,6 +253,7 @@ def curve_from_run(
         rounding=max((source.rounding for source in sources), default=0.0),
         name=sources[0].name if sources else "",
         layer=sources[0].layer if sources else "",
+        holes=tuple((float(x), float(y), size) for (x, y), size in filter(None, map(_circle, holes))),
     )
     if all(edge.degree == 1 for edge in run):
         whole = curve_from_points(np.concatenate([edge.points for edge in run]), tolerance=fit_tolerance)

@@ -3,15 +3,17 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from itertools import islice
 from pathlib import Path
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs, near_ends
+from elastica_cad.formats.curve_files.chains import curve_from_run, holes_on_chains, join_runs, near_ends
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.refusals import Length, Point, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,7 +128,11 @@ class DrawnFile:
     @property
     def left_out(self) -> str:
         """What was skipped, as one sentence; empty when nothing was."""
-        return f"left out, for they are no curves: {list_things(self.skipped)}" if self.skipped else ""
+        return (
+            note("left out, for they are no curves: {things}", things=list_things(self.skipped))
+            if self.skipped
+            else ""
+        )
 
     @property
     def bad(self) -> tuple[DrawnCurve, ...]:
@@ -206,7 +212,10 @@ class CurveList(list[PlaneCurve]):
     @property
     def notes(self) -> tuple[str, ...]:
         """What the reader left out, one sentence each."""
-        bad = [f"{one.called} is left out: {one.problem}" for one in self.file.bad]
+        bad = [
+            note("{called} is left out: {problem}", called=one.called, problem=one.problem)
+            for one in self.file.bad
+        ]
         return (*(text for text in (self.file.size, self.file.left_out) if text), *self.file.gaps, *bad)
 
 
@@ -244,21 +253,26 @@ def collect_curves(
         found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
         raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))
 
-    def make(chain: Run) -> PlaneCurve:
-        plane = chain if flat is None else flat(chain, tolerance)
-        return curve_from_run(plane, tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown)
+    chains, holes = holes_on_chains(chains)
+
+    def make(chain: Run, drilled: Sequence[Run]) -> PlaneCurve:
+        edges = (*chain, *(edge for circle in drilled for edge in circle))
+        plane = iter(edges if flat is None else flat(edges, tolerance))
+        parts = [tuple(islice(plane, len(part))) for part in (chain, *drilled)]
+        return curve_from_run(
+            parts[0], tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown, holes=parts[1:]
+        )
 
     sources = [chain[0].source or Source() for chain in chains]
     curves = [
-        DrawnCurve(number, partial(make, chain), source.name, source.layer)
-        for number, (chain, source) in enumerate(zip(chains, sources, strict=True), start=1)
+        DrawnCurve(number, partial(make, chain, drilled), source.name, source.layer)
+        for number, (chain, drilled, source) in enumerate(zip(chains, holes, sources, strict=True), start=1)
     ]
-    gaps = tuple(
-        f"{curves[i].called} and {curves[j].called} end {apart:.2g} mm apart near "
-        f"({place[0]:.4g}, {place[1]:.4g}) mm and are two strips: close the gap in the drawing where they are "
-        "meant to be one"
-        for apart, i, j, place in near_ends(chains, tolerance)[:_SHOWN]
-    )
+    gaps = tuple(note(
+        "{one} and {other} end {apart:.2g} apart near {place} and are two strips: close the gap in the "
+        "drawing where they are meant to be one",
+        one=curves[i].called, other=curves[j].called, apart=Length(apart), place=Point(place),
+    )for apart, i, j, place in near_ends(chains, tolerance)[:_SHOWN])  # fmt: skip
     return DrawnFile(path, curves, dict(sorted(skipped.items())), gaps=gaps)
 
 

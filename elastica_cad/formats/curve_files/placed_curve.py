@@ -8,11 +8,11 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs
+from elastica_cad.formats.curve_files.chains import curve_from_run, holes_on_chains, join_runs
 from elastica_cad.formats.curve_files.edges import Edge, Run
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Point, note
 
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
@@ -97,9 +97,11 @@ def placed_curve(
     runs = join_runs([(edge,) for edge in edges], JOIN)
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")
+    runs, holes = holes_on_chains(runs)
     if len(runs) > 1:
         raise InputError(_why_not_one(runs))
-    return place_chain(runs[0], plane, AS_DRAWN if turned is None else np.asarray(turned, dtype=float))
+    turn = AS_DRAWN if turned is None else np.asarray(turned, dtype=float)
+    return place_chain(runs[0], plane, turn, holes[0])
 
 
 def edge_chains(edges: Sequence[Edge]) -> list[Run]:
@@ -108,7 +110,10 @@ def edge_chains(edges: Sequence[Edge]) -> list[Run]:
 
 
 def place_chain(
-    run: Sequence[Edge], plane: Frame | None = None, turned: FloatArray = AS_DRAWN
+    run: Sequence[Edge],
+    plane: Frame | None = None,
+    turned: FloatArray = AS_DRAWN,
+    holes: Sequence[Run] = (),
 ) -> tuple[PlaneCurve, Frame]:
     """The curve of one chain and its plane, as in `placed_curve`."""
     # of a closed wire the last edge goes on in the first
@@ -134,8 +139,10 @@ def place_chain(
             )
     frame = _side_of(run, turned) if plane is None else _within(run, plane)
     across = frame.axes[:2]
-    flat = [edge.mapped(across, -across @ frame.origin) for edge in run]
-    return curve_from_run(flat, tolerance=JOIN), frame
+    flat, *drilled = [
+        tuple(edge.mapped(across, -across @ frame.origin) for edge in part) for part in (run, *holes)
+    ]
+    return curve_from_run(flat, tolerance=JOIN, holes=drilled), frame
 
 
 def _why_not_one(runs: Sequence[Run]) -> str:
@@ -144,22 +151,25 @@ def _why_not_one(runs: Sequence[Run]) -> str:
     between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)  # run, its end; other run, its end
     between[np.arange(len(runs)), :, np.arange(len(runs))] = np.inf
     run, side = np.unravel_index(between.argmin(), between.shape)[:2]
-    gap, (x, y, z) = between.min(), ends[run, side]
-    where = f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
+    gap, place = between.min(), Point(ends[run, side])
     if gap <= JOIN:
-        return (
-            f"three edges or more meet at {where}: a strip goes on in one way, so give only the edges that it is "
-            "to follow"
+        return note(
+            "three edges or more meet at {place}: a strip goes on in one way, so give only the "
+            "edges that it is to follow",
+            place=place,
         )
     if gap <= MEANT * np.ptp(np.concatenate([edge.points for one in runs for edge in one]), axis=0).max():
-        return (
-            f"two edges end {gap:.3g} mm apart at {where}: make their ends meet there, in a sketch by a coincident "
-            "constraint"
+        return note(
+            "two edges end {gap} apart at {place}: make their ends meet there, in a sketch by a "
+            "coincident constraint",
+            gap=Length(gap),
+            place=place,
         )
-    return (
-        f"the edges make {len(runs)} separate chains, the nearest {gap:.3g} mm apart at {where}: make their ends "
-        "meet, or leave out what the strip is not to follow, in a sketch as construction geometry"
-    )
+    return note(
+        "the edges make {count} separate chains, the nearest {gap} apart at {place}: make their ends meet, "
+        "or leave out what the strip is not to follow, in a sketch as construction geometry",
+        count=len(runs), gap=Length(gap), place=place,
+    )  # fmt: skip
 
 
 def _within(run: Sequence[Edge], plane: Frame) -> Frame:

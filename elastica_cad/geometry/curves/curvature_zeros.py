@@ -117,7 +117,9 @@ def function_zero_places(
         t = low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2
         values = function(t.ravel()).reshape(t.shape)
         tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
-        done = (tail <= _FOLLOWED * size) | (cuts == _MOST_CUTS)
+        done = (
+            (tail <= _FOLLOWED * size) | (cuts == _MOST_CUTS) | (np.abs(values).max(axis=1) <= _FLAT * size)
+        )
         found.append((low[done], values[done]))
         low, high, cuts = low[~done], high[~done], cuts[~done] + 1
         middle = (low + high) / 2

@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.geometry.pen_curves.tangent_healing import Turn
+from elastica_cad.refusals import Point, note
 
 Drawn: TypeAlias = Literal["pen", "exact"]
 """What a curve was drawn as: Bezier pieces of a pen tool, or a shape that is meant to the last digit."""
@@ -33,6 +34,8 @@ class Provenance:
         What those coordinates are called: "mm", "user units".
     name, layer : str
         What the file calls the curve and its layer; empty when it has no name for them.
+    holes : tuple of (float, float, float)
+        Circles drawn on a straight first or last piece of the curve: centre and diameter, mm.
     """
 
     drawn: Drawn = "exact"
@@ -43,6 +46,7 @@ class Provenance:
     unit: str = "mm"
     name: str = ""
     layer: str = ""
+    holes: tuple[tuple[float, float, float], ...] = ()
 
     def shown(self, point: ArrayLike) -> str:
         """A point (2,) in mm as the drawing program shows it.
@@ -56,21 +60,24 @@ class Provenance:
         if self.place is not None:
             x, y, w = self.place @ (x, y, 1.0)
             x, y = x / w, y / w
-        return f"({_figure(x)}, {_figure(y)}) {self.unit}"
+        x, y = (round(float(v), 6) + 0.0 for v in (x, y))
+        if self.unit == "mm":
+            return note("{place:.6g}", place=Point((x, y)))
+        return note("({x:.6g}, {y:.6g}) {unit}", x=x, y=y, unit=self.unit)
 
     def transformed(self, matrix: FloatArray) -> "Provenance":
         """The record of the curve's image under a 3 x 3 map; of a projective one the digits say nothing."""
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
-            return replace(self, rounding=0.0, place=None)
+            return replace(self, rounding=0.0, place=None, holes=())
         linear = m[:2, :2] / m[2, 2]
         stretch = float(np.linalg.norm(linear, 2))
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
+        holes = tuple((*(m @ (x, y, 1.0))[:2] / m[2, 2], stretch * size) for x, y, size in self.holes)
         return replace(
-            self, rounding=self.rounding * stretch, healed=self.healed * stretch, place=np.asarray(place)
+            self,
+            rounding=self.rounding * stretch,
+            healed=self.healed * stretch,
+            place=np.asarray(place),
+            holes=tuple((float(x), float(y), float(size)) for x, y, size in holes),
         )
-
-
-def _figure(x: float) -> str:
-    """Six figures at most, and no trace of rounding instead of 0."""
-    return f"{round(float(x), 6) + 0.0:.6g}"

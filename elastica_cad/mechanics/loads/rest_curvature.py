@@ -117,7 +117,32 @@ class RestCurvature(EqualByValue):
         return self.length / length
 
 
-NaturalCurvature: TypeAlias = "float | RestCurvature"
+@dataclass(frozen=True, eq=False)
+class CurveOfRest(RestCurvature):
+    """The same, evaluated on the blank itself, without the error of a fit: `profile` tells where it is not smooth.
+
+    Attributes
+    ----------
+    blank : PlaneCurve
+    """
+
+    blank: PlaneCurve
+
+    @classmethod
+    def of(cls, blank: PlaneCurve) -> "CurveOfRest":
+        """The curvature of a blank: see `RestCurvature.of`."""
+        return cls(RestCurvature.of(blank).profile, blank)
+
+    def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
+        """As of `RestCurvature`, up to the first derivative."""
+        t = self.blank.parameter(np.clip(s, 0.0, self.blank.length))
+        for one in self.blank.breaks:
+            t = np.where(np.abs(s - one.s) < _AT_BREAK_SHARE * self.length, one.t, t)
+        along = self.blank.curvature_slope_at if derivative else self.blank.curvature_at
+        return along(t, left=left)
+
+
+NaturalCurvature: TypeAlias = float | RestCurvature
 """1/mm along the whole strip, or a blank."""
 
 

@@ -14,9 +14,9 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import SURVEY_POINTS, PlaneCurve
+from elastica_cad.geometry.curves.unit_speed import DEGREE, integrate_tangents
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
-from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans, spline_through
 from elastica_cad.mechanics.loads.arguments import require_gravity, require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -255,7 +255,6 @@ Angle: TypeAlias = Callable[[FloatArray], FloatArray]
 
 EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
 TANGENT_RAD = 1e-8  # how closely the spline follows the tangent: over the length, far below a micrometre
-DEGREE = 5  # curvature with two derivatives, which checks of equilibrium look at
 MOST_SPANS, NODES_PER_SPAN = 24, 6  # of the spline that corrects the angle: at most, at least
 REACH_LENGTHS = (
     0.05  # in lengths: changes of curvature over that distance weigh as much as the displacement they make
@@ -315,10 +314,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     def tangent(at: FloatArray) -> FloatArray:
         return tangents(through(at) + turn(at))
 
-    knots, rows = adaptive_spline(tangent, (0.0, length), degree=DEGREE - 1, tolerance=TANGENT_RAD)
-    reach = (knots[DEGREE:] - knots[:-DEGREE]) / DEGREE  # of a basis function's integral
-    points = position[0] + np.pad(np.cumsum(reach[:, None] * rows, axis=0), ((1, 0), (0, 0)))
-    return PlaneCurve(np.pad(knots, 1, mode="edge"), points, DEGREE)
+    return integrate_tangents(tangent, length, position[0], tolerance=TANGENT_RAD)
 
 
 def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: Angle) -> Angle:

@@ -156,7 +156,7 @@ class MinimaxProgram:
         self.limits[unknowns] = 0.0
         self.active = np.arange(unknowns + 1)
         if side_rows is not None:
-            self._add(side_rows, np.zeros(len(side_rows)) if side_offset is None else side_offset, 1.0, 0.0)
+            self.hold(side_rows, np.zeros(len(side_rows)) if side_offset is None else side_offset)
 
     def demand(
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray
@@ -164,6 +164,10 @@ class MinimaxProgram:
         """From now on 1 <= low @ x + low_offset, and high @ x + high_offset <= R."""
         self._add(low, low_offset - 1, 1.0, 0.0)
         self._add(high, high_offset, -1.0, 1.0)
+
+    def hold(self, rows: FloatArray, offset: FloatArray) -> None:
+        """From now on rows @ x + offset >= 0."""
+        self._add(rows, offset, 1.0, 0.0)
 
     def _add(self, rows: FloatArray, offset: FloatArray, sign: float, share: float) -> None:
         """Demand sign * (rows @ x + offset) + share * R >= 0."""

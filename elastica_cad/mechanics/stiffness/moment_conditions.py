@@ -44,6 +44,7 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
 )
 from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.refusals import Length, Listed, Span, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +116,7 @@ def _weightless(panels: Panels) -> MomentRows:
     edge_moment[:, 1:] = reach
     # M at a node = M at the panel's near end + <b, step>; at a zero the first term vanishes
     from_left = panels.zero_left
-    vanishing = _vanishing_at_zeros(panels, edge_moment)
+    vanishing = vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
     step = np.where(from_left[:, None, None], panels.from_left, panels.from_right)
     rows = np.empty((count, order, 3))
@@ -130,7 +131,7 @@ def _weightless(panels: Panels) -> MomentRows:
     )  # fmt: skip
 
 
-def _vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
+def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     """The moment at the panel ends less the traces (zero but for rounding) that it has where it must vanish.
 
     Taken off linearly between the zeros of kappa - kappa_0: next to a zero the trace would be large beside M.
@@ -234,6 +235,8 @@ class StiffnessFamily:
         Coefficients (N, p); None when K is homogeneous in y.
     side_rows, side_offset : (k, d), (k,) arrays or None
         Conditions side_rows @ y + side_offset >= 0; an offset of None is 0.
+    sides : tuple of PanelFunction
+        More conditions of that kind, all along the curve: coefficients (N, p, d), without an offset.
     """
 
     panels: Panels
@@ -241,6 +244,7 @@ class StiffnessFamily:
     offset: PanelFunction | None = None
     side_rows: FloatArray | None = None
     side_offset: FloatArray | None = None
+    sides: tuple[PanelFunction, ...] = ()
 
     @property
     def freedom(self) -> int:
@@ -284,7 +288,7 @@ def least_ratio(
     """
     if places is not None:
         solution = _sampled(family, *family.at(*places))
-    elif family.freedom == 0 or (family.freedom == 1 and family.offset is None):
+    elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
         # no number, or one that only scales K: the extremes stay where they are
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
@@ -301,9 +305,14 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
 def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | None:
     """The least R, all local extremes that exceed it being added in each round."""
     rows, offset = family.dense
-    program = MinimaxProgram(rows, side_rows=family.side_rows, side_offset=family.side_offset)
+    sides = [side.dense for side in family.sides]
+    program = MinimaxProgram(
+        np.concatenate([rows, *sides]), side_rows=family.side_rows, side_offset=family.side_offset
+    )
     tolerance = _SETTLED
     program.demand(rows, offset, rows, offset)
+    for side in sides:
+        program.hold(side, np.zeros(len(side)))
     before = np.full(family.freedom, np.nan)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
@@ -320,11 +329,15 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
         before = y
         low = (values < 1 - tolerance - rounded).nonzero()[0]
         high = (values > ratio * (1 + tolerance) + rounded).nonzero()[0]
-        if not (low.size or high.size):
+        broken = [side.at(*side.combined(y).extreme_places) for side in family.sides]
+        broken = [more[more @ y < -tolerance * ratio] for more in broken]
+        if not (low.size or high.size or any(map(len, broken))):
             if values.min() <= 0:  # all that would be positive drowns in rounding
                 return None
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
         program.demand(rows[low], offset[low], rows[high], offset[high])
+        for more in broken:
+            program.hold(more, np.zeros(len(more)))
     raise unsettled(ratio)
 
 
@@ -380,7 +393,7 @@ def _bounded(
     raise unsettled(ratio)
 
 
-def _find_violations(family: StiffnessFamily) -> FloatArray:
+def find_violations(family: StiffnessFamily) -> FloatArray:
     """Arc lengths (k,), mm, that no choice of the numbers can make positive together.
 
     Where one number is free these are the stretches of the lesser sign; otherwise the samples that hold the
@@ -486,7 +499,7 @@ class ConditionedRows:
         """All stiffnesses of the first `count` numbers of the state (3: without dead weight)."""
         basis = np.zeros((self.scale.size, count))
         np.fill_diagonal(basis, self.scale[:count])
-        basis = basis @ _null_space(self.conditions @ basis)
+        basis = basis @ null_space(self.conditions @ basis)
         side = basis[3:4] if count == 4 and self.scale.size == 4 else None
         return StateFamily(
             StiffnessFamily(self.panels, PanelFunction.through(self.rows.stiffness @ basis), side_rows=side),
@@ -572,25 +585,29 @@ class ConditionedRows:
 
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:
         """Raise `NotRealizable` with the reason and the places."""
-        listed = ", ".join(f"{z.s:.4g}" for z in self.check.zeros)
         if family is None or (family.freedom == 0 and family.offset is None):
-            reason = (
+            reason = note(
                 "With this weight and these supports the moment cannot vanish in all places without "
-                f"curvature (at {listed} mm) at once: move the inflections (nearest_rod does), or hold more "
-                "at the ends."
+                "curvature (at {places}) at once: move the inflections (nearest_rod does), or hold "
+                "more at the ends.",
+                places=Listed(Length(z.s) for z in self.check.zeros),
             )
         else:
-            wrong = _find_violations(family)
-            where = f" near {_stretches(wrong, self.check.length)} mm" if wrong.size else ""
-            reason = (
-                f"With this weight and these supports the moment would have to act against the "
-                f"curvature{where}, so no positive stiffness balances the curve: use a lighter or stiffer "
-                "sheet, support the strip there, or change the curve."
-            )
+            wrong = find_violations(family)
+            near = stretches(wrong, self.check.length)
+            reason = note(
+                "With this weight and these supports the moment would have to act against the curvature "
+                "near {stretches}, so no positive stiffness balances the curve: use a lighter or stiffer "
+                "sheet, support the strip there, or change the curve." if near else
+                "With this weight and these supports the moment would have to act against the curvature, so "
+                "no positive stiffness balances the curve: use a lighter or stiffer sheet, support the "
+                "strip there, or change the curve.",
+                stretches=near,
+            )  # fmt: skip
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))
 
 
-def _null_space(matrix: FloatArray) -> FloatArray:
+def null_space(matrix: FloatArray) -> FloatArray:
     """Null space (m, d) of matrix (k, m)."""
     if not len(matrix):
         return np.eye(matrix.shape[1])
@@ -619,10 +636,10 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
     return vt[rank:].T, x if residual.max(initial=0.0) <= 10 * RANK_SHARE else None
 
 
-def _stretches(s: FloatArray, length: float) -> str:
+def stretches(s: FloatArray, length: float) -> Listed:
     """Places, those closer than a twentieth of the length put together."""
     s = np.sort(np.round(s, 6)) + 0.0  # no -0
-    groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1)
-    return ", ".join(
-        f"{g[0]:.4g}" if np.ptp(g) < length / 200 else f"{g[0]:.4g} to {g[-1]:.4g}" for g in groups
+    groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1) if s.size else ()
+    return Listed(
+        Length(g[0]) if np.ptp(g) < length / 200 else Span((Length(g[0]), Length(g[-1]))) for g in groups
     )

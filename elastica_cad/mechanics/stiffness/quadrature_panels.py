@@ -112,6 +112,7 @@ def cut_into_panels(
     cuts: Sequence[float] = (),
     natural_curvature: NaturalCurvature = 0.0,
     law: MaterialLaw | None = None,
+    orders: Sequence[int] | None = None,
 ) -> Panels:
     """Panels that resolve the curve, and any moment over its curvature.
 
@@ -127,11 +128,14 @@ def cut_into_panels(
         Further parameters that must be panel ends, such as places of point masses.
     law : MaterialLaw, optional
         Its effective curvature stands for kappa - kappa_0; where it is not smooth there should be cuts.
+    orders : sequence of int, optional
+        Of the zeros: 2 where kappa - kappa_0 only touches zero; 1 unless given.
     """
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
     close = 1e-10 * (high - low)
     vanishing = sorted(map(float, zeros))
+    order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
     # beside a zero a narrow panel would hold nothing but rounding
     narrow = NARROWEST_SHARE * (high - low)
@@ -153,7 +157,7 @@ def cut_into_panels(
     done: list[_Nodes] = []
     count = 0
     while True:
-        found, tail = _evaluated(excess, cut, poles, law)
+        found, tail = _evaluated(excess, cut, poles, order, law)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
@@ -274,9 +278,12 @@ class _Nodes:
 
 
 def _evaluated(
-    excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, law: MaterialLaw | None
+    excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
-    """The panels at their nodes, and how much of each is unresolved; `zeros` are the parameters of all."""
+    """The panels at their nodes, and how much of each is unresolved.
+
+    `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
+    """
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT
     t = cut.left[:, None] + from_left
@@ -288,6 +295,11 @@ def _evaluated(
     if beside.size:
         at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
         slope = curvature_slope(d1[at], d2[at], d3[0][at]).reshape(-1, ORDER) - excess.rest_at(t[beside], 1)
+        ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
+        own = np.abs(zeros[:, None] - ends).argmin(axis=0)
+        double = orders[own] == 2
+        if double.any():  # what rounding leaves of the slope would be large beside that of the nodes
+            slope[double] -= excess.slope_at(zeros[own[double]])[:, None]
         growth = slope * stretch[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
@@ -296,10 +308,12 @@ def _evaluated(
     functions[0], functions[1] = stretch, 1.0
     if zeros.size:
         middle = cut.left + half[:, 0]
-        nearest = zeros[np.abs(zeros[:, None] - middle).argmin(axis=0)]
-        functions[1] = from_left + (cut.left - nearest)[:, None]
+        pole = np.abs(zeros[:, None] - middle).argmin(axis=0)
+        functions[1] = (from_left + (cut.left - zeros[pole])[:, None]) ** orders[pole, None]
     if beside.size:
-        functions[1, beside] = np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1)
+        functions[1, beside] = (
+            np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1) ** orders[own, None]
+        )
     with np.errstate(divide="ignore", invalid="ignore"):
         functions[1] /= kappa
         tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)

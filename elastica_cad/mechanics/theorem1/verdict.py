@@ -1,6 +1,6 @@
-"""The verdict on a curve as a record, the line of Theorem 1, and how both are put into words."""
+"""Verdicts on a curve, and on two for one strip, as records, the line of Theorem 1, and their words."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -11,6 +11,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.refusals import Length, Listed, note, sentences
 
 
 @dataclass(frozen=True)
@@ -118,36 +120,43 @@ class EquilibriumCheck:
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        opening = self._tell_blank() if self.bent_beforehand else self._tell_flat()
-        return " ".join([opening, *self.reasons, *self.warnings])
+        return sentences([self.verdict, *self.reasons, *self.warnings], " ")
+
+    @property
+    def verdict(self) -> str:
+        """Can a strip take it, in a sentence, without reasons."""
+        return self._tell_blank() if self.bent_beforehand else self._tell_flat()
 
     def _tell_flat(self) -> str:
         if not self.realizable:
-            return f"A flat strip cannot take this curve of {figure(self.length)} mm."
-        if self.any_stiffness:
-            return f"A strip of any width takes this curve of {figure(self.length)} mm: it is not bent."
-        if not self.inflections:
-            return f"A flat strip can take this curve of {figure(self.length)} mm; it has no inflections."
-        return (
-            f"A flat strip can take this curve of {figure(self.length)} mm; it has "
-            f"{count(self.inflections)}, {places(self.inflections)}."
-        )
+            said = "A flat strip cannot take this curve of {length}."
+        elif self.any_stiffness:
+            said = "A strip of any width takes this curve of {length}: it is not bent."
+        elif not self.inflections:
+            said = "A flat strip can take this curve of {length}; it has no inflections."
+        elif len(self.inflections) == 1:
+            said = "A flat strip can take this curve of {length}; it has 1 inflection, at {places}."
+        else:
+            said = "A flat strip can take this curve of {length}; it has {count} inflections, at {places}."
+        return self._said(said)
 
     def _tell_blank(self) -> str:
         """Its inflections cannot be seen in the curve: there it is bent as the blank was."""
         if not self.realizable:
-            return f"A strip bent beforehand as asked cannot take this curve of {figure(self.length)} mm."
+            return self._said("A strip bent beforehand as asked cannot take this curve of {length}.")
         if self.any_stiffness:
-            return f"A strip bent beforehand as asked has this curve of {figure(self.length)} mm already."
-        if not self.inflections:
-            return (
-                f"A strip bent beforehand as asked can take this curve of {figure(self.length)} mm; its bending "
-                "does not change sign."
-            )
-        return (
-            f"A strip bent beforehand as asked can take this curve of {figure(self.length)} mm; its bending "
-            f"changes sign {places(self.inflections)}."
+            return self._said("A strip bent beforehand as asked has this curve of {length} already.")
+        return self._said(
+            "A strip bent beforehand as asked can take this curve of {length}; its bending changes sign at "
+            "{places}."
+            if self.inflections
+            else "A strip bent beforehand as asked can take this curve of {length}; its bending does not "
+            "change sign."
         )
+
+    def _said(self, text: str) -> str:
+        places = lengths(self.inflections)
+        return note(text, length=Length(self.length), count=len(places), places=places)
 
     def _repr_html_(self) -> str:
         return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
@@ -172,40 +181,122 @@ class EquilibriumCheck:
         }
 
 
+@dataclass(frozen=True)
+class PairZero:
+    """A place where two curves are bent alike, so that their moments must be equal too.
+
+    Attributes
+    ----------
+    s : float
+        Arc length, mm.
+    t : float
+        Parameter of the first curve.
+    order : int
+        How often the difference of the curvatures vanishes there: 1 where it changes sign, 2 where it only
+        touches zero, 3 where it changes sign without a slope; 0 where it changes sign by a jump.
+    before, after : int
+        Sign of the difference on either side; 0 beyond the ends.
+    """
+
+    s: float
+    t: float
+    order: int
+    before: int
+    after: int
+
+
+@dataclass(frozen=True, eq=False)
+class PairCheck:
+    """Can one strip rest in two curves? `str()` of it is advice to a designer.
+
+    Attributes
+    ----------
+    realizable : bool
+        Is there a strip, with a shape of its own before it is bent, that rests in both?
+    reasons : tuple of str
+        Why not; empty when realizable.
+    length : float
+        Of both curves, mm.
+    first, second : PlaneCurve
+        The curves, brought to equal length to rounding.
+    bistable : bool
+        Do both states have the same clamps: ends that lie alike, and the same total turning?
+    any_stiffness : bool
+        The curves are congruent: every strip of their own shape will do, unbent.
+    zeros : tuple of PairZero
+        Where kappa_1 - kappa_2 vanishes or jumps to the other sign.
+    unmet : tuple of PairZero
+        Those of them at which no difference of moments vanishes as it must.
+    flats : tuple of (float, float)
+        Stretches from, to, mm, on which both curves are bent alike.
+    against : tuple of float
+        Arc lengths, mm, where the moments would have to act against the curvatures.
+    """
+
+    realizable: bool
+    reasons: tuple[str, ...]
+    length: float
+    first: PlaneCurve = field(repr=False)
+    second: PlaneCurve = field(repr=False)
+    bistable: bool = False
+    any_stiffness: bool = False
+    zeros: tuple[PairZero, ...] = ()
+    unmet: tuple[PairZero, ...] = ()
+    flats: tuple[tuple[float, float], ...] = ()
+    against: tuple[float, ...] = ()
+
+    def __repr__(self) -> str:
+        verdict = "realizable" if self.realizable else "not realizable"
+        return f"<PairCheck {verdict}, {self.length:.4g} mm>"
+
+    def __str__(self) -> str:
+        return " ".join([self._tell(), *self.reasons])
+
+    def _tell(self) -> str:
+        if not self.realizable:
+            return note("No strip rests in both curves of {length}.", length=Length(self.length))
+        if self.any_stiffness:
+            return "Both curves have the same shape: a strip of that shape rests in them without being bent."
+        held = "in the same clamps" if self.bistable else "each in its own clamps"
+        alike = "they are bent alike at {places}" if self.zeros else "they are bent alike nowhere"
+        text = f"One strip can rest in both curves of {{length}}, {held}; {alike}."
+        return note(text, length=Length(self.length), places=lengths(z.s for z in self.zeros))
+
+    def _repr_html_(self) -> str:
+        return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Numbers, texts and lists for a report."""
+        return {
+            "realizable": self.realizable,
+            "reasons": list(self.reasons),
+            "length": self.length,
+            "bistable": self.bistable,
+            "any_stiffness": self.any_stiffness,
+            "zeros": [{"s": z.s, "order": z.order} for z in self.zeros],
+            "unmet": [{"s": z.s, "order": z.order} for z in self.unmet],
+            "flats": [list(pair) for pair in self.flats],
+            "against": list(self.against),
+        }
+
+
 class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
-    """No admissible stiffness makes the curve a rest shape; `check` tells why and where."""
+    """No admissible stiffness makes the curve, or two curves, rest shapes; `check` tells why and where."""
 
     KIND = "not realizable"
 
-    def __init__(self, check: EquilibriumCheck) -> None:
+    def __init__(self, check: EquilibriumCheck | PairCheck) -> None:
         self.check = check
-        super().__init__(str(check), changes=[Change("nearest", True)])
+        nearest = [] if isinstance(check, PairCheck) else [Change("nearest", True)]
+        super().__init__(str(check), changes=nearest)
 
 
-def count(zeros: Sequence[object]) -> str:
-    """For example "2 inflections"."""
-    return f"{len(zeros)} inflection{'s' if len(zeros) > 1 else ''}"
-
-
-def places(s: Iterable[float], word: str = "at") -> str:
-    """For example "at 12 and 34.5 mm"."""
-    return f"{word} {listed(figure(x) for x in s)} mm"
-
-
-def figure(x: float) -> str:
-    """Four figures, and no traces of rounding instead of 0; no power of ten where it is large."""
-    return f"{round(x, 6):.4g}" if abs(x) < 1e4 else f"{x:.0f}"
-
-
-def listed(items: Iterable[str], most: int = 6) -> str:
-    """Texts joined by commas and "and"; no more than `most` of them."""
-    texts = list(items)
-    if len(texts) > most:
-        return ", ".join(texts[:most]) + f" and {len(texts) - most} more"
-    return " and ".join([", ".join(texts[:-1]), texts[-1]]) if len(texts) > 1 else "".join(texts)
+def lengths(s: Iterable[float]) -> Listed:
+    """Places along the curve, without traces of rounding: "12 and 34.5 mm"."""
+    return Listed(Length(round(x, 6)) for x in s)
 
 
 def shown_on(curve: PlaneCurve, point: FloatArray) -> str:
     """A point (2,) as the program shows it in which the curve was drawn."""
     drawn = curve.provenance
-    return f"({point[0]:.4g}, {point[1]:.4g})" if drawn is None else drawn.shown(point)
+    return (drawn or Provenance()).shown(point)

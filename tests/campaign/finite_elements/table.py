@@ -20,13 +20,13 @@ ASKED_MEDIAN, ASKED_WORST = 3e-4, 1e-3
 
 HEAD = """# Strips bent by finite elements
 
-`make campaign-elements` writes this page. The cut files (DXF) of each strip are read,
-meshed by gmsh and bent by CalculiX in space: bricks of twenty nodes (C3D20R), one through the thickness of each
-sheet, large displacements. The tabs are held in the drawn pose; all else is free. Numbers are the largest distance
-of the middle line (the mean over the section) from the drawn curve, as a share of the length.
+`make campaign-elements` writes this page. The cutting files (DXF) of each strip are read, meshed by gmsh and
+bent by CalculiX in three dimensions: bricks of twenty nodes (C3D20R), one through the thickness of each sheet,
+large displacements. The tabs are held as drawn; all else is free. Numbers are the largest distance of the
+middle line (the mean over the section) from the drawn curve, as a share of the length.
 
-All rows are of 21 November 2026; what is told of strips whose widths make up for nothing, or for their curl alone,
-is of 24 November.
+The finite elements are of 21 November 2026. The column "told" is what the program reports for the same strip;
+for strips made with `compensate=False` or by default it is of 24 November.
 """
 
 DEFAULT = """Stiffness alone: `compensate=False`. By default plain strips of a sheet whose Poisson ratio is known,

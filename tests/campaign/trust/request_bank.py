@@ -148,18 +148,16 @@ def keyed_design(number: int) -> object:
 
 def typed_page(page: Path) -> object:
     """A page of the manual as its reader types it: its files saved, its `elastica` commands, its Python."""
-    from tests.manual.run_page import BLOCK, CAPTION
+    from tests.manual.run_page import blocks
 
     told, names = [], {"__name__": "manual"}
-    for block in BLOCK.finditer(page.read_text(encoding="utf-8")):
-        kind, body = block["kind"].strip(), block["body"]
-        caption = CAPTION.match(body)
-        if caption is not None:
-            Path(caption[1]).write_text(body[caption.end() :], encoding="utf-8")
-        elif kind == "sh":
-            told += [typed(words) for words in commands(body)]
-        elif kind == "python":
-            told.append(run_block(body, names))
+    for block in blocks(page.read_text(encoding="utf-8")):
+        if block.file:
+            Path(block.file).write_text(block.body, encoding="utf-8")
+        elif block.kind == "sh":
+            told += [typed(words) for words in commands(block.body)]
+        elif block.kind == "python":
+            told.append(run_block(block.body, names))
     return told
 
 

@@ -1,12 +1,13 @@
 """`elastica bend` with a sheet and a width: newtons, strain and safety along a travel, as typed."""
 
 import csv
-import subprocess
-import sys
+from contextlib import chdir
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
+from elastica_cad.cli.commands import elastica
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.files import read_curves
@@ -16,19 +17,14 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 
 
 def typed(line, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "elastica_cad", *line.split()],
-        cwd=cwd,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    with chdir(cwd):
+        return CliRunner().invoke(elastica, line.split(), catch_exceptions=False)
 
 
 def test_a_spring_and_its_force_travel_curve(tmp_path):
     line = "bend --straight 120 --sheet spring-steel-0.2 --max-width 10 --to 110 0 --steps 5 -o out"
     made = typed(line, tmp_path)
-    assert made.returncode == 0, made.stderr
+    assert made.exit_code == 0, made.stderr
     rows = list(csv.DictReader((tmp_path / "out" / "straight-travel.csv").read_text().splitlines()))
     assert [round(float(row["travel_mm"]), 6) for row in rows] == [2.0, 4.0, 6.0, 8.0, 10.0]
     energy = [float(row["energy_Nmm"]) for row in rows]
@@ -45,20 +41,20 @@ def test_a_spring_and_its_force_travel_curve(tmp_path):
 def test_a_strain_beyond_the_sheet_is_told(tmp_path):
     line = "bend --straight 60 --sheet acrylic-3 --max-width 10 --to 30 0 -o out"
     made = typed(line, tmp_path)
-    assert made.returncode == 0
+    assert made.exit_code == 0
     assert "strained beyond what the sheet bears" in made.stderr
 
 
 def test_a_width_without_a_material(tmp_path):
     made = typed("bend --straight 60 --max-width 10 --to 30 0", tmp_path)
-    assert made.returncode == 2
+    assert made.exit_code == 2
     assert "add --sheet" in made.stderr
 
 
 def test_a_wide_spring_pushes_as_the_plate_that_it_becomes(tmp_path, wide_strips):
     """Straight it bends with E; where it is bent its edges alone curl across, and it is up to a tenth stiffer."""
     made = typed("bend --straight 120 --sheet spring-steel-0.2 --max-width 20 --to 40 0 -o out", tmp_path)
-    assert made.returncode == 0, made.stderr
+    assert made.exit_code == 0, made.stderr
     (row,) = csv.DictReader((tmp_path / "out" / "straight-travel.csv").read_text().splitlines())
     beam = bend(Rod.straight(120.0), end=(40.0, 0.0))
     strip = wide_strips.OwnStrip.cut(lambda s: np.full(np.shape(s), 20.0), Sheet.named("spring-steel-0.2"))
@@ -75,7 +71,7 @@ def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, grav
     weight = " --gravity" if gravity else ""
     line = f"bend arch.csv --sheet acrylic-2 --max-width 40 --to 250 0 -o out{weight}"
     made = typed(line, tmp_path)
-    assert made.returncode == 0, made.stderr
+    assert made.exit_code == 0, made.stderr
     (row,) = csv.DictReader((tmp_path / "out" / "arch-travel.csv").read_text().splitlines())
     (curve,) = read_curves(tmp_path / "arch.csv")
     moved = bend_strip(make_strip(curve, "acrylic-2", max_width=40.0, gravity=gravity), [(250.0, 0.0)])

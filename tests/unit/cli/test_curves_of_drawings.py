@@ -1,12 +1,12 @@
 """Drawings at the command line: which curve, through a pipe, made fair, and refused with the place as drawn."""
 
 import json
-import subprocess
-import sys
 
 import pytest
+from click.testing import CliRunner
 
-pytest.importorskip("click")
+from elastica_cad.cli import commands
+
 pytest.importorskip("svgelements")
 
 BODY = """
@@ -26,16 +26,15 @@ def drawing(tmp_path):
     return path
 
 
-def elastica(*words, stdin=None):
-    command = [sys.executable, "-c", "from elastica_cad.cli import main; main()", *map(str, words)]
-    return subprocess.run(command, capture_output=True, input=stdin, check=False)
+def elastica(*words, stdin=""):
+    return CliRunner().invoke(commands.elastica, [*map(str, words)], input=stdin, catch_exceptions=False)
 
 
 @pytest.mark.campaign
 def test_every_curve_is_judged_for_itself(drawing):
     done = elastica("check", drawing)
-    said, told = done.stdout.decode(), done.stderr.decode()
-    assert done.returncode == 2
+    said, told = done.stdout, done.stderr
+    assert done.exit_code == 2
     assert "curve 1 (arch, layer Cut) of 3:\nA flat strip can take this curve" in said
     assert "curve 3 (bow, layer Notes) of 3:\nA flat strip can take this curve" in said
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told
@@ -49,7 +48,7 @@ def test_a_verdict_that_many_curves_have_is_said_once(tmp_path):
     (tmp_path / "five.svg").write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">{paths}</svg>'
     )
-    said = elastica("check", tmp_path / "five.svg").stdout.decode()
+    said = elastica("check", tmp_path / "five.svg").stdout
     assert "curve 1 (a0) to curve 5 (a240) of 5:" in said
     assert said.count("A flat strip can take this curve") == 1
 
@@ -62,18 +61,18 @@ def test_a_curve_is_chosen_by_number_id_or_layer(drawing, choice):
 
 def test_a_choice_that_is_not_there_is_told_with_those_that_are(drawing):
     done = elastica("check", drawing, "--curve", "nix")
-    assert done.returncode == 2
-    assert b"nix is not among them" in done.stderr
-    assert b"1 (arch, layer Cut), 2 (corner, layer Cut), 3 (bow, layer Notes)" in done.stderr
+    assert done.exit_code == 2
+    assert "nix is not among them" in done.stderr
+    assert "1 (arch, layer Cut), 2 (corner, layer Cut), 3 (bow, layer Notes)" in done.stderr
 
 
 def test_a_drawing_comes_through_a_pipe(drawing):
-    done = elastica("check", "-", "--curve", "bow", stdin=drawing.read_bytes())
-    assert done.returncode == 0
-    assert b"can take this curve" in done.stdout
-    assert b"standard input is empty" in elastica("check", "-", stdin=b"").stderr
-    points = b"0, 0\n10, 8\n20, 12\n30, 13\n40, 12\n50, 8\n60, 0\n"
-    assert elastica("check", "-", stdin=points).returncode == 0
+    done = elastica("check", "-", "--curve", "bow", stdin=drawing.read_text())
+    assert done.exit_code == 0
+    assert "can take this curve" in done.stdout
+    assert "standard input is empty" in elastica("check", "-", stdin="").stderr
+    points = "0, 0\n10, 8\n20, 12\n30, 13\n40, 12\n50, 8\n60, 0\n"
+    assert elastica("check", "-", stdin=points).exit_code == 0
 
 
 @pytest.mark.campaign
@@ -81,11 +80,11 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     out = tmp_path / "out"
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "-o", out)
     done = elastica("strip", drawing, "--all", *wishes)
-    assert done.returncode == 1
+    assert done.exit_code == 1
     assert {"drawn-1.dxf", "drawn-3.dxf"} <= {path.name for path in out.iterdir()}
     assert not (out / "drawn-2.dxf").exists()
-    assert b"curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
-    assert b"1 of 3 curves made no strip" in done.stderr
+    assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
+    assert "1 of 3 curves made no strip" in done.stderr
 
 
 @pytest.mark.campaign
@@ -105,34 +104,35 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
             "-o",
             out,
         )
-        done = elastica(*words, *(() if smooth is None else ("--smooth", smooth)))
-        assert done.returncode == 0, done.stderr
+        done = elastica(*words, *(() if smooth is None else ("--set", f"smooth={smooth}")))
+        assert done.exit_code == 0, done.stderr
         report = json.loads((out / "drawn-arch.json").read_text())
         ratios[smooth] = report["ratio"]
         moved = report["smoothing"]["moved"]
         if smooth == 0:
             assert moved == 0
-            assert b"The width of the strip steps" in done.stderr
-            assert b"--smooth 0.1" in done.stderr
+            assert "The width of the strip steps" in done.stderr
+            assert "--smooth 0.1" in done.stderr
         else:
             assert 0 < moved <= (smooth or 0.1)
             assert report["smoothing"]["ratio_as_drawn"] == pytest.approx(ratios.get(0, 1.557), rel=1e-3)
-            assert f"{moved:.2g} mm from the drawn curve at most".encode() in done.stderr
-            assert b"The width of the strip steps" not in done.stderr
+            assert f"{moved:.2g} mm from the drawn curve at most" in done.stderr
+            assert "The width of the strip steps" not in done.stderr
     assert ratios[1.5] < ratios[None] < ratios[0]
 
 
 @pytest.mark.parametrize(("words", "sentence"), [
-    (("--max-width", "1e200"), b"--max-width is 1e+200"),
-    (("--max-width", "30", "--smooth", "-1"), b"smooth is -1"),
-    (("--max-width", "30", "--smooth", "nan"), b"nan or infinite"), (("--max-width", "inf"), b"nan or infinite"),
-    (("--max-width", "30", "--samples", "9" * 20), b"at most 1e+09"),
+    (("--max-width", "1e200"), "--max-width is 1e+200"),
+    (("--max-width", "30", "--set", "smooth=-1"), "smooth is -1"),
+    (("--max-width", "30", "--set", "smooth=nan"), "smooth is nan: give a finite number"),
+    (("--max-width", "inf"), "nan or infinite"),
+    (("--max-width", "30", "--set", "samples=" + "9" * 20), "at most 1e+09"),
 ])  # fmt: skip
 def test_numbers_at_the_edge_are_refused_in_a_sentence(drawing, words, sentence):
     done = elastica("strip", drawing, "--curve", "arch", "--sheet", "birch-plywood-0.8", *words)
-    assert done.returncode == 2
+    assert done.exit_code == 2
     assert sentence in done.stderr
-    assert done.stderr.strip().count(b"\n") <= 1
+    assert done.stderr.strip().count("\n") <= 1
 
 
 def test_a_design_file_chooses_by_id_and_layer_and_smooths(drawing, tmp_path):
@@ -144,7 +144,7 @@ def test_a_design_file_chooses_by_id_and_layer_and_smooths(drawing, tmp_path):
         "origin = [0, 90, 0]\n"
     )
     done = elastica("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
-    assert done.returncode == 0, done.stderr
+    assert done.exit_code == 0, done.stderr
 
 
 ARCH = [(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)]
@@ -156,7 +156,7 @@ def test_a_gap_between_two_curves_is_told(tmp_path):
         '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="100mm" viewBox="0 0 300 100">'
         '<path d="M10 80 C 40 20 60 20 100 40"/><path d="M100.2 40 C 140 60 160 60 200 20"/></svg>'
     )
-    told = elastica("check", drawing).stderr.decode()
+    told = elastica("check", drawing).stderr
     assert "curve 1 and curve 2 end 0.2 mm apart near (100, -40) mm and are two strips" in told
 
 
@@ -167,7 +167,7 @@ def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
     path.write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" viewBox="0 0 300 300">{corners}</svg>'
     )
-    told = elastica("check", path).stderr.decode().splitlines()
+    told = elastica("check", path).stderr.splitlines()
     assert len(told) <= 10
     assert told[-1].startswith("30 of 30 curves are no open, smooth curves, of which the first 7 are told")
-    assert len(elastica("check", path, "-v").stderr.decode().splitlines()) > 30
+    assert len(elastica("check", path, "-v").stderr.splitlines()) > 30

@@ -8,7 +8,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holding.expected_error import MakingTolerance
-from elastica_cad.fabrication.holding.held_shape import HeldShape, two_digits
+from elastica_cad.fabrication.holding.held_shape import HeldShape, about
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.profile import Profile
@@ -81,10 +81,10 @@ def test_slots_in_plywood_soften_it_more_than_in_an_even_sheet(strip):
 
 
 @pytest.mark.parametrize(
-    ("value", "text"), [(0.8312, "0.83"), (0.00123, "0.0012"), (191.0, "190"), (9.96, "10"), (0.0, "0.0")]
+    ("value", "text"), [(0.8312, "0.83 mm"), (0.00123, "0.0012 mm"), (191.0, "190 mm"), (9.96, "10 mm")]
 )
 def test_numbers_have_two_digits(value, text):
-    assert two_digits(value) == text
+    assert str(about(value)) == text
 
 
 def test_slips_are_refused(strip):

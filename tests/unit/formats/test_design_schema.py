@@ -15,10 +15,11 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, TABLES, design_schema
+from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema, tables
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 ROOT = Path(__file__).resolve().parents[3]
+TABLES = tables()
 TAPLO = Path(sysconfig.get_path("scripts")) / "taplo"
 
 HEAD = 'schema = 1\nsheet = "card-200gsm"\nmax_width = 20\n'
@@ -46,6 +47,7 @@ smooth = 0
 shop = { least_width = 1, least_ligament = 0.5, least_bridge = 1, stock = [900, 600], lap = 40 }
 tolerance = { thickness_wave = 0.02, grain = "degrees", clamps = 0.01, kerf = 0.1 }
 compensate = false
+straight_ends = false
 creep = 0.1
 ignore_limits = true
 [let]
@@ -115,6 +117,8 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     HEAD + "[[strips]]\ncurve = { x = 't', y = '0.01 * t * (90 - t)', t = [0, 90], breaks = [[40, 3]] }\n",
     ONE + "natural_curvature = { stations = [0, 50, 50, 211], curvatures = [0, 0.001, 0.002, 0] }\n",
     ONE + "natural_curvature.curve.spline = [[0, 0], [60, 20], [130, 30], [170, 26], [204, 20]]\n",
+    HEAD + "[[strips]]\ncurve = { spline = [[0, 0], [20, 30], [50, 40], [80, 30], [100, 0]], degree = 3, "
+    "knots = [0, 0, 0, 0, 0.4, 1, 1, 1, 1], weights = [1, 1, 2, 1, 1] }\n",
     HEAD + "[[strips]]\ncurve.ellipse = { center = [0, 9], semi_axes = [90, 60], rotation = 0.1, above = 0 }\n",
     ONE.replace("2.9 }", "6.483185307179586 }") + 'style = { kind = "plain" }\njoint = 10\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "thickness", limits = [1, 3], width = 20 }\n',
@@ -385,7 +389,6 @@ def test_templates_examples_and_pages_are_valid(folder):
     for page in (ROOT / "docs").rglob("*.md"):
         for block in page.read_text(encoding="utf-8").split("```")[1::2]:
             body = block.partition("\n")[2].lstrip()
-            body = body.partition("\n")[2].lstrip() if body.startswith(":caption:") else body
             if "toml" in block.partition("\n")[0] and "schema = 1" in body:
                 texts.append(body)
     for i, text in enumerate(texts):

@@ -41,7 +41,7 @@ GIVES = {
     "svgpathtools/groups.svg": {"bends": 10},
     "svgpathtools/negative-scale.svg": {"corner": 1},
     "svgpathtools/output1.svg": {"bends": 3, "faired": 1, "corner": 1},
-    "svgpathtools/output2.svg": {"bends": 15, "faired": 1, "corner": 1},
+    "svgpathtools/output2.svg": {"bends": 13, "faired": 1, "corner": 1},
     "svgpathtools/output_intersections.svg": {"bends": 7, "faired": 1, "corner": 1},
     "svgpathtools/path.svg": {"corner": 1},
     "svgpathtools/polygons.svg": {"corner": 1, "closed": 1},

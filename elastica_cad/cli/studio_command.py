@@ -1,0 +1,41 @@
+"""`elastica studio`: the page on which curves are drawn while the strip follows."""
+
+import webbrowser
+from importlib.util import find_spec
+from pathlib import Path
+
+import click
+
+from elastica_cad.cli.running.voice import answer, say
+from elastica_cad.errors import MissingDependencyError
+
+NEEDED = ("starlette", "uvicorn", "websockets", "tomlkit")
+
+
+@click.command()
+@click.argument("design", type=click.Path(path_type=Path), required=False)
+@click.option("--port", type=click.IntRange(0, 65535), default=0, show_default="any free one",
+              help="Port on this computer.")  # fmt: skip
+@click.option("--no-browser", is_flag=True, help="Print the address only.")
+def studio(design: Path | None, port: int, no_browser: bool) -> None:
+    """Open a page to draw a curve, see the strip bend into it, and take its files; DESIGN is read and saved.
+
+    The first line is the address of the page, for a browser on this computer. Ctrl-C ends it. The page reads
+    and writes no other file than DESIGN; what is made there comes as downloads. Without DESIGN the address in the
+    browser holds what is drawn.
+    """
+    missing = [name for name in NEEDED if find_spec(name) is None]
+    if missing:
+        raise MissingDependencyError(
+            'the page needs {missing}: install it with pip install "elastica-cad[studio]"', missing=missing[0]
+        )
+    from elastica_cad.web.server import Entrance, Studio, bound_socket, serve
+
+    bound = bound_socket(port)
+    entrance = Entrance(bound.getsockname()[1])
+    page = Studio(entrance, design)
+    answer({"address": entrance.address})
+    say(entrance.address)
+    if not no_browser:
+        webbrowser.open(entrance.address)
+    serve(page, bound)

@@ -1,0 +1,88 @@
+"""Straight first and last pieces of a drawn curve: they are where the strip is screwed on, and become its tabs."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.refusals import Length, Refusal, note
+
+SHORTEST_RUN_IN_MM = 1.0
+"""A straight piece shorter than this is no place to hold a strip by; it stays part of the curve."""
+
+
+@dataclass(frozen=True, eq=False)
+class StraightEnds:
+    """A drawn curve without the straight pieces by which it begins and ends.
+
+    Attributes
+    ----------
+    drawn, bent : PlaneCurve
+        The whole curve, and the part of it that is bent; the same where neither end is straight.
+    lengths : (float, float)
+        Of the straight first and last piece, mm; 0 where there is none.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve([0, 0, 0, 20, 20, 60, 60, 60], [(0, 0), (10, 0), (20, 0), (40, 0), (50, 20)], 2)
+    >>> ends = StraightEnds.of(arch, Supports())
+    >>> ends.lengths, ends.bent.control_points[0].tolist()
+    ((20.0, 0.0), [20.0, 0.0])
+    """
+
+    drawn: PlaneCurve
+    bent: PlaneCurve
+    lengths: tuple[float, float] = (0.0, 0.0)
+
+    @classmethod
+    def of(cls, curve: PlaneCurve, supports: Supports) -> "StraightEnds":
+        """The parts of an open curve; ends that may turn, and curves that are straight all along, are left."""
+        if curve.is_closed or curve.is_straight:
+            return cls(curve, curve)
+        flats = [z for z in curve.curvature_zeros if z.kind == "flat"]
+        start, end = (one.angle for one in supports.ends)
+        (low, high), near, lengths = curve.domain, 1e-9 * curve.length, [0.0, 0.0]
+        for flat in flats:
+            long = flat.s_end - flat.s >= SHORTEST_RUN_IN_MM
+            if start and long and flat.s <= near:
+                low, lengths[0] = flat.t_end, flat.s_end
+            if end and long and flat.s_end >= curve.length - near:
+                high, lengths[1] = flat.t, curve.length - flat.s
+        if not any(lengths):
+            return cls(curve, curve)
+        bent = curve.trimmed(low, high).drawn_as(curve.provenance)
+        return cls(curve, bent, (round(lengths[0], 6), round(lengths[1], 6)))
+
+    def __bool__(self) -> bool:
+        return any(self.lengths)
+
+    def place_of(self, point: ArrayLike, within: float) -> tuple[int, float] | None:
+        """Which straight piece a point (2,) lies on within `within` mm, 0 or 1, and how far into it, mm."""
+        for end, t, outward in zip((0, 1), self.bent.domain, (-1.0, 1.0), strict=True):
+            angle = float(self.bent.angle_at(t))
+            x, y = outward * np.cos(angle), outward * np.sin(angle)
+            along, across = np.array([[x, y], [-y, x]]) @ (np.asarray(point) - self.bent.evaluate(t))
+            if 0 < along < self.lengths[end] and abs(across) <= within:
+                return end, float(along)
+        return None
+
+    @property
+    def told(self) -> Refusal | None:
+        """One sentence about the pieces that became tabs; None where there is none."""
+        first, last = map(Length, self.lengths)
+        if first and last:
+            return note(
+                "The straight first {first} and last {last} of the curve are the strip's tabs; places along the "
+                "strip are counted from where it begins to bend.",
+                first=first,
+                last=last,
+            )
+        if first:
+            return note(
+                "The straight first {first} of the curve are the strip's tab; places along the strip are counted "
+                "from where it begins to bend.",
+                first=first,
+            )
+        return note("The straight last {last} of the curve are the strip's tab.", last=last) if last else None

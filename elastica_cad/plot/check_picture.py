@@ -1,0 +1,100 @@
+"""A picture of a verdict: the drawn curve, its inflections, the line for them, and what is wrong where."""
+
+from collections.abc import Iterator
+from textwrap import fill
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
+from elastica_cad.geometry.boxes import box_about
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.plot.canvas import INK, Figure, new_page
+from elastica_cad.plot.strip_pictures import (
+    COMB,
+    COMB_SHARE,
+    FAINT,
+    LINE,
+    NUMBERED,
+    WIDE,
+    clipped,
+    finish_axes,
+)
+
+POINTS = 601
+"""Along the curve."""
+
+GOOD = "#2e7d4f"
+ON_THE_LINE = 1e-6
+"""Share of the length by which an inflection may be off its line: less is not seen."""
+
+LETTERS = 96
+"""In a line of the sentence above the picture."""
+
+
+def check(check: EquilibriumCheck) -> Figure:
+    """The curve of a verdict with its curvature comb, inflections with their places, inflection line and faults.
+
+    Places are mm along the curve from its start, as in the reasons.
+
+    Parameters
+    ----------
+    check : EquilibriumCheck
+        Of `check_equilibrium`, or of the exception `NotRealizable`.
+
+    Raises
+    ------
+    InputError
+        Something else.
+    MissingDependencyError
+        matplotlib is not installed.
+    """
+    require_record(check, EquilibriumCheck, "what is drawn", "what check_equilibrium answers")
+    curve = check.curve
+    nodes = curve.sample(POINTS)
+    normal = np.column_stack([-np.sin(nodes.angle), np.cos(nodes.angle)])
+    largest, extent = float(np.abs(nodes.curvature).max()), float(np.ptp(nodes.position, axis=0).max())
+    tips = nodes.position - normal * (COMB_SHARE * extent / max(largest, 1e-300) * nodes.curvature)[:, None]
+    box = box_about(np.concatenate([nodes.position, tips]))
+    width, height = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
+    told = fill(" ".join(check.reasons) or str(check), LETTERS)
+    panel = NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
+    figure, (axes,) = new_page([panel], told)
+    teeth = np.stack([nodes.position, tips, np.full_like(tips, np.nan)], axis=1)[::6].reshape(-1, 2)
+    axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
+    axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
+    axes.plot(*nodes.position.T, color=GOOD if check.realizable else INK, linewidth=2.2)
+    for label, color, marker, places in _marks(check):
+        points = curve.at(np.array(places)).position
+        axes.plot(*points.T, marker, color=color, markersize=8, label=label)
+        for s, point in zip(places, points, strict=True):
+            beside = {"xytext": (7, 6), "textcoords": "offset points", "fontsize": 9, "color": color}
+            axes.annotate(f"{s:.4g}", tuple(point), **beside)
+    reach = 0.06 * extent
+    middle, half = box.mean(axis=0), np.array([width, height]) / 2
+    if check.line is not None:
+        point, way = np.array(check.line.point), np.array(check.line.direction)
+        line = clipped(point, way, middle - half + reach, middle + half - reach)
+        if line is not None:
+            axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
+    axes.set_xlim(middle[0] - half[0], middle[0] + half[0])
+    axes.set_ylim(middle[1] - half[1], middle[1] + half[1])
+    verdict = "Can be bent" if check.realizable else "Cannot be bent"
+    finish_axes(axes, f"{verdict}: {check.length:.4g} mm; places in mm along it")
+    return figure
+
+
+def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]]]:
+    """Label, colour, marker and places (mm) of each kind of place that there is."""
+    kinds: tuple[tuple[str, str, str, FloatArray | list[float]], ...] = (
+        ("inflections", LINE, "o", list(check.inflections)),
+        ("off the line", LINE, "D", [s for s, far in check.off_line if far > ON_THE_LINE * check.length]),
+        ("the line crosses here", FAINT, "X", list(check.crossings)),
+        ("the line touches here", FAINT, "P", list(check.touches)),
+        ("the curvature touches zero", "#b06a00", "s", list(check.curvature_touches)),
+        ("the curvature jumps", "#b06a00", "v", list(check.jumps)),
+        ("straight", "#b06a00", "|", [s for piece in check.flats for s in piece]),
+    )
+    for label, color, marker, places in kinds:
+        if len(places):
+            yield label, color, marker, list(places)

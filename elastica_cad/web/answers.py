@@ -1,0 +1,493 @@
+"""What the page asks and what it is answered: records of JSON in and out, one function for each question."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from io import BytesIO
+from itertools import islice
+from pathlib import Path as FilePath
+from tempfile import TemporaryDirectory
+from typing import Any
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.fabrication.drawings.drawing import LAYERS
+from elastica_cad.fabrication.model.assembly import assembly_parts
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.styles import Bends
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.fabrication.travel import bend_strip
+from elastica_cad.files import read_curves
+from elastica_cad.formats.design_files.design_file import Design, design_of, parse_design
+from elastica_cad.formats.file_access.source_file import read_below
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_record import NearestRod, advise
+from elastica_cad.forming.rod_spec import accepted_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.kit.kit_contents import count_strips, kit_of
+from elastica_cad.kit.kit_files import write_kit
+from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
+from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.web.saved_design import OF_MODELS, curve_table, open_design
+
+Record = dict[str, Any]
+
+DRAWN_NODES = 160
+"""Nodes of a strip that are sent: more are not seen on a screen."""
+
+CHORD_MM = 0.05
+"""How far lines on the screen may leave the outline that is cut."""
+
+DROPPED = (".svg", ".dxf", ".csv", ".txt", ".json", ".toml")
+"""Kinds of files that may be dropped on the page."""
+
+DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
+"""Files that the page offers, besides the design."""
+
+FILE_KEYS = ("file", "mesh", "sheets_file")
+
+BENT_STEPS, PRESSED_STEPS = 32, 12
+"""Shapes from the design to flat, and from the design on as its ends are pressed together."""
+
+SLACK = 5e-3
+"""Share of a limit that a nearest curve keeps off it: drawn as a spline it is made anew, and must not miss it."""
+
+NEARLY_FLAT = 0.9999
+"""Of its length, how far apart the ends of a strip are pulled: exactly straight it has no side to bend to."""
+
+PRESSED_SHARE = 0.4
+"""Of the distance of its ends, how far they are pressed together at last."""
+
+
+@dataclass(frozen=True)
+class Download:
+    """A file for the user."""
+
+    name: str
+    content: bytes
+
+
+def answer(request: Mapping[str, Any]) -> Record | Download:
+    """The answer to one question; what is refused is a record too, under "refused".
+
+    Raises
+    ------
+    InputError
+        No question that is known here.
+    """
+    asked = QUESTIONS.get(str(request.get("do")))
+    if asked is None:
+        raise InputError("the page asked for something unknown: load it again")
+    design = request.get("design")
+    if design is not None and not isinstance(design, Mapping):
+        raise InputError("the design is no table of keys and values")
+    with TemporaryDirectory(prefix="elastica-studio-") as folder, read_below(folder):
+        try:
+            _refuse_files(design)
+            return asked(request, FilePath(folder))
+        except ElasticaError as problem:
+            return {"refused": problem.refusal.record}
+
+
+def _refuse_files(value: object, key: str = "") -> None:
+    """Refuse whatever names a file: the page reads none but those that are dropped on it."""
+    if isinstance(value, Mapping):
+        for name, one in value.items():
+            _refuse_files(one, str(name))
+    elif isinstance(value, list):
+        for one in value:
+            _refuse_files(one, key)
+    elif isinstance(value, str) and (key in (*FILE_KEYS, "curve") or ".toml" in value):
+        raise InputError("the page opens no file by its name: drop {value!r} on the drawing", value=value)
+
+
+def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:
+    raise InputError("the page opens no file by its name: drop {name} on the drawing", name=path.name)
+
+
+def _design(request: Mapping[str, Any]) -> Design:
+    return design_of(request["design"], FilePath("design"), _no_file)
+
+
+def _spec(request: Mapping[str, Any]) -> StripSpec:
+    """What is asked of the strip that is looked at."""
+    design = request["design"]
+    strips, k = design.get("strips"), request.get("strip", 0)
+    if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
+        raise InputError("the design has no strip to draw: add one")
+    alone = {key: value for key, value in design.items() if key not in OF_MODELS} | {"strips": [strips[k]]}
+    return design_of(alone, FilePath("design"), _no_file).entries[0].spec
+
+
+def _strip(request: Mapping[str, Any], _: FilePath) -> Record:
+    """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
+    spec = _spec(request)
+    check = check_equilibrium(spec.curve, spec.supports, spec.natural_curvature)
+    drawn = spec.curve.sample(DRAWN_NODES + 1)
+    told = {"drawn": _rounded(drawn.position, 3), "theorem": _theorem(check), "text": str(check)}
+    try:
+        if not (check.realizable or spec.may_change):
+            raise NotRealizable(check)
+        found = spec.rod_spec.solve()
+        made = spec.make(found)
+    except ElasticaError as problem:
+        return told | {"refused": problem.refusal.record}
+    return told | _shape(made) | _numbers(made, found)
+
+
+def _theorem(check: EquilibriumCheck) -> Record:
+    """Inflections with their numbers, their line, and where it meets the curve and must not."""
+
+    def places(s: Sequence[float]) -> list[Any]:
+        return _rounded(check.curve.at(s).position, 3) if len(s) else []
+
+    line = check.line
+    return {
+        "inflections": places(check.inflections),
+        "at": _rounded(check.inflections, 2),
+        "line": None if line is None else [line.point, line.direction],
+        "off": [] if check.realizable else places([s for s, _ in check.off_line]),
+        "crossings": places((*check.crossings, *check.touches, *check.curvature_touches, *check.jumps)),
+    }
+
+
+def _shape(made: Strip, rod: Rod | None = None) -> Record:
+    """Places along a strip from tab to tab: where it is, how wide, how bent and how strained."""
+    rod = rod or made.rod
+    k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
+    s, kappa = rod.s[k], rod.curvature[k]
+    layers = made.layout.strains(Bends(np.abs(kappa - _natural(rod)[k]), s))
+    share = np.max([layer.strain / layer.limit for layer in layers], axis=0)
+    position, width = rod.position[k], made.width(s)
+    along = np.column_stack([np.cos(rod.angle[k]), np.sin(rod.angle[k])])
+    first, last = made.ends
+    ends = [position[:1] - first.length * along[:1], position, position[-1:] + last.length * along[-1:]]
+    wide = [first.width or width[0], *width, last.width or width[-1]]
+    return {
+        "position": _rounded(np.concatenate(ends), 3),
+        "width": _rounded(np.array(wide), 3),
+        "curvature": _rounded(kappa, 6),
+        "shares": _rounded(share, 3),
+    }
+
+
+def _natural(rod: Rod) -> FloatArray:
+    return np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+
+
+def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
+    """The flat part, what is to be known of the strip, and whether all of that is well."""
+    rod, verdict = made.rod, stability(made.rod)
+    low, high = made.width.extremes
+    forces = made.reactions()
+    warnings = [str(text) for text in made.warnings]
+    if not verdict.stable:
+        warnings.insert(0, verdict.meaning)
+    if made.sideways.needs_guiding:
+        warnings.append(str(made.sideways))
+    near = found if isinstance(found, NearestRod) else None
+    return {
+        "flat": _flat(made),
+        "warnings": warnings,
+        "deviation": None if near is None else round(near.deviation, 3),
+        "length": round(rod.length, 2),
+        "widths": [round(low, 2), round(high, 2)],
+        "ratio": round(rod.ratio, 3),
+        "used": round(made.strain_verdict.used, 3),
+        "strain": round(made.max_strain, 5),
+        "margin": float(f"{verdict.margin:.3g}"),
+        "stable": verdict.word,
+        "mass": float(f"{made.mass:.4g}"),
+        "force": float(f"{np.hypot(*forces.end_force):.3g}"),
+        "moment": float(f"{abs(forces.end_moment):.3g}"),
+    } | _shape(made)
+
+
+def _flat(made: Strip) -> list[Record]:
+    """The loops of each layer that is cut or engraved, mm, one sheet of a laminate above the other."""
+    drawn: list[Record] = []
+    below = 0.0
+    for drawing in made.drawings():
+        (_, low), (_, high) = drawing.bounds
+        for layer in LAYERS:
+            loops = [
+                _rounded(_line(item.path) + np.array([0.0, below - high]), 2)
+                for item in drawing.strokes
+                if item.layer == layer
+            ]
+            drawn += [{"layer": layer, "loops": loops}] if loops else []
+        below -= 1.1 * (high - low)
+    return drawn
+
+
+def _line(path: Path) -> FloatArray:
+    """A path as a line of points (n, 2) on the screen, which ends where it begins if it is closed."""
+    points = path.points(CHORD_MM)
+    return np.concatenate([points, points[:1]]) if path.closed else points
+
+
+def _nearest(request: Mapping[str, Any], _: FilePath) -> Record:
+    """The nearest curve that can be made, stays, and keeps the sheet whole, or within the limits of the design."""
+    spec = _spec(request)
+    if not spec.may_change:
+        strain = (1 - SLACK) * spec.material.max_strain
+        spec = spec.changed(
+            limits=Limits(margin=(1 + 4 * SLACK) * SAFE_MARGIN, sheet=spec.material, strain=strain),
+            keep=Keep(),
+        )
+        limits = spec.rod_spec.limits  # with the ratio that the widths allow
+        if isinstance(limits, Limits) and limits.ratio is not None:
+            spec = spec.changed(limits=replace(limits, ratio=max(1.0, (1 - SLACK) * limits.ratio)))
+    near = spec.rod_spec.solve()
+    accepted_rod(near)
+    assert isinstance(near, NearestRod)
+    try:
+        curve = near.curve
+    except NotConvergedError:  # it has no short description
+        curve = near.rod.curve
+    return {
+        "curve": curve_table(curve),
+        "drawn": _rounded(curve.sample(DRAWN_NODES + 1).position, 3),
+        "deviation": round(near.deviation, 3),
+        "text": str(near.status.value),
+        "advice": [str(text) for text in islice(advise(near), 2)],
+    }
+
+
+def _sheets(request: Mapping[str, Any], _: FilePath) -> Record:
+    """What each sheet makes of the strip: the share of what it bears, or why it cannot."""
+    spec, rows = _spec(request), []
+    for name in sheet_names():
+        row: Record = {"name": name, "fits": False}
+        rows.append(row)
+        try:
+            made = spec.changed(sheet=Sheet.named(name)).make()
+        except ElasticaError as problem:
+            row["text"] = str(problem.verdict)
+            continue
+        row |= {"used": round(made.strain_verdict.used, 3), "mass": float(f"{made.mass:.4g}")}
+        row |= {"fits": made.strain_verdict.allowed}
+    return {"sheets": rows}
+
+
+def _bend(request: Mapping[str, Any], _: FilePath) -> Record:
+    """The shapes of the strip from flat to its design and on, with the forces at its end; where it snaps."""
+    spec = _spec(request)
+    made = spec.make()
+    start, end, angles = made.rod.position[0], made.rod.position[-1], made.rod.angle[[0, -1]]
+    way = end - start
+    if not np.hypot(*way) > 0:
+        raise InputError("a closed strip is not led by its ends: open it to bend it here")
+    out = np.arctan2(way[1], way[0])
+    flat = start + NEARLY_FLAT * made.rod.length * np.array([np.cos(out), np.sin(out)])
+    level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
+
+    def led(part: float, there: FloatArray, turn: float) -> Record:
+        turned = angles + turn * part * (level - angles)
+        return {"end": end + part * (there - end), "angles": tuple(turned.tolist())}
+
+    parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
+    pulled = bend_strip(made, [led(part, flat, 1.0) for part in parts])
+    frames = [_frame(made, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
+    with suppress(ElasticaError):  # pressed beyond what it takes, it shows the way from flat alone
+        more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
+        pressed = bend_strip(made, [led(part, end - PRESSED_SHARE * way, 0.0) for part in more])
+        frames += [_frame(made, pressed, k, 1 + PRESSED_SHARE * more[k]) for k in range(len(more))]
+    return {"frames": frames}
+
+
+def _frame(made: Strip, travel: Any, k: int, part: float) -> Record:
+    shape = _shape(made, travel.rods[k])
+    return {
+        "part": round(float(part), 4),
+        "force": float(f"{np.hypot(*travel.end_force[k]):.3g}"),
+        "moment": float(f"{abs(travel.end_moment[k]):.3g}"),
+        "stable": bool(travel.stable[k]),
+        **{key: shape[key] for key in ("position", "shares")},
+    }
+
+
+def _model(request: Mapping[str, Any], _: FilePath) -> Record:
+    """Every strip in its place, with what holds it."""
+    design = _design(request)
+    kit = kit_of(design.model(), design.kit, entries=design.entries)
+    strips: dict[int, int] = {}
+    shapes: list[Record] = []
+    places = []
+    for one in kit.model.placed:
+        key = id(one.strip.rod)
+        if key not in strips:
+            strips[key] = len(shapes)
+            shapes.append(_shape(one.strip))
+        places.append([strips[key], _matrix(one.frame)])
+    solids = [
+        solid
+        for part in assembly_parts((), (*kit.model.plates, *kit.holders))
+        for solid in _plates(part.solids)
+    ]
+    listed = kit.cut_list
+    return {
+        "shapes": shapes,
+        "places": places,
+        "plates": [
+            {
+                "loops": [_rounded(path.points(CHORD_MM), 2) for path in (plate.outline, *plate.holes)],
+                "thickness": plate.thickness,
+                "frame": _matrix(plate.frame),
+            }
+            for plate in solids
+        ],
+        "text": f"{count_strips(kit.model)}, {listed.count} pieces on {len(kit.nests)} sheets, "
+        f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
+        "warnings": list(dict.fromkeys(str(text) for text in (*kit.notes, *kit.model.reports))),
+    }
+
+
+def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
+    for solid in solids:
+        if isinstance(solid, PrismSolid):
+            yield from solid.added
+        elif isinstance(solid, FlatSolid):
+            yield solid
+
+
+def _matrix(frame: Frame) -> list[float]:
+    """Column by column, as a graphics library takes it."""
+    rows = np.eye(4)
+    rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
+    return [round(float(x), 6) for x in rows.T.ravel()]
+
+
+def _edit(request: Mapping[str, Any], _: FilePath) -> Record:
+    """The curve of the strip with one control point more, which leaves its shape as it is, or with one less."""
+    curve, k = _spec(request).curve, request.get("remove")
+    if k is None:
+        return {"curve": curve_table(with_point_near(curve, request.get("near")))}
+    return {"curve": curve_table(without_point(curve, k))}
+
+
+def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
+    """The same curve with a knot more where it passes a point, and so a control point more.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (0, 10), (10, 10), (10, 0)], degree=3)
+    >>> finer = with_point_near(arch, (5.0, 7.5))
+    >>> len(finer.control_points), round(float(abs(finer.evaluate(0.3) - arch.evaluate(0.3)).max()), 12)
+    (5, 0.0)
+    """
+    from scipy.interpolate import insert
+
+    given = np.asarray(
+        point if isinstance(point, list | tuple) and len(point) == 2 else (np.nan, 0), dtype=float
+    )
+    if not np.isfinite(given).all():
+        raise InputError("a control point is added at two numbers in mm, not at {point!r}", point=point)
+    t = np.linspace(*curve.domain, 2001)[1:-1]
+    at = t[np.argmin(np.hypot(*(curve.evaluate(t) - given).T))]
+    weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
+    rows = [*(curve.control_points * weights[:, None]).T, weights]
+    knots, new, degree = insert(at, (curve.knots, rows, curve.degree))
+    x, y, w = (row[: len(knots) - degree - 1] for row in new)
+    return PlaneCurve(knots, np.column_stack([x, y]) / w[:, None], degree, w if curve.is_rational else None)
+
+
+def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
+    """The curve with one control point less, and the inner knot beside it."""
+    count, degree = len(curve.control_points), curve.degree
+    if not isinstance(k, int) or not 0 <= k < count:
+        raise InputError("there is no control point {k!r} to take away", k=k)
+    points = np.delete(curve.control_points, k, axis=0)
+    weights = None if curve.weights is None else np.delete(curve.weights, k)
+    inner = np.arange(degree + 1, count)
+    if not inner.size:
+        return PlaneCurve.spline(points, degree=degree - 1)
+    beside = curve.knots[k + 1 : k + degree + 1].mean()
+    knot = inner[np.argmin(np.abs(curve.knots[inner] - beside))]
+    return PlaneCurve(np.delete(curve.knots, knot), points, degree, weights)
+
+
+def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
+    """The curves of a file that was dropped on the page, or the design in it."""
+    name, text = FilePath(str(request.get("name", ""))).name, request.get("text")
+    if not isinstance(text, str) or FilePath(name).suffix.lower() not in DROPPED:
+        raise InputError(
+            "{name!r} is none of {known}: drop one of those", name=name, known=", ".join(DROPPED)
+        )
+    path = folder / f"dropped{FilePath(name).suffix.lower()}"
+    path.write_text(text, encoding="utf-8", newline="")
+    if path.suffix == ".toml":
+        _refuse_files(parse_design(path))
+        return {"design": open_design(path)}
+    curves = read_curves(path)
+    return {
+        "curves": [{"called": f"{name} {i}", "curve": curve_table(one)} for i, one in enumerate(curves, 1)],
+        "notes": [str(text) for text in curves.notes],
+    }
+
+
+def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
+    """One file, or all of a model in a zip."""
+    kind = request.get("kind")
+    if kind not in DOWNLOADS:
+        raise InputError("{kind!r} is no file that is made here", kind=kind)
+    design = _design(request)
+    name = "".join(c if c.isalnum() or c in "-_" else "-" for c in design.name) or "strip"
+    if kind == "kit":
+        kit = kit_of(design.model(), design.kit, entries=design.entries, effects=True)
+        write_kit(kit, folder / name)
+        return Download(f"{name}.zip", _zipped(folder))
+    spec = _spec(request)
+    found = spec.rod_spec.solve()
+    wanted = StripFiles(design.kit.cutting, "A4" if kind == "pdf" else None, False, kind == "step", False)
+    made = StripKit(spec, found, spec.make(found), name, asked=wanted)
+    if kind == "stl":
+        return Download(f"{name}.stl", _stl(made.strip, folder / "strip.stl"))
+    written = write_strip(made, folder)
+    (path,) = (one for one in written if one.name == made.files.get(kind))
+    return Download(path.name, path.read_bytes())
+
+
+def _stl(made: Strip, path: FilePath) -> bytes:
+    from elastica_cad.fabrication.solids.strip_solids import BentSolid
+    from elastica_cad.kernel.mesh_files import write_stl
+    from elastica_cad.kernel.occt import make_solid
+
+    write_stl(make_solid(BentSolid.layers(made)[0]), path)
+    return path.read_bytes()
+
+
+def _zipped(folder: FilePath) -> bytes:
+    packed = BytesIO()
+    with ZipFile(packed, "w", ZIP_DEFLATED) as archive:
+        for path in sorted(one for one in folder.rglob("*") if one.is_file()):
+            archive.writestr(ZipInfo(path.relative_to(folder).as_posix()), path.read_bytes(), ZIP_DEFLATED)
+    return packed.getvalue()
+
+
+def _rounded(values: Any, digits: int) -> list[Any]:
+    rows: list[Any] = np.round(np.asarray(values, dtype=float), digits).tolist()
+    return rows
+
+
+QUESTIONS: Mapping[str, Callable[[Mapping[str, Any], FilePath], Record | Download]] = {
+    "strip": _strip,
+    "nearest": _nearest,
+    "sheets": _sheets,
+    "bend": _bend,
+    "model": _model,
+    "edit": _edit,
+    "read": _read,
+    "file": _file,
+}
+"""What the page may ask."""

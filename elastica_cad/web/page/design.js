@@ -1,0 +1,104 @@
+// The design as the tables of a design file, every earlier state of it, and how it fits into an address.
+
+const MOST_STATES = 100;
+
+export const EMPTY = {
+  schema: 1, name: "strip", sheet: "birch-plywood-0.8", max_width: 30,
+  strips: [{ label: "A1", curve: { spline: [], degree: 4 } }],
+};
+
+export class History {
+  constructor(key, design) {
+    this.key = key;
+    this.past = [];
+    this.future = [];
+    this.now = JSON.stringify(design);
+    this.listeners = [];
+  }
+
+  // What this tab held before it was loaded again; with `design` only where that is what it showed.
+  static kept(key, design) {
+    try {
+      const kept = JSON.parse(sessionStorage.getItem(key));
+      if (kept && (!design || kept.now === JSON.stringify(design))) {
+        return Object.assign(new History(key, JSON.parse(kept.now)), kept);
+      }
+    } catch { /* nothing is kept where the browser forbids it */ }
+    return design ? new History(key, design) : null;
+  }
+
+  get design() { return JSON.parse(this.now); }
+
+  // Change a copy of the design; steps of one drag are one state to go back to.
+  change(edit, { step = true } = {}) {
+    const design = this.design;
+    edit(design);
+    this.replace(design, { step });
+  }
+
+  replace(design, { step = true } = {}) {
+    const text = JSON.stringify(design);
+    if (text === this.now) return;
+    if (step) {
+      this.past = [...this.past.slice(1 - MOST_STATES), this.now];
+      this.future = [];
+    }
+    this.now = text;
+    this.tell();
+  }
+
+  undo() { this.go(this.past, this.future); }
+  redo() { this.go(this.future, this.past); }
+
+  go(from, to) {
+    if (!from.length) return;
+    to.push(this.now);
+    this.now = from.pop();
+    this.tell();
+  }
+
+  tell() {
+    for (const listener of this.listeners) listener(this.design);
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.keep(), 150);
+  }
+
+  keep() {
+    const { past, future, now } = this;
+    try { sessionStorage.setItem(this.key, JSON.stringify({ past, future, now })); } catch { /* no room */ }
+  }
+}
+
+const squeezed = (stream) => new Response(stream).arrayBuffer();
+
+export async function packed(design) {
+  const stream = new Blob([JSON.stringify(design)]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const bytes = new Uint8Array(await squeezed(stream));
+  const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  return text.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+const LARGEST = 4e6; // letters of a design that is unpacked: an address may come from anybody
+
+export async function unpacked(text) {
+  if (!text) return null;
+  try {
+    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
+    const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))
+      .pipeThrough(new TextDecoderStream()).getReader();
+    let json = "";
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      json += part.value;
+      if (json.length > LARGEST) return null;
+    }
+    const design = JSON.parse(json);
+    return Array.isArray(design?.strips) || design?.revolution ? design : null;
+  } catch {
+    return null; // no design, or a part of one
+  }
+}
+
+// A key of a strip may stand in its own table or, for all strips, at the top.
+export function tableOf(design, strip, key) {
+  return design.strips?.[strip] && key in design.strips[strip] ? design.strips[strip] : design;
+}

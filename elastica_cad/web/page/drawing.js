@@ -1,0 +1,243 @@
+// The drawing: a curve with control points to move, and what the server found about it. All of it is SVG in pixels.
+import { COLORS, stepOf } from "./colors.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+const LAYERS = ["grid", "axis", "comb", "line", "drawn", "strip", "ghost", "polygon", "marks", "points"];
+const COMB_SHARE = 0.12; // of the drawing's size: the longest tooth
+const HIT = 12; // px about a control point
+
+export function element(name, attributes = {}, ...children) {
+  const made = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+
+export class Drawing {
+  constructor(svg, t, on) {
+    Object.assign(this, { svg, t, on, points: [], answer: null, ghost: null, mode: "move", snap: 0, axis: false });
+    this.view = { scale: 1, x: 0, y: 0 }; // px per mm, and where the origin lies
+    this.layers = Object.fromEntries(LAYERS.map((name) => [name, element("g", { class: name })]));
+    svg.append(...Object.values(this.layers));
+    this.fingers = new Map();
+    svg.addEventListener("pointerdown", (event) => this.pressed(event));
+    svg.addEventListener("pointermove", (event) => this.moved(event));
+    for (const name of ["pointerup", "pointercancel"]) svg.addEventListener(name, (event) => this.released(event));
+    svg.addEventListener("wheel", (event) => this.wheeled(event), { passive: false });
+    svg.addEventListener("dblclick", (event) => { if (this.mode === "move") this.on.add(this.place(event)); });
+    svg.addEventListener("keydown", (event) => this.typed(event));
+    new ResizeObserver(() => this.resized()).observe(svg);
+  }
+
+  get size() { return [this.svg.clientWidth || 600, this.svg.clientHeight || 400]; }
+
+  toScreen([x, y]) { return [this.view.x + x * this.view.scale, this.view.y - y * this.view.scale]; }
+
+  toPlane(x, y) { return [(x - this.view.x) / this.view.scale, (this.view.y - y) / this.view.scale]; }
+
+  // Where an event points to, mm; on the grid where that is on.
+  place(event, snap = this.snap) {
+    const box = this.svg.getBoundingClientRect();
+    const digits = snap || 10 ** Math.floor(Math.log10(0.5 / this.view.scale)); // no finer than half a pixel
+    return this.toPlane(event.clientX - box.left, event.clientY - box.top).map((v) => rounded(v, digits));
+  }
+
+  resized() {
+    if (this.fitted !== false) this.fit();
+    else this.paint();
+  }
+
+  fit() {
+    const [width, height] = this.size;
+    const all = [...this.points, ...(this.answer?.position ?? []), ...(this.ghost ?? [])];
+    const [x0, x1] = range(all.map((p) => p[0])), [y0, y1] = range(all.map((p) => p[1]));
+    const scale = all.length > 1 ? 0.8 * Math.min(width / Math.max(x1 - x0, 1), height / Math.max(y1 - y0, 1)) : 1.5;
+    const middle = all.length > 1 ? [(x0 + x1) / 2, (y0 + y1) / 2] : [width / 3, height / 4];
+    this.view = { scale, x: width / 2 - middle[0] * scale, y: height / 2 + middle[1] * scale };
+    this.fitted = true;
+    this.paint();
+  }
+
+  zoom(factor, at = this.size.map((v) => v / 2)) {
+    const { view } = this, scale = Math.min(Math.max(view.scale * factor, 0.01), 200);
+    const grown = scale / view.scale;
+    this.view = { scale, x: at[0] - (at[0] - view.x) * grown, y: at[1] - (at[1] - view.y) * grown };
+    this.fitted = false;
+    this.paint();
+  }
+
+  wheeled(event) {
+    event.preventDefault();
+    const box = this.svg.getBoundingClientRect();
+    this.zoom(Math.exp(-event.deltaY / 400), [event.clientX - box.left, event.clientY - box.top]);
+  }
+
+  pressed(event) {
+    if (event.button > 0) return;
+    this.svg.setPointerCapture(event.pointerId);
+    this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    const hit = this.hit(event);
+    if (this.fingers.size > 1) this.grabbed = null;
+    else if (hit >= 0) {
+      this.grabbed = hit;
+      this.on.grab(hit);
+      this.focus(hit);
+    } else if (this.mode === "draw") {
+      this.on.append(this.place(event));
+      this.grabbed = this.points.length - 1;
+    }
+    event.preventDefault();
+  }
+
+  hit(event) {
+    const box = this.svg.getBoundingClientRect(), at = [event.clientX - box.left, event.clientY - box.top];
+    const far = this.points.map((point) => Math.hypot(...this.toScreen(point).map((v, i) => v - at[i])));
+    const least = Math.min(...far);
+    return least <= (event.pointerType === "touch" ? 2 : 1) * HIT ? far.indexOf(least) : -1;
+  }
+
+  moved(event) {
+    const before = this.fingers.get(event.pointerId);
+    if (!before) return;
+    const now = [event.clientX, event.clientY], others = [...this.fingers].filter(([id]) => id !== event.pointerId);
+    this.fingers.set(event.pointerId, now);
+    if (others.length) {
+      const box = this.svg.getBoundingClientRect(), other = others[0][1];
+      const apart = (p) => Math.hypot(p[0] - other[0], p[1] - other[1]);
+      this.zoom(apart(now) / Math.max(apart(before), 1), [other[0] - box.left, other[1] - box.top]);
+    } else if (this.grabbed != null) {
+      this.on.move(this.grabbed, this.place(event));
+    } else {
+      this.view.x += now[0] - before[0];
+      this.view.y += now[1] - before[1];
+      this.fitted = false;
+      this.paint();
+    }
+  }
+
+  released(event) {
+    this.fingers.delete(event.pointerId);
+    if (this.grabbed != null) this.on.release(this.grabbed);
+    this.grabbed = null;
+  }
+
+  typed(event) {
+    const k = this.points.length ? [...this.layers.points.children].indexOf(document.activeElement) : -1;
+    const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    if (event.key === "+" || event.key === "-") this.zoom(event.key === "+" ? 1.25 : 0.8);
+    else if (event.key === "0") this.fit();
+    else if (ways[event.key] && k >= 0) {
+      const step = (this.snap || 1) * (event.shiftKey ? 10 : 1);
+      const point = this.points[k].map((v, i) => rounded(v + step * ways[event.key][i], 0.001));
+      this.on.grab(k);
+      this.on.move(k, point);
+    } else if ((event.key === "Delete" || event.key === "Backspace") && k >= 0) this.on.remove(k);
+    else if (event.key === "Insert") {
+      const next = this.points[k + 1] ?? this.points[k - 1];
+      if (k >= 0 && next) this.on.add(this.points[k].map((v, i) => (v + next[i]) / 2));
+    } else return;
+    event.preventDefault();
+  }
+
+  focus(k) { this.layers.points.children[k]?.focus(); }
+
+  show({ points = this.points, answer = this.answer, ghost = this.ghost, editable = true }) {
+    const first = !this.points.length && points.length > 1;
+    Object.assign(this, { points, answer, ghost, editable });
+    if (first) this.fit();
+    else this.paint();
+  }
+
+  path(points, closed = false) {
+    const scaled = points.map((point) => this.toScreen(point).map((v) => v.toFixed(1)).join(","));
+    return points.length ? `M${scaled.join("L")}${closed ? "Z" : ""}` : "";
+  }
+
+  paint() {
+    const { layers, answer } = this, drawn = (d, more = {}) => element("path", { d, ...more });
+    layers.grid.replaceChildren(...this.grid());
+    layers.axis.replaceChildren(...(this.axis ? [drawn(this.path([[0, -1e5], [0, 1e5]]))] : []));
+    layers.ghost.replaceChildren(...(this.ghost ? [drawn(this.path(this.ghost))] : []));
+    layers.polygon.replaceChildren(drawn(this.path(this.points)));
+    layers.drawn.replaceChildren(...(answer?.drawn ? [drawn(this.path(answer.drawn))] : []));
+    layers.strip.replaceChildren(...(answer?.position ? this.strained(answer) : []));
+    layers.comb.replaceChildren(...(answer?.curvature && !answer.moved ? [drawn(this.comb(answer))] : []));
+    layers.line.replaceChildren(...(answer?.theorem?.line ? [drawn(this.line(answer.theorem.line))] : []));
+    layers.marks.replaceChildren(...(answer?.theorem ? this.marks(answer.theorem) : []));
+    this.paintPoints();
+  }
+
+  // Control points stay the same elements while they are moved: the focus stays where it is.
+  paintPoints() {
+    const shown = this.editable ? this.points : [], group = this.layers.points;
+    while (group.children.length > shown.length) group.lastChild.remove();
+    shown.forEach((point, k) => {
+      const made = group.children[k] ?? element("circle", { r: 6, tabindex: 0, role: "button" });
+      const [x, y] = this.toScreen(point);
+      made.setAttribute("cx", x.toFixed(1));
+      made.setAttribute("cy", y.toFixed(1));
+      made.setAttribute("aria-label", `${this.t("Control point")} ${k + 1}: ${point.map((v) => +v.toFixed(2)).join(", ")} mm`);
+      if (!made.parentNode) {
+        made.addEventListener("focus", () => this.on.select(k));
+        group.append(made);
+      }
+    });
+  }
+
+  grid() {
+    const [width, height] = this.size, { view } = this;
+    const step = this.snap && this.snap * view.scale >= 8 ? this.snap : 10 ** Math.ceil(Math.log10(12 / view.scale));
+    const [x0, y1] = this.toPlane(0, 0), [x1, y0] = this.toPlane(width, height);
+    const lines = (from, to, draw) => {
+      let fine = "", coarse = "";
+      for (let k = Math.ceil(from / step); k * step <= to; k++) k % 10 ? (fine += draw(k * step)) : (coarse += draw(k * step));
+      return [fine, coarse];
+    };
+    const across = lines(x0, x1, (x) => `M${this.toScreen([x, 0])[0].toFixed(1)},0V${height}`);
+    const up = lines(y0, y1, (y) => `M0,${this.toScreen([0, y])[1].toFixed(1)}H${width}`);
+    const told = element("text", { x: 8, y: height - 8 }, `${this.t("grid")} ${+step.toPrecision(3)} mm`);
+    return [element("path", { d: across[0] + up[0] }), element("path", { d: across[1] + up[1], class: "coarse" }), told];
+  }
+
+  strained({ position, shares: free }) {
+    const runs = COLORS.map(() => "");
+    const at = position.map((point) => this.toScreen(point).map((v) => v.toFixed(1)).join(","));
+    let last = -1;
+    const shares = [free[0], ...free, free.at(-1)]; // tabs are not bent
+    for (let k = 0; k + 1 < at.length; k++) {
+      const step = stepOf(Math.max(shares[k], shares[k + 1] ?? 0));
+      runs[step] += step === last ? `L${at[k + 1]}` : `M${at[k]}L${at[k + 1]}`;
+      last = step;
+    }
+    return runs.map((d, k) => element("path", { d, stroke: COLORS[k] }));
+  }
+
+  comb({ position, curvature }) {
+    const free = position.slice(1, -1), most = Math.max(...curvature.map(Math.abs), 1e-9);
+    const [x0, x1] = range(free.map((p) => p[0])), [y0, y1] = range(free.map((p) => p[1]));
+    const scale = (COMB_SHARE * Math.hypot(x1 - x0, y1 - y0)) / most;
+    const tips = free.map(([x, y], k) => {
+      const [a, b] = [free[Math.max(k - 1, 0)], free[Math.min(k + 1, free.length - 1)]];
+      const [dx, dy] = [b[0] - a[0], b[1] - a[1]], size = Math.hypot(dx, dy) || 1, far = -scale * curvature[k];
+      return [x - (dy / size) * far, y + (dx / size) * far];
+    });
+    return this.path(tips) + tips.map((tip, k) => (k % 4 ? "" : this.path([free[k], tip]))).join("");
+  }
+
+  line([[x, y], [dx, dy]]) { return this.path([[x - 1e4 * dx, y - 1e4 * dy], [x + 1e4 * dx, y + 1e4 * dy]]); }
+
+  marks({ inflections, at, off, crossings }) {
+    const mark = (kind, r) => (point, k) => {
+      const [cx, cy] = this.toScreen(point).map((v) => v.toFixed(1));
+      const name = kind === "inflection" ? `${k + 1}` : "";
+      const said = kind === "inflection" ? `${this.t("Inflection")} ${k + 1}, ${at[k]} mm` : this.t(kind === "off" ? "Not on the line" : "The line meets the curve");
+      return element("g", { class: kind }, element("circle", { cx, cy, r }, element("title", {}, said)),
+        element("text", { x: +cx + 9, y: +cy - 9 }, name));
+    };
+    return [...off.map(mark("off", 9)), ...crossings.map(mark("crossing", 8)), ...inflections.map(mark("inflection", 4))];
+  }
+}
+
+export const rounded = (value, step) => +(Math.round(value / step) * step).toPrecision(12);
+
+export const range = (values) => [Math.min(...values), Math.max(...values)];

@@ -1,0 +1,461 @@
+// The studio: one design, the drawing of it, and everything that the server says about it.
+import { EMPTY, History, packed, tableOf } from "./design.js";
+import { Drawing } from "./drawing.js";
+import { showFlat } from "./flat.js";
+import { Form, html } from "./forms.js";
+import { Space } from "./space.js";
+import { STARTS } from "./starts.js";
+import { COLORS, STEPS } from "./colors.js";
+import { LANGUAGES, speaker } from "./words.js";
+
+const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
+const HOLDERS = { rings: "Rings", base: "Base plate", fixtures: "Printed blocks", stand: "Whatever fits" };
+const SNAPS = [0, 1, 5, 10];
+const SPACE_MS = 60; // between two pictures of the bent strip while it is dragged
+const REST_MS = 250; // after the last change, until the whole model is made
+
+export function mount(root, channel, hello, { linked = null, address = false, onchange = () => {} } = {}) {
+  const kept = History.kept("elastica-studio", linked ?? hello.design);
+  const history = kept ?? new History("elastica-studio", EMPTY);
+  const chosen = localStored("elastica-language") ?? navigator.language.slice(0, 2);
+  const studio = new Studio(root, channel, hello, history, { address, onchange });
+  studio.build(LANGUAGES[chosen] ? chosen : "en");
+  return studio;
+}
+
+function localStored(key, value) {
+  try {
+    if (value !== undefined) localStorage.setItem(key, value);
+    return localStorage.getItem(key);
+  } catch { return null; }
+}
+
+class Studio {
+  constructor(root, channel, hello, history, { address, onchange }) {
+    Object.assign(this, { root, channel, hello, history, address, onchange, strip: 0, shown: 0, answer: null, frames: null });
+    history.listeners.push(() => this.changed());
+    channel.onstate = (alive) => this.alive(alive);
+    root.classList.add("elastica-studio");
+    root.addEventListener("keydown", (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches("input")) return;
+      event.preventDefault();
+      event.shiftKey ? history.redo() : history.undo();
+    });
+    root.addEventListener("dragover", (event) => event.preventDefault());
+    root.addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.open(event.dataTransfer.files[0]);
+    });
+  }
+
+  get design() { return this.history.design; }
+
+  // ---- what is seen
+
+  build(language) {
+    const t = this.t = speaker(language, this.hello.words?.[language]);
+    const button = (text, onclick, more = {}) => html("button", { type: "button", onclick, ...more }, t(text));
+    const select = (label, options, onchange, value) => html("select", { "aria-label": t(label), title: t(label), onchange: (event) => onchange(event.target.value) },
+      ...options.map(([key, text]) => html("option", { value: key, selected: key === value }, text)));
+    this.say = html("p", { class: "said", role: "status" });
+    this.verdict = html("div", { class: "verdict", "aria-live": "polite" });
+    this.numbers = html("dl", { class: "numbers" });
+    this.point = html("div", { class: "point", hidden: true });
+    this.dialog = html("dialog", { "aria-label": t("Start from") });
+    this.bar = html("input", { type: "range", min: 0, max: 1, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
+    this.forces = html("output", { class: "forces" });
+    this.whole = html("input", { type: "checkbox", id: "whole", onchange: () => this.model() });
+    this.fields = html("div", { class: "fields" });
+    this.copies = html("div", { class: "fields" });
+    this.which = html("div", {});
+    const plane = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    plane.setAttribute("tabindex", 0);
+    plane.setAttribute("role", "group");
+    plane.setAttribute("aria-label", t("The drawing: Tab goes to its points, arrow keys move them, Insert adds one, Delete removes one"));
+    this.flat = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    this.flat.setAttribute("role", "img");
+    this.flat.setAttribute("aria-label", t("Flat strip"));
+    const space = html("div", { class: "scene" });
+    this.mode = button("Draw", () => this.draws(this.drawing.mode !== "draw"));
+    const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
+    const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]];
+    this.root.replaceChildren(
+      html("header", {}, html("h1", {}, "elastica studio"),
+        html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
+          button("Undo", () => this.history.undo()), button("Redo", () => this.history.redo()), this.mode,
+          button("Fit", () => this.drawing.fit()), button("Zoom in", () => this.drawing.zoom(1.25)), button("Zoom out", () => this.drawing.zoom(0.8)),
+          select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
+          button("Start from", () => this.starts()), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
+          button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Sheets that can do it", () => this.sheets(), { class: "sheets" }),
+          this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
+          this.address ? button("Copy link", () => this.link()) : null,
+          html("details", { class: "menu downloads" }, html("summary", {}, t("Download")),
+            html("div", {}, ...files.map(([kind, text]) => button(text, () => this.download(kind), { "data-kind": kind })))),
+          select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language))),
+      html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point),
+      html("section", { class: "told", "aria-label": t("Strip") }, this.verdict, this.numbers, this.say),
+      html("section", { class: "space", "aria-label": t("Bent strip") }, space,
+        html("div", { class: "bend" }, html("label", {}, t("Bend it"), this.bar), this.forces),
+        html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
+      html("section", { class: "flat", "aria-label": t("Flat strip") }, this.flat),
+      html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields, html("h2", {}, t("Copies")), this.copies),
+      this.dialog);
+    document.documentElement.lang = language;
+    this.drawing = new Drawing(plane, t, {
+      grab: () => { this.fresh = true; },
+      move: (k, point) => this.edit((curve) => { curve.spline[k] = point; }, this.fresh),
+      release: () => this.drawing.paintPoints(),
+      append: (point) => this.edit((curve) => {
+        curve.spline.push(point);
+        delete curve.knots;
+        delete curve.weights;
+        curve.degree = Math.max(2, Math.min(4, curve.spline.length - 1));
+      }, true),
+      add: (point) => this.counted({ near: point }),
+      remove: (k) => this.counted({ remove: k }),
+      select: (k) => this.selected(k),
+    });
+    this.space = new Space(space, t);
+    this.form = new Form(this.fields, this.hello.fields ?? [], {
+      t, sheets: this.hello.sheets.map((sheet) => sheet.name),
+      get: (path) => reach(tableOf(this.design, this.strip, path[0]), path),
+      set: (path, value) => this.history.change((design) => put(tableOf(design, this.strip, path[0]), path, value)),
+    });
+    this.model3d = new Form(this.copies, COPIES.map((field) => ({ ...field, common: true })), {
+      t, sheets: [], get: ([key]) => COPY[key].get(this.design), set: ([key], value) => this.history.change((design) => COPY[key].set(design, value)),
+    });
+    this.draws(!this.points().length);
+    this.changed();
+    this.drawing.fit();
+  }
+
+  // A click on the drawing sets the next point of the curve, or moves the view.
+  draws(on) {
+    this.drawing.mode = on ? "draw" : "move";
+    this.mode.setAttribute("aria-pressed", on);
+  }
+
+  legend() {
+    return html("ul", { class: "legend" }, ...STEPS.map((most, k) => {
+      const swatch = html("span", { class: "swatch" });
+      swatch.style.background = COLORS[k];
+      return html("li", {}, swatch, Number.isFinite(most) ? `≤ ${100 * most} %` : "> 100 %");
+    }));
+  }
+
+  // ---- what is asked
+
+  curve(design = this.design) { return design.strips?.[this.strip]?.curve; }
+
+  points(design = this.design) {
+    const points = this.curve(design)?.spline;
+    return Array.isArray(points) && points.every((point) => point.every(Number.isFinite)) ? points : [];
+  }
+
+  edit(change, step = true) {
+    this.history.change((design) => change(this.curve(design)), { step });
+    this.fresh = false;
+  }
+
+  changed() {
+    const design = this.design;
+    if (this.strip >= (design.strips?.length ?? 0)) this.strip = 0;
+    this.frames = null;
+    this.bar.value = 1;
+    this.forces.textContent = "";
+    this.drawing.axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
+    this.drawing.show({ points: this.points(design), ghost: null });
+    if (!this.drawing.fingers.size) {
+      this.form.show();
+      this.model3d.show();
+      this.choose(design);
+    }
+    this.follow(design);
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.rested(), REST_MS);
+    this.onchange(design);
+  }
+
+  choose(design) {
+    const strips = design.strips ?? [];
+    this.which.replaceChildren(...(strips.length > 1 ? [html("select", { "aria-label": this.t("Strip"), onchange: (event) => {
+      this.strip = +event.target.value;
+      this.changed();
+      this.drawing.fit();
+    } }, ...strips.map((one, k) => html("option", { value: k, selected: k === this.strip }, one.label ?? `S${k + 1}`)))] : []));
+  }
+
+  async follow(design) {
+    if (!design.strips?.length) return;
+    if (this.curve(design)?.spline && this.points(design).length < 3) {
+      this.paint(null);
+      return;
+    }
+    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip });
+    if (!answer || answer.id < this.shown) return;
+    this.shown = answer.id;
+    this.paint(answer);
+  }
+
+  async rested() {
+    const design = this.design;
+    if (this.address) history.replaceState(null, "", `#${await packed(design)}`);
+    this.model();
+  }
+
+  async model() {
+    const design = this.design;
+    if (!this.whole.checked || !(design.strips?.length || design.revolution)) {
+      if (this.answer?.position) this.space.show(this.answer);
+      return;
+    }
+    const answer = await this.ask({ do: "model", design });
+    if (!answer || !this.whole.checked) return;
+    this.space.showModel(answer);
+    this.tell([answer.text, ...answer.warnings].join(" · "));
+  }
+
+  // ---- what is answered
+
+  paint(answer) {
+    const { t } = this;
+    this.answer = answer;
+    this.drawing.show({ answer });
+    if (!answer) {
+      this.verdict.className = "verdict";
+      this.verdict.replaceChildren(html("strong", {}, t("Draw at least three points")), html("p", {}, t("Click on the drawing to set the first points of a curve, or start from an example.")));
+      this.numbers.replaceChildren();
+      showFlat(this.flat, null);
+      return;
+    }
+    const { refused } = answer, state = refused ? "no" : answer.warnings.length ? "care" : "yes";
+    const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state];
+    const texts = refused ? [refused.message] : [...answer.warnings, answer.text];
+    this.verdict.className = `verdict ${state}`;
+    this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
+    showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
+    this.numbers.replaceChildren(...(refused ? [] : this.rows(answer)).flatMap(([name, value]) => [html("dt", {}, t(name)), html("dd", {}, value)]));
+    if (answer.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
+      this.spaceSoon = null; // the drawing under the pointer comes first
+      if (this.answer?.position && !this.whole.checked) this.space.show(this.answer);
+    }, SPACE_MS);
+  }
+
+  rows(answer) {
+    const { t } = this;
+    return [
+      ["length", `${answer.length} mm`], ["width", `${answer.widths.join(" – ")} mm`], ["stiffness ratio", `${answer.ratio}`],
+      ["strain", `${(100 * answer.strain).toFixed(2)} %, ${Math.round(100 * answer.used)} % ${t("of what the sheet bears")}`],
+      ["stability", `${answer.margin}, ${t(answer.stable)}`], ["held by", `${answer.force} N, ${answer.moment} N mm`], ["mass", `${answer.mass} g`],
+      ...(answer.deviation == null ? [] : [["off the drawn curve", `${answer.deviation} mm`]]),
+    ];
+  }
+
+  suggestions(changes) {
+    const { t } = this, settable = (this.hello.fields ?? []).map((field) => field.name);
+    return changes.filter(({ field }) => field === "nearest" || settable.includes(field) || field === "thickness").map(({ field, value }) => (field === "nearest"
+      ? html("button", { type: "button", onclick: () => this.nearest() }, t("Nearest curve"))
+      : html("button", { type: "button", onclick: () => this.history.change((design) => { tableOf(design, this.strip, field)[field] = value; }) }, `${t("Try")}: ${t(field.replaceAll("_", " "))} ${value}`)));
+  }
+
+  tell(text, ...more) { this.say.replaceChildren(text, ...more); }
+
+  // An answer, or null; what is refused is told.
+  async ask(question) {
+    this.tell(`${this.t("Working")} …`);
+    const answer = await this.channel.ask(question);
+    if (answer) this.tell(answer.refused?.message ?? "");
+    return answer?.refused ? null : answer;
+  }
+
+  alive(alive) {
+    if (!this.t) return;
+    if (alive) {
+      this.tell("");
+      this.changed();
+    } else this.tell(this.t("The server has ended. Your design stays in this page and its address: run elastica studio again."));
+  }
+
+  // ---- what is done by one click
+
+  async counted(which) {
+    const answer = await this.ask({ do: "edit", design: this.design, strip: this.strip, ...which });
+    if (answer) this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
+  }
+
+  selected(k) {
+    const { t } = this;
+    const point = () => this.points()[k];
+    if (!point()) return;
+    const input = (axis) => html("input", { value: +point()[axis].toFixed(3), inputmode: "decimal", "aria-label": "xy"[axis], onchange: (event) => {
+      const value = Number(event.target.value.replace(",", "."));
+      if (Number.isFinite(value)) this.edit((curve) => { curve.spline[k][axis] = value; });
+    } });
+    this.point.hidden = false;
+    this.point.replaceChildren(`${t("Control point")} ${k + 1}`, html("label", {}, "x ", input(0)), html("label", {}, "y ", input(1)), "mm",
+      html("button", { type: "button", onclick: () => this.counted({ remove: k }) }, t("Remove")));
+  }
+
+  async nearest() {
+    const { t } = this, answer = await this.ask({ do: "nearest", design: this.design, strip: this.strip });
+    if (!answer) return;
+    this.drawing.show({ ghost: answer.drawn });
+    const done = () => {
+      this.drawing.show({ ghost: null });
+      this.tell("");
+    };
+    this.tell(`${t("The nearest curve is")} ${answer.deviation} mm. ${[answer.text, ...answer.advice].join(" ")} `,
+      html("button", { type: "button", class: "take", onclick: () => {
+        this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
+        done();
+      } }, t("Take it")),
+      html("button", { type: "button", onclick: done }, t("Leave it")));
+  }
+
+  async sheets() {
+    const { t } = this, answer = await this.ask({ do: "sheets", design: this.design, strip: this.strip });
+    if (!answer) return;
+    const rows = answer.sheets.sort((a, b) => b.fits - a.fits).map((row) => html("tr", { class: row.fits ? "fits" : "not" },
+      html("td", {}, html("button", { type: "button", onclick: () => {
+        this.history.change((design) => { tableOf(design, this.strip, "sheet").sheet = row.name; });
+        this.dialog.close();
+      } }, row.name)), html("td", {}, t(row.fits ? "fits" : "does not")),
+      html("td", {}, row.used == null ? row.text : `${Math.round(100 * row.used)} % ${t("of what the sheet bears")}, ${row.mass} g`)));
+    this.ask1(t("Sheets that can do it"), html("table", {}, html("tbody", {}, ...rows)));
+  }
+
+  ask1(title, ...content) {
+    this.dialog.setAttribute("aria-label", title);
+    this.dialog.replaceChildren(html("h2", {}, title), ...content, html("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, this.t("Close")));
+    this.dialog.showModal();
+  }
+
+  async starts() {
+    const { t } = this, all = [...STARTS, ...Object.values(this.hello.starts)];
+    const cards = [{ ...EMPTY, name: t("Empty drawing") }, ...all].map((design, k) => html("button", { type: "button", class: "card", "data-name": k ? design.name : "empty", onclick: () => {
+      this.strip = 0;
+      this.history.replace(k ? design : EMPTY);
+      this.whole.checked = Boolean(design.patterns || design.revolution || design.strips?.length > 1);
+      this.dialog.close();
+      this.draws(!this.points().length);
+      this.changed();
+      this.drawing.fit();
+    } }, html("span", { class: "picture" }), design.name));
+    this.ask1(t("Start from"), html("div", { class: "cards" }, ...cards));
+    for (const [k, design] of STARTS.entries()) {
+      const answer = await this.channel.ask({ do: "strip", design, strip: 0 });
+      if (!this.dialog.open) return;
+      if (answer?.drawn) cards[k + 1].firstChild.append(thumbnail(answer.drawn));
+    }
+  }
+
+  async bent() {
+    if (!this.frames) {
+      this.frames = [];
+      const answer = await this.ask({ do: "bend", design: this.design, strip: this.strip });
+      if (!answer) return;
+      this.frames = answer.frames;
+      this.bar.max = this.frames.at(-1).part;
+    }
+    if (!this.frames.length) return;
+    const { t } = this, part = +this.bar.value;
+    const frame = this.frames.reduce((best, one) => (Math.abs(one.part - part) < Math.abs(best.part - part) ? one : best));
+    const shape = { ...this.answer, ...frame, moved: frame.part !== 1 };
+    this.drawing.show({ answer: shape });
+    if (!this.whole.checked) this.space.show(shape);
+    const where = frame.part === 0 ? t("flat") : frame.part === 1 ? t("as drawn") : `${Math.round(100 * frame.part)} %`;
+    this.forces.textContent = `${where}: ${t("force")} ${frame.force} N, ${t("moment")} ${frame.moment} N mm${frame.stable ? "" : ` – ${t("it snaps")}`}`;
+    this.forces.classList.toggle("snaps", !frame.stable);
+  }
+
+  async link() {
+    await this.rested();
+    await navigator.clipboard?.writeText(location.href);
+    this.tell(this.t("Copied"));
+  }
+
+  async save() {
+    const answer = await this.ask({ do: "save", design: this.design });
+    if (answer) this.tell(`${this.t("Saved")}: ${answer.saved}`);
+  }
+
+  async download(kind) {
+    const { design } = this;
+    const answer = await this.ask(kind === "design" ? { do: "save", copy: true, design } : { do: "file", kind, design, strip: this.strip });
+    if (!answer) return;
+    const link = html("a", { href: URL.createObjectURL(new Blob([answer.content ?? answer.text])), download: answer.name ?? `${design.name}.toml` });
+    this.root.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
+  }
+
+  // A file that was dropped or chosen: curves for this strip, or a whole design.
+  async open(file) {
+    if (!file) return;
+    const answer = await this.ask({ do: "read", name: file.name, text: await file.text() });
+    if (!answer) return;
+    if (answer.design) this.history.replace(answer.design);
+    else if (answer.curves.length === 1) this.take(answer.curves[0].curve);
+    else this.ask1(this.t("Choose a curve"), ...answer.curves.map(({ called, curve }) => html("button", { type: "button", onclick: () => {
+      this.dialog.close();
+      this.take(curve);
+    } }, called)));
+    if (answer.notes?.length) this.tell(answer.notes.join(" "));
+    this.drawing.fit();
+  }
+
+  take(curve) {
+    this.history.change((design) => { design.strips[this.strip].curve = curve; });
+    this.drawing.fit();
+  }
+}
+
+function thumbnail(points) {
+  const [x, y] = [0, 1].map((axis) => points.map((point) => point[axis]));
+  const [x0, y1, size] = [Math.min(...x), Math.max(...y), Math.max(Math.max(...x) - Math.min(...x), Math.max(...y) - Math.min(...y), 1)];
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", `-5 -5 110 110`);
+  svg.setAttribute("aria-hidden", "true");
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  path.setAttribute("d", `M${points.map((p) => [(100 * (p[0] - x0)) / size, (100 * (y1 - p[1])) / size]).join("L")}`);
+  svg.append(path);
+  return svg;
+}
+
+const reach = (table, path) => path.reduce((value, key) => value?.[key], table);
+
+function put(table, path, value) {
+  for (const key of path.slice(0, -1)) table = table[key] = typeof table[key] === "object" && table[key] ? table[key] : {};
+  if (value === undefined) delete table[path.at(-1)];
+  else table[path.at(-1)] = value;
+}
+
+// Copies and what holds them: keys of the whole design, not of a strip.
+const holderOf = (design) => Object.keys(HOLDERS).find((key) => key in design);
+const COPIES = [
+  { name: "Around the axis x = 0", kind: "count", help: "" },
+  { name: "Holders", kind: "choice", choices: Object.keys(HOLDERS), help: "" },
+  { name: "Sheet of the holders", kind: "text", default: "mdf-3", help: "" },
+];
+const COPY = {
+  "Around the axis x = 0": {
+    get: (design) => design.patterns?.find((one) => one.rotate)?.rotate.count,
+    set: (design, count) => {
+      design.patterns = [...(design.patterns ?? []).filter((one) => !one.rotate), ...(count > 1 ? [{ rotate: { count } }] : [])];
+      if (!design.patterns.length) delete design.patterns;
+    },
+  },
+  "Holders": {
+    get: holderOf,
+    set: (design, holder) => {
+      const sheet = design[holderOf(design)]?.sheet ?? "mdf-3";
+      for (const key of Object.keys(HOLDERS)) delete design[key];
+      if (holder) design[holder] = holder === "fixtures" ? {} : { sheet };
+    },
+  },
+  "Sheet of the holders": {
+    get: (design) => design[holderOf(design)]?.sheet,
+    set: (design, sheet) => { if (design[holderOf(design)] && holderOf(design) !== "fixtures") design[holderOf(design)].sheet = sheet ?? "mdf-3"; },
+  },
+};

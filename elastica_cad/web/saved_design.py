@@ -1,0 +1,115 @@
+"""The one design file that the studio reads and saves, as tables that the page can draw in."""
+
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.files import read_curves
+from elastica_cad.formats.design_files.design_file import design_of, parse_design
+from elastica_cad.formats.file_access.source_file import read_below
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+Tables = dict[str, Any]
+
+OF_MODELS = ("patterns", "interlock", "base", "rings", "frame", "fixtures", "stand", "extras", "revolution")
+"""Tables of a design that one strip alone does not need."""
+
+STARTS = ("pavilion", "revolution")
+"""Designs of `elastica new` that need no other file, from which the page can start."""
+
+
+def open_design(path: Path) -> Tables:
+    """The tables of a design file, its curves as splines that can be drawn on.
+
+    Raises
+    ------
+    InputError
+        As `read_design`; or strips along sections of a mesh, which are not drawn.
+    """
+    return _drawable(parse_design(path), path)
+
+
+def start_designs() -> dict[str, Tables]:
+    """Designs to start from, by name."""
+    folder = Path(str(files("elastica_cad.cli").joinpath("templates")))
+    return {name: parse_design(folder / f"{name}.toml") for name in STARTS}
+
+
+def _drawable(tables: Tables, path: Path) -> Tables:
+    with read_below(path.parent, Path()):
+        design_of(tables, path, read_curves)
+        for k, strip in enumerate(tables.get("strips", [])):
+            if "sections" in strip:
+                raise InputError(
+                    "{path}: strips along sections of a mesh are not drawn: `elastica model` makes them",
+                    path=path,
+                )
+            if "count" in strip or _is_drawn(strip["curve"]):
+                continue
+            alone = {key: value for key, value in tables.items() if key not in OF_MODELS}
+            (entry,) = design_of(alone | {"strips": [strip]}, path, read_curves).entries
+            tables["strips"][k] = strip | {"curve": curve_table(entry.curve)}
+    return tables
+
+
+def _is_drawn(curve: object) -> bool:
+    """Is it a spline whose control points are numbers, which can be moved?"""
+    points = curve.get("spline") if isinstance(curve, Mapping) and "reshape" not in curve else None
+    return isinstance(points, list) and all(
+        isinstance(x, int | float) for point in points if isinstance(point, list) for x in point
+    )
+
+
+def curve_table(curve: PlaneCurve) -> Tables:
+    """A curve as a table of a design file, exactly.
+
+    Examples
+    --------
+    >>> curve_table(PlaneCurve.spline([(0, 0), (5, 8), (10, 0)], degree=2))
+    {'spline': [[0.0, 0.0], [5.0, 8.0], [10.0, 0.0]], 'degree': 2}
+    """
+    table: Tables = {"spline": curve.control_points.tolist(), "degree": curve.degree}
+    if curve.is_rational or not np.array_equal(
+        curve.knots, PlaneCurve.spline(curve.control_points, curve.degree).knots
+    ):
+        table["knots"] = curve.knots.tolist()
+    return table if curve.weights is None else table | {"weights": curve.weights.tolist()}
+
+
+def compose_design(tables: Mapping[str, Any], before: str = "") -> str:
+    """The text of a design file with these tables, which keeps the comments of the text before where it can.
+
+    Examples
+    --------
+    >>> print(compose_design({"schema": 1, "max_width": 30}, "schema = 1\\nmax_width = 40  # of the laser's bed"))
+    schema = 1
+    max_width = 30  # of the laser's bed
+    """
+    import tomlkit
+
+    document = tomlkit.parse(before)
+    _update(document, tables)
+    return tomlkit.dumps(document)
+
+
+def _update(kept: Any, given: Mapping[str, Any]) -> None:
+    for key in [key for key in kept if key not in given]:
+        del kept[key]
+    for key, value in given.items():
+        if value is None or (key in kept and kept[key] == value):
+            continue
+        if isinstance(value, Mapping) and isinstance(kept.get(key), Mapping):
+            _update(kept[key], value)
+        elif _are_tables(value) and _are_tables(kept.get(key)) and len(value) == len(kept[key]):
+            for one, other in zip(kept[key], value, strict=True):
+                _update(one, other)
+        else:
+            kept[key] = value
+
+
+def _are_tables(value: object) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(one, Mapping) for one in value)

@@ -1,0 +1,252 @@
+"""The server of the page: on this computer alone, for those who have its address, and for pages of its own."""
+
+import asyncio
+import hmac
+import json
+import secrets
+import socket
+from collections.abc import AsyncIterator, Mapping
+from contextlib import asynccontextmanager, suppress
+from dataclasses import dataclass, field
+from importlib.metadata import PackageNotFoundError, version
+from importlib.resources import files
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.datastructures import MutableHeaders
+from starlette.requests import HTTPConnection, Request
+from starlette.responses import FileResponse, PlainTextResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.formats.file_access.source_file import mark_file
+from elastica_cad.formats.file_access.write_files import write_atomically
+from elastica_cad.refusals import Refusal
+from elastica_cad.web.saved_design import compose_design, open_design, start_designs
+from elastica_cad.web.vocabulary import page_words
+from elastica_cad.web.workers import Workers
+
+HOST = "127.0.0.1"
+
+MOST_BYTES = 16 * 2**20
+"""Of one message: a drawing that is dropped."""
+
+POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self' {socket}; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+
+NO_ENTRY = "This page is for the person who started it: open the address that `elastica studio` printed.\n"
+
+
+@dataclass(frozen=True)
+class Entrance:
+    """Who may come in: whoever knows the token, from this computer's own name, not sent by another site."""
+
+    port: int
+    token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
+
+    @property
+    def address(self) -> str:
+        """To be opened in a browser."""
+        return f"http://{HOST}:{self.port}/?token={self.token}"
+
+    @property
+    def cookie(self) -> str:
+        """Its name: ports share their cookies."""
+        return f"elastica-studio-{self.port}"
+
+    def refusal(self, seen: HTTPConnection) -> str:
+        """Why a request is not answered; empty where it is."""
+        host = seen.headers.get("host", "")
+        if host not in (f"{HOST}:{self.port}", f"localhost:{self.port}"):
+            return "This server answers to its own name only.\n"
+        origin = seen.headers.get("origin", "" if seen.scope["type"] == "websocket" else f"http://{host}")
+        if origin != f"http://{host}":
+            return "This server answers to its own page only.\n"
+        given = seen.query_params.get("token") or seen.cookies.get(self.cookie, "")
+        return "" if hmac.compare_digest(given.encode(), self.token.encode()) else NO_ENTRY
+
+
+class Guard:
+    """Lets in whom the entrance lets in, and gives every answer its policy."""
+
+    def __init__(self, app: ASGIApp, entrance: Entrance) -> None:
+        self.app, self.entrance = app, entrance
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer or refuse."""
+        if scope["type"] == "lifespan":
+            await self.app(scope, receive, send)
+            return
+        seen = HTTPConnection(scope)
+        refusal = self.entrance.refusal(seen)
+
+        async def guarded(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                headers = MutableHeaders(scope=message)
+                headers["Content-Security-Policy"] = POLICY.format(socket=f"ws://{seen.headers.get('host')}")
+                headers["X-Content-Type-Options"] = "nosniff"
+                headers["Referrer-Policy"] = "no-referrer"
+                headers["Cross-Origin-Resource-Policy"] = "same-origin"
+                headers["Cache-Control"] = "no-cache"
+                if not refusal and "token" in seen.query_params:
+                    kept = f"{self.entrance.cookie}={self.entrance.token}"
+                    headers.append("Set-Cookie", f"{kept}; Path=/; HttpOnly; SameSite=Strict")
+            await send(message)
+
+        if not refusal:
+            await self.app(scope, receive, guarded)
+        elif scope["type"] == "websocket":
+            await WebSocket(scope, receive, send).close(1008, refusal.strip())
+        else:
+            await PlainTextResponse(refusal, 403)(scope, receive, guarded)
+
+
+class Studio:
+    """The page, its questions, and the one file that it may save.
+
+    Parameters
+    ----------
+    entrance : Entrance
+    path : Path, optional
+        A design file that is opened, and saved where the user asks for it.
+    """
+
+    def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
+        self.path = path
+        self._design = None if path is None or not path.exists() else open_design(path)
+        self._mark = None if path is None else mark_file(path)
+        self._words = page_words() | {"starts": start_designs(), "version": _version()}
+        self._workers = Workers(_refused)
+        self._pages = count(1)
+        page = Path(str(files("elastica_cad.web").joinpath("page")))
+        routes = [
+            Route("/", _first(page / "index.html")),
+            WebSocketRoute("/talk", self._talk),
+            Mount("/", StaticFiles(directory=page)),
+        ]
+        self.app = Guard(Starlette(routes=routes, lifespan=self._alive), entrance)
+
+    @asynccontextmanager
+    async def _alive(self, _: Starlette) -> AsyncIterator[None]:
+        self._workers.start()
+        yield
+        await self._workers.stop()
+
+    async def _talk(self, talk: WebSocket) -> None:
+        """Take the questions of one page as they come, and give the answers as they are found."""
+        page = next(self._pages)
+        await talk.accept()
+
+        async def send(kind: bytes, content: bytes) -> None:
+            await (talk.send_text(content.decode()) if kind == b"text" else talk.send_bytes(content))
+
+        try:
+            await send(b"text", json.dumps({"do": "hello", **self._hello()}).encode())
+            while True:
+                await self._take(page, await talk.receive_text(), send)
+        except (WebSocketDisconnect, KeyError):  # gone; or bytes, which no page of ours sends
+            with suppress(RuntimeError):
+                await talk.close()
+        finally:
+            self._workers.forget(page)
+
+    async def _take(self, page: int, text: str, send: Any) -> None:
+        try:
+            request = json.loads(text)
+        except (ValueError, RecursionError):
+            request = None
+        if not isinstance(request, dict):
+            await send(b"text", _refused({}, "this is no question of the page: load it again"))
+        elif request.get("do") == "save":
+            await send(b"text", self._save(request))
+        else:
+            self._workers.ask(page, request, json.dumps(request).encode(), send)
+
+    def _hello(self) -> dict[str, Any]:
+        """What the page needs to know before it asks."""
+        return self._words | {"design": self._design, "file": None if self.path is None else self.path.name}
+
+    def _save(self, request: Mapping[str, Any]) -> bytes:
+        """Write the design to its file, or answer with its text where there is none."""
+        head = {name: request.get(name) for name in ("id", "do")}
+        try:
+            design = request.get("design")
+            if not isinstance(design, dict):
+                raise InputError("the design is no table of keys and values")
+            if self.path is None or request.get("copy"):
+                return json.dumps(head | {"text": compose_design(design)}).encode()
+            if mark_file(self.path) != self._mark:
+                raise InputError(
+                    "{name} was changed by another program: load the page again", name=self.path.name
+                )
+            before = self.path.read_text(encoding="utf-8-sig") if self.path.exists() else ""
+            write_atomically(self.path, compose_design(design, before).encode(), force=True)
+            self._design, self._mark = design, mark_file(self.path)
+            return json.dumps(head | {"saved": self.path.name}).encode()
+        except ElasticaError as problem:
+            return json.dumps(head | {"refused": problem.refusal.record}).encode()
+        except (TypeError, ValueError):
+            return _refused(head, "this design cannot be written: its values are of the wrong kind")
+
+
+def _first(index: Path) -> Any:
+    async def page(_: Request) -> Response:
+        return FileResponse(index)
+
+    return page
+
+
+def _refused(request: Mapping[str, Any], text: str) -> bytes:
+    head = {name: request.get(name) for name in ("id", "do")}
+    return json.dumps(head | {"refused": Refusal("input", text).record}).encode()
+
+
+def _version() -> str:
+    try:
+        return version("elastica-cad")
+    except PackageNotFoundError:
+        return "from a checkout"
+
+
+def bound_socket(port: int) -> socket.socket:
+    """A socket on this computer alone; on any free port for 0.
+
+    Raises
+    ------
+    InputError
+        The port is taken.
+    """
+    bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    try:
+        bound.bind((HOST, port))
+        bound.listen()  # a browser that is quicker than the server waits
+    except (OSError, OverflowError) as problem:
+        bound.close()
+        raise InputError(
+            "port {port} cannot be had: leave --port out, and a free one is taken",
+            port=port,
+            where={"option": "--port"},
+        ) from problem
+    return bound
+
+
+def serve(studio: Studio, bound: socket.socket) -> None:
+    """Answer until Ctrl-C."""
+    import uvicorn
+
+    settings = uvicorn.Config(
+        studio.app,
+        log_level="warning",
+        ws_max_size=MOST_BYTES,
+        timeout_graceful_shutdown=1,
+        server_header=False,
+    )
+    with suppress(KeyboardInterrupt):
+        asyncio.run(uvicorn.Server(settings).serve(sockets=[bound]))

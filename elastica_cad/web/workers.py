@@ -1,0 +1,99 @@
+"""Processes that answer, and the queue before them: of equal questions of one page only the newest is answered."""
+
+import asyncio
+import sys
+from collections.abc import Awaitable, Callable
+from contextlib import suppress
+from typing import Any
+
+WORKERS = 2
+
+LONGEST_S = {"file": 180.0, "model": 60.0, "nearest": 60.0, "sheets": 60.0, "bend": 30.0}
+"""How long a question may take; all others `USUAL_S`."""
+
+USUAL_S = 15.0
+
+Send = Callable[[bytes, bytes], Awaitable[None]]
+"""Takes kind and content of an answer."""
+
+
+class Workers:
+    """Two processes and the questions that wait for them, in the order in which pages began to ask."""
+
+    def __init__(self, refused: Callable[[dict[str, Any], str], bytes]) -> None:
+        self._refused = refused
+        self._waiting: dict[tuple[int, str], tuple[dict[str, Any], bytes, Send]] = {}
+        self._arrived = asyncio.Semaphore(0)
+        self._tasks: list[asyncio.Task[None]] = []
+
+    def start(self) -> None:
+        """Start the processes; they take a second to be ready."""
+        self._tasks = [asyncio.create_task(self._work()) for _ in range(WORKERS)]
+
+    async def stop(self) -> None:
+        """End them."""
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+
+    def ask(self, page: int, request: dict[str, Any], line: bytes, send: Send) -> None:
+        """Queue a question; an equal one of the same page that still waits is forgotten."""
+        key = (page, f"{request.get('do')} {request.get('kind', '')}")
+        if key not in self._waiting:
+            self._arrived.release()
+        self._waiting[key] = request, line, send
+
+    def forget(self, page: int) -> None:
+        """Drop what a page that has gone still waits for."""
+        for key in [key for key in self._waiting if key[0] == page]:
+            self._waiting[key] = ({}, b"", _nobody)
+
+    async def _work(self) -> None:
+        process = None
+        try:
+            while True:
+                process = process or await _started()
+                await self._arrived.acquire()
+                request, line, send = self._waiting.pop(next(iter(self._waiting)))
+                if not line:
+                    continue
+                seconds = LONGEST_S.get(str(request.get("do")), USUAL_S)
+                try:
+                    kind, content = await asyncio.wait_for(_answered(process, line), seconds)
+                except (TimeoutError, asyncio.IncompleteReadError, OSError, ValueError) as problem:
+                    await _ended(process)
+                    process = None
+                    late = isinstance(problem, TimeoutError)
+                    told = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
+                    kind, content = b"text", self._refused(request, f"this {told}: ask for something smaller")
+                with suppress(Exception):  # the page has gone meanwhile
+                    await send(kind, content)
+        finally:
+            if process is not None:
+                await _ended(process)
+
+
+async def _nobody(_: bytes, __: bytes) -> None:
+    """Take an answer that nobody waits for."""
+
+
+async def _started() -> asyncio.subprocess.Process:
+    pipe = asyncio.subprocess.PIPE
+    return await asyncio.create_subprocess_exec(
+        sys.executable, "-m", "elastica_cad.web.worker", stdin=pipe, stdout=pipe
+    )
+
+
+async def _answered(process: asyncio.subprocess.Process, line: bytes) -> tuple[bytes, bytes]:
+    assert process.stdin is not None
+    assert process.stdout is not None
+    process.stdin.write(line + b"\n")
+    await process.stdin.drain()
+    kind, size = (await process.stdout.readline()).split()
+    return kind, await process.stdout.readexactly(int(size))
+
+
+async def _ended(process: asyncio.subprocess.Process) -> None:
+    with suppress(ProcessLookupError):
+        process.kill()
+    await process.wait()

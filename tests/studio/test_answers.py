@@ -1,0 +1,171 @@
+"""What the page is answered, without the server between."""
+
+import ezdxf
+import numpy as np
+import pytest
+import trimesh
+
+import elastica_cad as ec
+from elastica_cad.cli import main
+from elastica_cad.web.answers import Download, answer, with_point_near, without_point
+from elastica_cad.web.saved_design import compose_design, curve_table, open_design
+from tests.studio.conftest import ARCH, design
+
+OFF_LINE = [(0, 0), (60, 80), (120, 100), (200, -60), (260, 50), (330, 0), (360, 50)]
+
+
+def asked(do, **more):
+    return answer({"do": do, "design": design(), **more})
+
+
+def test_a_strip_is_the_one_that_python_makes():
+    told, made = asked("strip"), ec.make_strip(ec.PlaneCurve.spline(ARCH), "birch-plywood-0.8", max_width=40)
+    assert "refused" not in told
+    assert told["length"] == pytest.approx(made.rod.length, abs=0.01)
+    assert told["widths"] == pytest.approx(made.width.extremes, abs=0.01)
+    assert max(told["shares"]) == pytest.approx(made.strain_verdict.used, rel=0.01)
+    assert told["theorem"]["at"] == pytest.approx(made.rod.curve.inflections, abs=0.5)
+    outer = [loop for layer in told["flat"] if layer["layer"] == "CUT_OUTER" for loop in layer["loops"]]
+    assert np.ptp(outer[0], axis=0) == pytest.approx(np.ptp(made.outline.bounds, axis=0), abs=0.1)
+
+
+def test_a_curve_that_cannot_be_bent_is_shown_with_its_faults():
+    told = answer({"do": "strip", "design": design(OFF_LINE)})
+    assert told["refused"]["kind"] == "not realizable"
+    assert len(told["theorem"]["off"]) >= 2
+    assert len(told["drawn"]) > 100
+
+
+def test_the_nearest_curve_can_be_made():
+    near = answer({"do": "nearest", "design": design(OFF_LINE)})
+    taken = design()
+    taken["strips"][0]["curve"] = near["curve"]
+    told = answer({"do": "strip", "design": taken})
+    assert "refused" not in told
+    assert told["used"] <= 1
+    assert told["stable"] == "ample"
+
+
+def test_sheets_that_can_do_it_are_told_apart():
+    rows = {row["name"]: row for row in asked("sheets")["sheets"]}
+    assert set(rows) == set(ec.sheet_names())
+    assert rows["birch-plywood-0.8"]["fits"]
+    assert not rows["acrylic-3"]["fits"]
+
+
+def test_a_strip_is_bent_from_flat_to_its_design_and_on():
+    frames = asked("bend")["frames"]
+    drawn = next(frame for frame in frames if frame["part"] == 1)
+    flat = np.array(frames[0]["position"])
+    away = np.diff(flat, axis=0)
+    assert np.ptp(np.arctan2(away[:, 1], away[:, 0])) < 0.1
+    assert drawn["position"][1] == [0, 0]
+    assert frames[-1]["part"] > 1
+    assert frames[-1]["force"] > 0
+
+
+def test_copies_between_rings_stand_in_their_places():
+    points = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
+    lamp = design(
+        points,
+        sheet="polypropylene-0.8",
+        max_width=30,
+        patterns=[{"rotate": {"count": 12}}],
+        rings={"sheet": "mdf-3"},
+    )
+    told = answer({"do": "model", "design": lamp})
+    assert len(told["places"]) == 12
+    assert len(told["plates"]) == 2
+    half_a_turn = np.array(told["places"][6][1]).reshape(4, 4).T
+    assert half_a_turn @ [60, 0, 0, 1] == pytest.approx([-60, 0, 0, 1], abs=1e-3)
+
+
+def test_a_control_point_more_keeps_the_curve_and_one_less_keeps_the_others():
+    curve = ec.PlaneCurve.ellipse((0, 0), (40, 25), 0.2, 0.1, 2.9)
+    finer = with_point_near(curve, (0, 25))
+    t = np.linspace(*curve.domain, 50)
+    assert len(finer.control_points) == len(curve.control_points) + 1
+    assert finer.evaluate(t) == pytest.approx(curve.evaluate(t), abs=1e-12)
+    fewer = without_point(finer, 2)
+    assert np.array_equal(np.delete(finer.control_points, 2, axis=0), fewer.control_points)
+
+
+@pytest.mark.parametrize(
+    "curve", [ec.PlaneCurve.spline(ARCH), ec.PlaneCurve.ellipse((0, 0), (40, 25), 0.2, 0.1, 2.9)]
+)
+def test_a_curve_goes_through_a_design_file_exactly(curve, tmp_path):
+    path = tmp_path / "one.toml"
+    path.write_text(compose_design(design() | {"strips": [{"curve": curve_table(curve)}]}))
+    table = open_design(path)["strips"][0]["curve"]
+    assert table == curve_table(curve)
+
+
+def test_a_dropped_file_brings_its_curves():
+    paths = '<path d="M0 0C10 20 40 60 80 0"/><path d="M0 90C10 99 40 99 80 90"/>'
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg">{paths}</svg>'
+    assert len(answer({"do": "read", "name": "two.svg", "text": svg})["curves"]) == 2
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        {"strips": [{"curve": "/etc/passwd"}]},
+        {"strips": [{"curve": {"file": "../secret.dxf"}}]},
+        {"sheets_file": "/etc/passwd"},
+        {"sheet": "../../mine.toml:S"},
+        {"strips": [{"sections": {"mesh": "bowl.obj", "radial": {}}}]},
+    ],
+)
+@pytest.mark.parametrize("do", ["strip", "model", "file"])
+def test_no_file_is_opened_by_its_name(do, keys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    told = answer({"do": do, "kind": "kit", "design": design(**keys)})
+    assert told["refused"]["text"].startswith("the page opens no file")
+
+
+def test_a_dropped_design_opens_no_file_either():
+    told = answer({"do": "read", "name": "a.toml", "text": 'schema = 1\n[[strips]]\ncurve = "/etc/passwd"\n'})
+    assert told["refused"]["text"].startswith("the page opens no file")
+
+
+def test_the_cutting_file_is_that_of_the_command_line(tmp_path, capsys):
+    ec.write_curves([ec.PlaneCurve.spline(ARCH)], tmp_path / "arch.json")
+    words = [
+        "strip",
+        tmp_path / "arch.json",
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        "40",
+        "--label",
+        "A1",
+    ]
+    with pytest.raises(SystemExit, match=r"^0$"):
+        main([*map(str, words), "--no-step", "--no-pictures", "-o", str(tmp_path / "out")])
+    capsys.readouterr()
+    for kind in ("dxf", "svg"):
+        given = asked("file", kind=kind)
+        assert isinstance(given, Download)
+        assert given.content == (tmp_path / "out" / given.name).read_bytes()
+    assert len(ezdxf.readfile(tmp_path / "out" / "arch.dxf").modelspace()) > 0
+
+
+def test_a_print_file_is_a_closed_body(tmp_path):
+    path = tmp_path / "arch.stl"
+    path.write_bytes(asked("file", kind="stl").content)
+    body = trimesh.load(path)
+    assert body.is_watertight
+    assert body.extents[1] == pytest.approx(175, rel=0.2)
+
+
+def test_saving_keeps_the_comments_of_a_design():
+    before = (
+        "# my lamp\nschema = 1\nmax_width = 40  # of the laser\n"
+        "[[strips]]\nlabel = 'A'  # first\ncurve = { spline = [[0, 0]] }\n"
+    )
+    moved = {"label": "A", "curve": {"spline": [[1, 1]]}}
+    after = compose_design({"schema": 1, "max_width": 30, "strips": [moved]}, before)
+    assert "# my lamp" in after
+    assert "max_width = 30  # of the laser" in after
+    assert "# first" in after
+    assert "[[1, 1]]" in after

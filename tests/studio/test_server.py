@@ -1,0 +1,254 @@
+"""Who may talk to the server of the studio, and that nothing which is said to it ends it."""
+
+import http.client
+import json
+import random
+import socket
+import time
+
+import pytest
+from websockets.exceptions import InvalidStatus
+
+from tests.studio.conftest import ARCH, design, running
+
+
+def fetched(server, path, **headers):
+    """Status, headers and text of one request over a socket of its own."""
+    asking = http.client.HTTPConnection("127.0.0.1", server.port, timeout=30)
+    asking.putrequest("GET", path, skip_host=True)
+    for name, value in ({"Host": server.host} | headers).items():
+        asking.putheader(name, value)
+    asking.endheaders()
+    got = asking.getresponse()
+    text = got.read().decode(errors="replace")
+    asking.close()
+    return got.status, got.headers, text
+
+
+def test_the_token_becomes_a_cookie_and_the_page_has_a_policy(server):
+    status, headers, text = fetched(server, f"/?token={server.token}")
+    assert status == 200
+    assert "page.js" in text
+    cookie = headers["Set-Cookie"]
+    assert server.cookie in cookie
+    assert "HttpOnly" in cookie
+    assert "SameSite=Strict" in cookie
+    policy = headers["Content-Security-Policy"]
+    assert "default-src 'none'" in policy
+    assert "unsafe" not in policy
+    assert fetched(server, "/studio.js", Cookie=server.cookie)[0] == 200
+
+
+@pytest.mark.parametrize(
+    "path", ["/", "/?token=", "/?token=guess", "/studio.js", "/vendor/three.module.min.js"]
+)
+def test_without_the_token_nothing_is_shown(server, path):
+    status, headers, text = fetched(server, path)
+    assert status == 403
+    assert text.count("\n") == 1
+    assert "Set-Cookie" not in headers
+
+
+@pytest.mark.parametrize("host", ["evil.example", "127.0.0.1", "evil.example:80", "127.0.0.1.evil.example"])
+def test_a_name_that_was_bound_to_this_computer_is_refused(server, host):
+    assert fetched(server, f"/?token={server.token}", Host=host)[0] == 403
+    with pytest.raises(InvalidStatus), server.page(Host=host):
+        pass
+
+
+@pytest.mark.parametrize("origin", ["https://evil.example", "null", None])
+def test_other_sites_open_no_socket(server, origin):
+    with pytest.raises(InvalidStatus), server.page(Origin=origin):
+        pass
+    with pytest.raises(InvalidStatus), server.page(Cookie="elastica-studio-1=guess"):
+        pass
+    if origin:
+        assert fetched(server, "/", Cookie=server.cookie, Origin=origin)[0] == 403
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/../server.py",
+        "/%2e%2e/server.py",
+        "/..%2fserver.py",
+        "//etc/passwd",
+        "/vendor/../../server.py",
+        "/%00",
+        "/vendor",
+    ],
+)
+def test_no_path_leads_out_of_the_page(server, path):
+    status, _, text = fetched(server, path, Cookie=server.cookie)
+    assert status in (400, 404, 405)
+    assert "import" not in text
+
+
+def test_the_newest_of_equal_questions_is_answered(server):
+    with server.page() as page:
+        for x in range(60):
+            moved = design([*ARCH[:4], [200 + x / 10, 175], *ARCH[5:]])
+            page.talk.send(json.dumps({"do": "strip", "id": x, "design": moved}))
+        answered = []
+        while not answered or answered[-1] < 59:
+            answered.append(page.answer()["id"])
+    assert len(answered) < 60  # others were overtaken
+
+
+def test_only_the_named_design_is_read_and_saved(tmp_path):
+    path = tmp_path / "arch.toml"
+    path.write_text('# mine\nschema = 1\nname = "a"\nsheet = "pom-1"\nmax_width = 20\n[[strips]]\n'
+                    "curve = { spline = [[0, 0], [50, 60], [100, 0]], degree = 2 }\n")  # fmt: skip
+    with running(path, cwd=tmp_path) as server, server.page() as page:
+        opened = page.hello["design"]
+        opened["max_width"] = 25
+        assert page.ask("save", design=opened, path="/tmp/other.toml")["saved"] == "arch.toml"
+        assert "# mine" in path.read_text()
+        assert "max_width = 25" in path.read_text()
+        path.write_text(path.read_text() + "# by another program\n")
+        assert "refused" in page.ask("save", design=opened | {"max_width": 30})
+        assert [one.name for one in tmp_path.iterdir()] == ["arch.toml"]
+
+
+BOMB = (
+    '<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa">'
+    + "".join(f'<!ENTITY {chr(98 + k)} "{f"&{chr(97 + k)};" * 10}">' for k in range(9))
+    + "]><svg xmlns='http://www.w3.org/2000/svg'><text>&j;</text></svg>"
+)
+
+
+def hostile_questions():
+    """Questions that no page of ours asks."""
+    deep = {}
+    for _ in range(200):
+        deep = {"curve": deep}
+    yield from (
+        {},
+        {"do": "read", "name": "a.svg", "text": BOMB},
+        {"do": "read", "name": "../../a.svg", "text": "<svg/>"},
+    )
+    yield from (
+        {"do": "read", "name": "a.dxf", "text": "0\nSECTION\n" * 1000},
+        {"do": "read", "name": "a.exe", "text": ""},
+    )
+    yield {"do": "read", "name": "a.toml", "text": "[" * 100_000}
+    yield {"do": "strip", "design": deep}
+    for wrong in (
+        None,
+        7,
+        "x",
+        [],
+        {},
+        [[1e308, 1e308], [0, 0], [1, 1]],
+        [["a", "b"]],
+        [[0, 0]] * 500,
+        [[1e9, 0]] * 3,
+    ):
+        yield {"do": "strip", "design": design() | {"strips": [{"curve": {"spline": wrong, "degree": 2}}]}}
+    for key in ("max_width", "sheet", "strips", "limits", "style", "gravity", "samples", "ends", "name"):
+        for wrong in (None, -1, 1e308, 10**400, "x" * 10_000, "9" * 5000 + "**9", [], {}, True):
+            yield {"do": "strip", "design": design(**{key: wrong})}
+    yield {"do": "model", "design": design(patterns=[{"rotate": {"count": 10**9}}])}
+    yield {"do": "file", "kind": "../dxf", "design": design()}
+    yield {"do": "edit", "design": design(), "near": "here"}
+    yield {"do": "edit", "design": design(), "remove": -5}
+    yield {"do": "save", "design": {"a": {"b": None}, "c": object.__name__}}
+
+
+@pytest.mark.campaign
+def test_a_hostile_question_gets_one_sentence(server):
+    with server.page() as page:
+        for question in hostile_questions():
+            told = page.ask(**({"do": "nothing"} | question))
+            if "refused" in told:
+                assert told["refused"]["message"].strip()
+                assert "Traceback" not in told["refused"]["message"]
+        assert "refused" not in page.ask("strip", design=design())
+
+
+def test_nonsense_is_answered_and_the_next_question_too(server):
+    with server.page() as page:
+        for text in (
+            "",
+            "{",
+            "[]",
+            "7",
+            "null",
+            '"x"',
+            "{" * 5000,
+            '{"do": {}}',
+            '{"do": "strip", "design": 3}',
+        ):
+            page.talk.send(text)
+            assert "refused" in page.answer()
+        assert "refused" not in page.ask("strip", design=design())
+    with server.page() as page:
+        page.talk.send(b"\x00\xff")  # ends that page, not the server
+    with server.page() as page:
+        assert "refused" not in page.ask("strip", design=design())
+
+
+def test_a_question_that_needs_too_much_memory_or_time_ends_with_a_sentence(server):
+    with server.page() as page:
+        told = page.ask("strip", design=design(samples="10000 * 1000"))
+        assert "refused" in told
+        assert "refused" not in page.ask("strip", design=design())
+
+
+@pytest.mark.campaign
+def test_ten_thousand_malformed_messages(server):
+    drawn = random.Random(7)
+    whole = json.dumps({"do": "strip", "id": 1, "design": design()})
+    with server.page() as page:
+        for _ in range(10_000):
+            letters = list(whole)
+            for _ in range(drawn.randint(1, 6)):
+                letters[drawn.randrange(len(letters))] = chr(
+                    drawn.choice((drawn.randrange(32, 127), 0, 8232, 0x10FFFF))
+                )
+            page.talk.send("".join(letters[: drawn.randint(0, len(letters))]))
+        while page.ask("edit", design=design(), remove=3).get("do") != "edit":
+            pass
+        assert server.process.poll() is None
+
+
+@pytest.mark.campaign
+def test_half_open_sockets_are_no_harm(server):
+    held = [socket.create_connection(("127.0.0.1", server.port)) for _ in range(300)]
+    for one in held:
+        one.sendall(b"GET / HTTP/1.1\r\nHost: ")
+    with server.page() as page:
+        assert "refused" not in page.ask("strip", design=design())
+    for one in held:
+        one.close()
+
+
+@pytest.mark.campaign
+def test_fifty_pages_for_ten_minutes(server):
+    """A change a second each: none is lost, and memory is flat."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    import psutil
+
+    seconds, pages, parent = 600, 50, psutil.Process(server.process.pid)
+
+    def memory():
+        return sum(one.memory_info().rss for one in (parent, *parent.children(recursive=True)))
+
+    def change(k):
+        drawn, missed = random.Random(k), 0
+        with server.page() as page:
+            until = time.monotonic() + seconds
+            while time.monotonic() < until:
+                began = time.monotonic()
+                moved = design([*ARCH[:4], [200 + drawn.uniform(-9, 9), 175], *ARCH[5:]])
+                missed += "length" not in page.ask("strip", design=moved)
+                time.sleep(max(0.0, 1.0 - (time.monotonic() - began)))
+        return missed
+
+    with ThreadPoolExecutor(pages) as pool:
+        running_pages = [pool.submit(change, k) for k in range(pages)]
+        time.sleep(seconds / 5)
+        early = memory()
+        assert sum(one.result() for one in running_pages) == 0
+    assert memory() < 1.1 * early + 20e6

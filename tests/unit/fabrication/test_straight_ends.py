@@ -1,0 +1,99 @@
+"""Straight first and last pieces of a drawn curve are the strip's tabs, with the circles drawn on them as holes."""
+
+import ezdxf
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.fabrication.holders.holding_template import held_ends, holding_template, tell_ends
+from elastica_cad.fabrication.model.assembly import list_assembly_steps
+from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec
+from elastica_cad.kit.kit_contents import kit_of
+
+BENT = [(60, 0), (110, 0), (160, 120), (250, 150), (340, 120), (390, 0), (440, 0)]
+
+
+@pytest.fixture(scope="module")
+def arch(tmp_path_factory):
+    """As a maker draws it: straight run-ins with two screw holes each."""
+    path = tmp_path_factory.mktemp("arch") / "arch.dxf"
+    document = ezdxf.new(units=4)
+    space = document.modelspace()
+    space.add_line((0, 0), (60, 0))
+    space.add_open_spline(BENT, degree=3)
+    space.add_line((440, 0), (500, 0))
+    for x in (20, 40, 460, 480):
+        space.add_circle((x, 0), 2.5)
+    document.saveas(path)
+    return path
+
+
+def test_straight_ends_become_tabs_of_that_length_with_holes_where_circles_are_drawn(arch):
+    (curve,) = ec.read_curves(arch)
+    strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=80)
+    bent = ec.make_strip(ec.PlaneCurve.spline(BENT, degree=3), "birch-plywood-0.8", max_width=80)
+    assert [tab.length for tab in strip.ends] == [60, 60]
+    assert [[(hole.at, hole.diameter) for hole in tab.holes] for tab in strip.ends] == [
+        [(40, 5), (20, 5)],
+        [(20, 5), (40, 5)],
+    ]
+    assert strip.rod.length == pytest.approx(bent.rod.length, abs=1e-6)
+    assert np.allclose(strip.width.extremes, bent.width.extremes, atol=1e-6)
+    assert len(strip.holes) == 4
+    assert any("straight first 60 mm and last 60 mm" in warning for warning in strip.warnings)
+
+
+def test_a_curve_that_is_to_be_bent_whole_is_refused_as_theorem_1_says(arch):
+    (curve,) = ec.read_curves(arch)
+    with pytest.raises(ec.NotRealizable):
+        ec.make_strip(curve, "birch-plywood-0.8", max_width=80, straight_ends=False)
+
+
+def test_an_end_that_may_turn_keeps_its_straight_piece(arch):
+    (curve,) = ec.read_curves(arch)
+    spec = ec.StripSpec(curve, "birch-plywood-0.8", max_width=80, supports=ec.Supports("pinned", "clamped"))
+    assert spec.run_ins.lengths == (0, 60)
+    assert [tab.length for tab in spec.tabs] == [10, 60]
+
+
+def test_circles_move_with_the_curve(arch):
+    (curve,) = ec.read_curves(arch)
+    turn = np.array([[0, -2, 7], [2, 0, 5], [0, 0, 1.0]])
+    tabs = ec.StripSpec(curve.transformed(turn), "birch-plywood-0.8", max_width=80).tabs
+    assert [(hole.at, hole.diameter) for hole in tabs[0].holes] == [(80, 10), (40, 10)]
+
+
+def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
+    (curve,) = ec.read_curves(arch)
+    strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=80, label="A1")
+    first, last = held_ends(strip)
+    assert first.position == pytest.approx([60, 0], abs=1e-9)
+    assert last.tip == pytest.approx([500, 0], abs=1e-9)
+    assert tell_ends(strip).values["apart"] == pytest.approx(380)
+    drawing = holding_template(strip)
+    curve_drawn = drawing.on("ENGRAVE")[0]
+    assert np.abs(curve_drawn.points(0.01)[:, 1].max() - strip.rod.position[:, 1].max()) < 0.02
+    axes = [path.bounds for path in drawing.on("MARK")]
+    assert {round(float(box[0, 0])) for box in axes if np.ptp(box[:, 0]) < 1e-6} == {
+        20,
+        40,
+        60,
+        440,
+        460,
+        480,
+    }
+    assert any("380.0 mm apart" in text.text for text in drawing.texts)
+
+
+def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
+    curve = ec.PlaneCurve.spline([(0, 0), (20, 100), (120, 180), (220, 50)], degree=3)
+    strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=40, label="UP")
+    model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="up")
+    base = model.base_plate(ec.Sheet.named("mdf-3"))
+    (step,) = list_assembly_steps(model, [base])
+    assert step.ends == ("slot UP:1 of base", "hold at (220.0, 0.0, 50.0)")
+    spec = KitSpec(holders=(HolderSpec("base", ec.Sheet.named("mdf-3")),))
+    kit = kit_of(model, spec, effects=True)
+    assert kit.held == {}
+    assert any("nothing holds end 2" in note for note in kit.notes)
+    assert not any("nothing holds" in note for note in kit_of(model, KitSpec(), effects=True).notes)
