@@ -16,9 +16,8 @@ import click
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
+from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema, tables
 from elastica_cad.formats.design_files.formulae import CONSTANTS, FUNCTIONS
-from elastica_cad.formats.design_files.keys import values
-from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, TABLES, design_schema
 
 NAMES = {
     "Curves": (
@@ -41,6 +40,9 @@ NAMES = {
     "Errors": ("ElasticaError", "InputError", "NotConvergedError", "MissingDependencyError"),
 }  # fmt: skip
 """Public names in the order in which a curve meets them; a test holds that none is left out."""
+
+NUMBER = {"type": ["number", "string"]}
+"""What the schema says of a number, which a formula may stand for."""
 
 WIDTH = 88
 """Columns of a command's help, as on a terminal."""
@@ -197,7 +199,7 @@ def design_files() -> str:
     for path in sorted(folder.glob("*.toml")):
         parts += [f"### {path.stem}", "", f"```toml\n{path.read_text(encoding='utf-8')}```", ""]
     parts += ["## Keys", "", "The file itself is the table *design*.", ""]
-    for name, keys in TABLES.items():
+    for name, keys in tables().items():
         parts += [f"### table {name}", "", "| key | value | says |", "| --- | --- | --- |"]
         parts += [
             f"| `{key}` | {_linked(_in_words(value))} | {text} |" for key, (value, text) in keys.items()
@@ -210,7 +212,7 @@ def design_files() -> str:
 
 def _linked(words: str) -> str:
     """Names of tables lead to them."""
-    names = sorted(TABLES, key=len, reverse=True)
+    names = sorted(tables(), key=len, reverse=True)
     return re.sub(
         rf"table ({'|'.join(names)})(?=,|$)",
         lambda found: f"[{found[0]}](#table-{found[1].replace(' ', '-')})",
@@ -226,18 +228,16 @@ def _in_words(fragment: dict) -> str:
         return "table " + fragment["$ref"].removeprefix("#/definitions/")
     if "enum" in fragment:
         return " or ".join(f'"{word}"' for word in fragment["enum"])
-    if fragment == values.NUMBERS:
-        return "numbers in brackets"
     if fragment.get("type") == "array":
         count, inner = fragment.get("maxItems"), fragment["items"]
-        if inner == values.NUMBER:
+        if inner == NUMBER:
             return f"{'' if count is None else f'{count} '}numbers in brackets"
         return f"list of{'' if count is None else f' {count}'}: {_in_words(inner)}"
     plain = (
-        (values.NUMBER, "number"),
-        (values.COUNT, "whole number"),
-        (values.FLAG, "true or false"),
-        (values.TEXT, "text"),
+        (NUMBER, "number"),
+        ({"type": ["integer", "string"]}, "whole number"),
+        ({"type": "boolean"}, "true or false"),
+        ({"type": "string"}, "text"),
     )
     return next((words for one, words in plain if one == fragment), "table of names and numbers")
 

@@ -61,6 +61,7 @@ from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,
 )
+from elastica_cad.web.notebook import studio as studio
 from elastica_cad.mechanics.two_states.pair_check import check_pair as check_pair
 from elastica_cad.mechanics.two_states.two_state_rod import (
     PairLimits as PairLimits,

@@ -317,32 +317,32 @@ def _keywords(function: Callable[..., object]) -> tuple[str, ...]:
     return tuple(name for name, one in signature(function).parameters.items() if one.kind is one.KEYWORD_ONLY)
 
 
-def rounded_up(value: float, figures: int = 4) -> str:
+def rounded_up(value: float, figures: int = 4) -> float:
     """A least value as a message tells it: never below, so that what is told will do.
 
     Examples
     --------
     >>> rounded_up(20.4612), rounded_up(20.0), rounded_up(0.0123401, 3)
-    ('20.47', '20', '0.0124')
+    (20.47, 20.0, 0.0124)
     """
     return _rounded(value, figures, up=True)
 
 
-def rounded_down(value: float, figures: int = 4) -> str:
+def rounded_down(value: float, figures: int = 4) -> float:
     """A largest value in the same way, never above.
 
     Examples
     --------
     >>> rounded_down(5.786, 3), rounded_down(5.78, 3)
-    ('5.78', '5.78')
+    (5.78, 5.78)
     """
     return _rounded(value, figures, up=False)
 
 
-def _rounded(value: float, figures: int, *, up: bool) -> str:
+def _rounded(value: float, figures: int, *, up: bool) -> float:
     if not (isfinite(value) and value > 0):
-        return f"{value:.{figures}g}"
+        return value
     step = 10.0 ** (floor(log10(value)) - figures + 1)
     steps = value / step
     whole = ceil(steps - 1e-9) if up else floor(steps + 1e-9)  # a value told exactly stays
-    return f"{whole * step:.{figures}g}"
+    return float(f"{whole * step:.{figures}g}")

@@ -2,7 +2,9 @@
 
 from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass
+from decimal import Decimal
 from math import isfinite
+from string import Formatter
 from typing import Any, Literal
 
 from elastica_cad._printable import printable
@@ -14,25 +16,165 @@ PLACES = ("file", "strip")
 
 
 class Length(float):
-    """A length in mm, which a text shows with its unit, with three digits unless its template has a format.
+    """A length in mm, shown with its unit and three digits, or all before the point; a template may have a format.
 
     Examples
     --------
     >>> "the ends are {} apart".format(Length(1234.56)), f"{Length(0.1234)}", f"{Length(8):.1f}"
-    ('the ends are 1230 mm apart', '0.123 mm', '8.0 mm')
+    ('the ends are 1235 mm apart', '0.123 mm', '8.0 mm')
     """
 
     def __format__(self, spec: str) -> str:
-        return f"{float.__format__(self, spec) if spec else _in_digits(float(self))} mm"
+        return ENGLISH.format_field(self, spec)
 
     def __str__(self) -> str:
         return format(self)
 
 
-def _in_digits(value: float) -> str:
-    """Three digits, without an exponent where a person would write none."""
-    rounded = float(f"{value:.3g}")
-    return f"{rounded:.0f}" if 1e3 <= abs(rounded) < 1e7 else f"{rounded:g}"
+class Listed(tuple[Any, ...]):
+    """Numbers, lengths or sentences that a text names one after the other, six of them at most.
+
+    Examples
+    --------
+    >>> f"at {Listed([Length(12), Length(34.5)])}", f"{Listed('abc')}", f"{Listed([3.0, 1 / 3]):.2g}"
+    ('at 12 and 34.5 mm', 'a, b and c', '3 and 0.33')
+    """
+
+    LAST = "{some} and {last}"
+
+    def __format__(self, spec: str) -> str:
+        return ENGLISH.format_field(self, spec)
+
+
+class Either(Listed):
+    """The same, of which one is to be chosen.
+
+    Examples
+    --------
+    >>> f"{Either(['widen it', 'take another sheet'])}"
+    'widen it, or take another sheet'
+    """
+
+    LAST = "{some}, or {last}"
+
+
+class Span(Listed):
+    """From where to where lengths run; one length where both look alike."""
+
+    LAST = "{some} to {last}"
+
+    @classmethod
+    def of(cls, low: float, high: float, digits: str = ".3g") -> "Span":
+        """Of lengths in mm, alike where they are so in these digits.
+
+        Examples
+        --------
+        >>> f"{Span.of(20.83, 30)} wide", f"{Span.of(29.99, 30)} wide"
+        ('20.8 to 30 mm wide', '30 mm wide')
+        """
+        alike = f"{low:{digits}}" == f"{high:{digits}}"
+        return cls([Length(high)] if alike else [Length(low), Length(high)])
+
+
+class Point(tuple[float, ...]):
+    """A place in the plane or in space, mm.
+
+    Examples
+    --------
+    >>> f"they meet at {Point((12, 34.56))}"
+    'they meet at (12, 34.56) mm'
+    """
+
+    def __format__(self, spec: str) -> str:
+        return ENGLISH.format_field(self, spec)
+
+
+class Wording(Formatter):
+    """How a record becomes a sentence: in English, in mm. Front ends say theirs by what they override.
+
+    Attributes
+    ----------
+    unit : str
+        What lengths are shown in.
+    size : float
+        mm in it.
+    point : str
+        Between whole and decimal digits.
+    """
+
+    unit, size, point = "mm", 1.0, "."
+
+    def template(self, text: str) -> str:
+        """The template in the reader's language."""
+        return text
+
+    def sentence(self, said: str) -> str:
+        """A record as the reader has it; a plain text is its own template."""
+        if not isinstance(said, Refusal):
+            return self.template(said)
+        text = self.template(said.text)
+        return _with_places(self.vformat(text, (), said.values) if said.values else text, said.where)
+
+    def format_field(self, value: Any, spec: str) -> str:
+        """A value as a text shows it."""
+        match value:
+            case Refusal():
+                return self.sentence(value)
+            case Length():
+                return f"{self._in_unit(value, spec)} {self.unit}"
+            case Point():
+                inside = self._separator.join(self._in_unit(one, spec or ".4g") for one in value)
+                return f"({inside}) {self.unit}"
+            case Listed():
+                return self._joined(value, spec) + (f" {self.unit}" if _are_lengths(value) else "")
+            case float():
+                return self._digits(value, spec)
+        return str(format(value, spec))
+
+    @property
+    def _separator(self) -> str:
+        return ", " if self.point == "." else "; "  # a comma stands in the numbers
+
+    def _in_unit(self, mm: float, spec: str) -> str:
+        if self.size != 1:
+            return self._digits(mm / self.size, ".4g")
+        return self._digits(mm, spec or (".3g" if abs(mm) < 999.5 else ".0f"))
+
+    def _digits(self, value: float, spec: str) -> str:
+        """Digits without an exponent where a person would write none, and no trace of rounding for 0."""
+        text = float.__format__(float(value), spec)
+        if "e" in text:
+            text = format(Decimal(text), "f") if 1e-9 < abs(value) < 1e9 else text
+            text = "0" if abs(value) <= 1e-9 else text
+        return text if self.point == "." else text.replace(".", self.point)
+
+    def _joined(self, items: Listed, spec: str) -> str:
+        """Without the unit, where all are lengths."""
+        lengths = _are_lengths(items)
+        said = [
+            self._joined(one, spec) if lengths and isinstance(one, Listed) else
+            self._in_unit(one, spec) if lengths else
+            self.format_field(one, spec)
+            for one in items
+        ]  # fmt: skip
+        separator = self._separator if lengths else ", "
+        if (more := len(said) - _MOST_LISTED) > 0:
+            return self.template("{some} and {more} more").format(
+                some=separator.join(said[:_MOST_LISTED]), more=more
+            )
+        if len(said) < 2:
+            return "".join(said)
+        return self.template(items.LAST).format(some=separator.join(said[:-1]), last=said[-1])
+
+
+def _are_lengths(items: Iterable[Any]) -> bool:
+    found = [_are_lengths(one) if isinstance(one, Listed) else isinstance(one, Length) for one in items]
+    return bool(found) and all(found)
+
+
+ENGLISH = Wording()
+
+_MOST_LISTED = 6
 
 
 @dataclass(frozen=True)
@@ -97,7 +239,8 @@ class Refusal(str):
     ) -> "Refusal":
         """The record; its text is made here."""
         values, where = dict(values or {}), dict(where or {})
-        said = text.format_map(values) if values else text
+        said = ENGLISH.template(text)
+        said = ENGLISH.vformat(said, (), values) if values else said
         # a traceback shows it on a terminal
         record = super().__new__(cls, printable(_with_places(said, where)))
         record.kind, record.text, record.severity = kind, text, severity
@@ -114,6 +257,12 @@ class Refusal(str):
         )
 
     @property
+    def all_changes(self) -> tuple[Change, ...]:
+        """Its own, and those of the records in it."""
+        inside = (one for one in self.values.values() if isinstance(one, Refusal))
+        return (*self.changes, *(change for one in inside for change in one.all_changes))
+
+    @property
     def record(self) -> dict[str, Any]:
         """For programs, as JSON holds it: kind, values, where, changes, severity, and the message."""
         return {
@@ -127,7 +276,9 @@ class Refusal(str):
         }
 
 
-def note(text: str, /, *, severity: Severity = "note", **values: Any) -> Refusal:
+def note(
+    text: str, /, *, severity: Severity = "note", changes: Sequence[Change] = (), **values: Any
+) -> Refusal:
     """What is to be said of an answer: a finished sentence, or a template with {name} for each of the values.
 
     Examples
@@ -136,10 +287,10 @@ def note(text: str, /, *, severity: Severity = "note", **values: Any) -> Refusal
     >>> print(said, said.values["far"] + 0.0)
     it rests 1.23 mm away 1.234
     """
-    return Refusal("note", text, values, severity=severity)
+    return Refusal("note", text, values, changes=changes, severity=severity)
 
 
-def sentences(parts: Iterable[str], between: str = "; ") -> str:
+def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
     """Several sentences as one that front ends can still take apart; a single one is itself.
 
     Examples
@@ -149,11 +300,11 @@ def sentences(parts: Iterable[str], between: str = "; ") -> str:
     it is too long; it breaks 2
     """
     parts = [part for part in parts if part]
-    if len(parts) == 1:
+    if len(parts) == 1 and not end:
         return parts[0]
     names = [f"part{k}" for k in range(len(parts))]
     return Refusal(
-        "list", between.join(f"{{{name}}}" for name in names), dict(zip(names, parts, strict=True))
+        "list", between.join(f"{{{name}}}" for name in names) + end, dict(zip(names, parts, strict=True))
     )
 
 

@@ -178,9 +178,9 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
         return np.linspace(0.0, length, chosen["stations"])
     if not length / MOST_STATIONS <= every <= length:
         raise InputError(
-            "--every is {every:g}: give {rounded_up} mm to the batten's {length:g}",
+            "--every is {every:g}: give {least:g} to the batten's {length:g}",
             every=Length(every),
-            rounded_up=rounded_up(length / MOST_STATIONS, 3),
+            least=Length(rounded_up(length / MOST_STATIONS, 3)),
             length=Length(length),
         )
     return np.unique(np.append(np.arange(0.0, length, every), length))

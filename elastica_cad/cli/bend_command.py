@@ -11,6 +11,7 @@ import numpy as np
 
 from elastica_cad.cli.asking.asked_curves import asked_curves, curve_argument, unit_option, which_options
 from elastica_cad.cli.asking.options import (
+    IDLE_DOWN,
     LENGTH,
     POINT,
     asked_sheet,
@@ -18,7 +19,6 @@ from elastica_cad.cli.asking.options import (
     sheet_options,
     smooth_option,
 )
-from elastica_cad.cli.asking.strip_options import refuse_idle_weight
 from elastica_cad.cli.asking.support_options import END_NAMES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
@@ -102,8 +102,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             )
     if chosen["gravity"] and chosen["sheet"] is None:
         raise InputError("--gravity needs to know the material: add --sheet NAME")
-    if not chosen["gravity"]:
-        refuse_idle_weight(chosen, ("down",))
+    if chosen["down"] is not None and not chosen["gravity"]:
+        raise InputError(IDLE_DOWN)
     if chosen["thickness"] is not None and chosen["sheet"] is None:
         raise InputError("--thickness is of a material: add --sheet NAME")
     if chosen["max_width"] is not None and chosen["sheet"] is None:

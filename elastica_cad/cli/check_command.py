@@ -18,7 +18,7 @@ from elastica_cad.cli.asking.asked_curves import (
     which_options,
 )
 from elastica_cad.cli.asking.options import smooth_option
-from elastica_cad.cli.asking.support_options import support_options
+from elastica_cad.cli.asking.support_options import natural_curvature_of, support_options
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
     changed_requests,
@@ -79,7 +79,7 @@ def check(
     split_corners: bool,
     start: EndName,
     end: EndName,
-    natural_curvature: NaturalCurvature,
+    natural_curvature: Any,
     smooth: float | None,
     picture: Path | None,
     force: bool,
@@ -91,13 +91,14 @@ def check(
     smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
+    bent = natural_curvature_of(natural_curvature)
     of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
     if picture is not None:
         _draw(asked, picture, supports, natural_curvature, smooth, force=force)
     for said, alike in groupby(
-        ((one, _judged(one, supports, natural_curvature, smooth, alone=not several)) for one in asked),
+        ((one, _judged(one, supports, bent, smooth, alone=not several)) for one in asked),
         key=lambda pair: " ".join((pair[1]["advice"], *pair[1].get("notes", ()))),
     ):
         curves, found = zip(*alike, strict=True)
@@ -112,7 +113,7 @@ def check(
             for sentence in answered.get("advice_on_sheets", ()):
                 say(sentence)
         if not (good or several or voice().quiet):
-            suggestion = _suggestion(one, supports, natural_curvature, smooth)
+            suggestion = _suggestion(one, supports, bent, smooth)
             if suggestion:
                 answered |= {"suggestion": suggestion}
                 say(suggestion)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from functools import cache, partial
 from importlib import import_module
+from itertools import islice
 from typing import Any
 
 import click
@@ -27,14 +28,35 @@ COMMANDS = {
     "coupon": "coupon_command:coupon",
     "sheets": "sheets_command:sheets",
     "studio": "studio_command:studio",
+    "help": "help_command:help_command",
 }
 """Module and function of each command, imported when it is asked for."""
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
-MM_IN_KEYS = ("law", "loads", "keep_out", "start_tab", "end_tab", "slots")
-PER_MM = ("max_curvature", "natural_curvature")
+MM_IN_KEYS = ("settings",)
+PER_MM = ("natural_curvature",)
 """Options that `--units` does not reach: keys as in a design file, and curvatures."""
+
+GONE = {
+    "--slot": "slots", "--hang": "loads", "--max-strain": "limits.strain", "--max-curvature": "limits.curvature",
+    "--length-range": "limits.length", "--width-range": "limits.width", "--keep-tangent": "keep.tangents",
+    "--keep-symmetry": "keep.symmetry", "--keep-point": "keep.points", "--keep-line": "keep.line",
+    "--inflection-line": "keep.line", "--tab-radius": "ends.corner_radius", "--start-tab": "ends",
+    "--end-tab": "ends", "--down-in-space": "gravity", "--gravity-length": "gravity.length",
+    "--dxf-version": "cut.version", "--corner-radius": "style.corner_radius",
+    "--holding": "cut.holding.width", "--curves": "cut.curves",
+    "--tolerance": "cut.tolerance",
+}  # fmt: skip
+"""Options that a strip had, by the key that is set instead, where it is called otherwise."""
+
+GONE_VALUES = {
+    "slots": "'[{ at = 40, width = 1.2 }]'", "loads": "'[{ at = 40, mass = 3 }]'",
+    "ends": "'[{ length = 12 }, { length = 8 }]'",
+    "limits.length": "'[200, 220]'", "limits.width": "'[14, 20]'", "keep.tangents": "'[true, false]'",
+    "keep.points": "'[40, 90]'", "keep.line": "'[[0, 20], [150, 25]]'", "gravity": "'[0, 0, -1]'",
+}  # fmt: skip
+"""What is written for values that are no single word."""
 
 FILES = {
     "curve": "give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or - for standard input",
@@ -91,7 +113,7 @@ class _Sentences(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.meta[TYPED] = tuple(args)
-        return super().parse_args(ctx, args)
+        return super().parse_args(ctx, _own_first(args))
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
         near = near_names(args[0], COMMANDS)
@@ -104,11 +126,52 @@ class _Sentences(click.Group):
             return super().invoke(ctx)
         except ElasticaError as problem:
             ctx.exit(_refuse(problem))
+        except click.NoSuchOption as problem:
+            raise click.UsageError(_instead_of(problem), problem.ctx) from problem
         except click.MissingParameter as problem:
             if asked := _what_to_give(problem.param):
                 said = problem.format_message().rstrip(".")
                 raise click.UsageError(f"{said}: {asked}.", problem.ctx) from problem
             raise
+
+
+ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
+"""Options of `elastica` itself that may stand behind a command too, and how many words follow them."""
+
+
+def _own_first(args: list[str]) -> list[str]:
+    """The words with the options of `elastica` itself before the command."""
+    first: list[str] = []
+    others: list[str] = []
+    words = iter(args)
+    for word in words:
+        if word == "--":
+            return [*first, *others, word, *words]
+        name, given, _ = word.partition("=")
+        (first if name in ANYWHERE else others).append(word)
+        if name in ANYWHERE and not given:
+            first += islice(words, ANYWHERE[name])
+    return [*first, *others]
+
+
+def _instead_of(problem: click.NoSuchOption) -> str:
+    """What to type in place of an option that a command does not have."""
+    typed = problem.option_name
+    name = typed.lstrip("-").replace("-", "_")
+    context = problem.ctx
+    if (new := RENAMED.get(name)) is not None:
+        typed_new = option_name(new)
+        known = context is not None and any(typed_new in one.opts for one in context.command.params)
+        name = new
+        if known:
+            return f"{typed} is now called {typed_new}"
+    if context is not None and any(one.name == "settings" for one in context.command.params):
+        from elastica_cad.cli.asking.settings import CommandKeys, near_path, paths_of
+
+        if path := GONE.get(typed) or near_path(name, paths_of(CommandKeys)):
+            example = GONE_VALUES.get(path, "VALUE")
+            return f"{typed} is given by --set {path}={example} now: `elastica help {path}` explains it"
+    return problem.format_message()
 
 
 def _what_to_give(param: click.Parameter | None) -> str:
@@ -125,7 +188,11 @@ def _what_to_give(param: click.Parameter | None) -> str:
 )
 @click.option("--version", is_flag=True, is_eager=True, expose_value=False, callback=_tell_version,
               help="Show the version and exit.")  # fmt: skip
-def elastica() -> None:
+@click.option("-q", "--quiet", is_flag=True, help="Print errors only.")
+@click.option("--units", type=click.Choice(list(UNITS)), default="mm", show_default=True,
+              help="Of lengths in options; one may name its own: 1.5in.")  # fmt: skip
+@click.option("--watch", is_flag=True, help="Run again whenever a file that was read is saved, until Ctrl-C.")
+def elastica(quiet: bool, units: str, watch: bool) -> None:
     """Draw a curve, cut a flat strip, bend it: it takes exactly that curve.
 
     \b
@@ -139,14 +206,15 @@ def elastica() -> None:
       elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
-    Lengths are mm, or as they say: 1.5in, 4cm. Every command knows --json, -q and -v; those that read files
-    --watch. Exit code: 0 done, 1 not realizable (or too much strain with --strict), 2 bad input,
+    Lengths are mm, or as they say: 1.5in, 4cm. Every command knows --json and -v, and the options below, which may
+    stand anywhere. `elastica help` lists all that can be asked of a strip, `elastica help KEY` explains one. Exit
+    code: 0 done, 1 not realizable (or too much strain with --set files.strict=true), 2 bad input,
     130 ended by Ctrl-C.
     """
 
 
 def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
-    """The command with what all have: `--json`, `-q`, `-v`, `--units`, and `--watch` where it reads files.
+    """The command with what all have: `--json` and `-v`, and how it heeds the options of `elastica` itself.
 
     With `huge` it has sentences of its own for numbers that no drawing holds.
     """
@@ -154,21 +222,19 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     assert run is not None
     command.params += [
         _speaking("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
-        _speaking("-q", "--quiet", help="Print errors only."),
         _speaking("-v", "--verbose", help="Print every step with its seconds, and all notes."),
-        click.Option(["--units"], type=click.Choice(list(UNITS)), default="mm", show_default=True, is_eager=True,
-                     help="Of lengths in options; one may name its own: 1.5in."),
     ]  # fmt: skip
-    command.params += [
-        _renamed(option_name(old), option_name(new)) for old, new in RENAMED.items() if new in own
-    ]
-    if any(isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params):
-        text = "Run again whenever a file that was read is saved, until Ctrl-C."
-        command.params.append(click.Option(["--watch"], is_flag=True, is_eager=True, help=text))
+    reads = any(
+        isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params
+    )
 
     def behind(**chosen: Any) -> None:
-        watched = chosen.pop("watch", False)
-        in_mm = [] if chosen.pop("units") == "mm" else _told_in_mm()
+        asked = click.get_current_context().find_root().params
+        watched = bool(asked.get("watch"))
+        voice().quiet = bool(asked.get("quiet"))
+        if watched and not reads:
+            raise InputError("--watch is of commands that read files: leave it out")
+        in_mm = [] if asked.get("units", "mm") == "mm" else _told_in_mm()
         _refuse_odd_numbers(chosen)
         if not huge:
             _refuse_huge_numbers(chosen)
@@ -238,16 +304,6 @@ def _speaking(*names: str, help: str) -> click.Option:
     return click.Option(
         list(names), is_flag=True, is_eager=True, expose_value=False, callback=tell, help=help
     )
-
-
-def _renamed(old: str, new: str) -> click.Option:
-    """An option that is called otherwise now, which says so."""
-
-    def refuse(_: click.Context, __: click.Parameter, given: bool) -> None:
-        if given:
-            raise InputError("{old} is now called {new}", old=old, new=new)
-
-    return click.Option([old], is_flag=True, hidden=True, is_eager=True, expose_value=False, callback=refuse)
 
 
 def _told_in_mm() -> list[str]:

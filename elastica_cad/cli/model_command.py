@@ -1,6 +1,5 @@
 """`elastica model`: from a design file to a folder with everything that is needed to build it."""
 
-from dataclasses import replace
 from functools import partial
 from itertools import count
 from pathlib import Path
@@ -8,14 +7,15 @@ from pathlib import Path
 import click
 
 from elastica_cad._counts import and_more, counted
-from elastica_cad.cli.asking.options import holding_option, output_options
+from elastica_cad.cli.asking.options import output_options
+from elastica_cad.cli.asking.settings import parsed_settings, set_option
 from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.errors import Change, ElasticaError
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import Design, read_design
+from elastica_cad.formats.design_files.model_tables import DesignKeys
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
 from elastica_cad.kit.kit_files import check_kit_folder, kit_report, left_behind, left_out, write_kit
@@ -36,7 +36,7 @@ MOST_SAID = 6
     default=True,
     help="Bend every strip again with its slots, and tell what they do.",
 )
-@holding_option
+@set_option(DesignKeys)
 @click.option("--nearest", is_flag=True, help="Let every strip leave its curve, as little as it must.")
 @click.option("--ignore-limits", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
 @click.option(
@@ -54,7 +54,7 @@ def model(
     pictures: bool,
     parts: bool,
     effects: bool,
-    holding: float | None,
+    settings: tuple[str, ...],
     nearest: bool,
     ignore_limits: bool,
     below: tuple[Path, ...],
@@ -67,12 +67,10 @@ def model(
     everything has succeeded, or none. The fastest way to the nested sheets alone:
     --no-parts --no-effects --no-pictures --no-step.
     """
-    read = read_design(design, _read_told, read_surface, below=below)
+    changes = parsed_settings(settings, DesignKeys)
+    read = read_design(design, _read_told, read_surface, below=below, changes=changes)
     read = read.nearest() if nearest else read
     read = read.with_limits_ignored() if ignore_limits else read
-    if holding is not None:
-        cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
-        read = replace(read, kit=replace(read.kit, cutting=cutting))
     check_kit_folder(read.name, output, force=force)
     suggest_later(partial(_suggestion, read))
     strips, files = count(1), count(1)

@@ -13,7 +13,7 @@ from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.running.suggestions import name_program
 from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.formats.curve_files.write_curves import write_curves
-from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, design_schema
+from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema
 from elastica_cad.formats.file_access.write_files import write_text, write_together
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 

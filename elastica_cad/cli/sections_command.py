@@ -1,6 +1,5 @@
 """`elastica sections`: from a mesh or a CAD body to curves that strips can follow, and a design file for them."""
 
-import os
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,6 +22,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.design_files.toml_text import seen_from
 from elastica_cad.formats.design_files.write_sections_design import compose_section_design
 from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.file_access.write_files import write_text, write_together
@@ -42,6 +42,7 @@ from elastica_cad.forming.plane_sections.section_spec import (
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import Refusal
 
 USUAL_RATIO = 3.5
 """Stiffness ratio that plain strips can be cut with: widest to narrowest."""
@@ -137,8 +138,8 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         spec = _spec(family, chosen, surface)
         curves, reports = spec.curves(surface)
     except InputError as problem:
-        told = str(problem) if str(mesh) in str(problem) else f"{mesh}: {problem}"
-        raise InputError("{told}{option_for}", told=told, option_for=_option_for(told, chosen)) from None
+        told = str(problem) if str(mesh) in str(problem) else str(problem.at(file=mesh))
+        raise InputError("{told}{option}", told=told, option=_option_for(told, chosen)) from None
     verdicts = [_verdict(curve) for curve in curves]
     for one in verdicts:
         say(f"{one['name']}: {_sentence(one)}")
@@ -152,12 +153,13 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         say("for strips along them add --sheet NAME, or give the curves to elastica strip")
 
 
-def _option_for(text: str, chosen: dict[str, Any]) -> str:
-    """The option that splits at corners, or closed lines in halves, where a sentence asks for that."""
-    if AT_CORNERS in text and chosen["split_corners"] is None:
+def _option_for(said: str, chosen: dict[str, Any]) -> str:
+    """The option that splits at corners, or closed lines in halves, where that would help."""
+    changes = said.all_changes if isinstance(said, Refusal) else ()
+    if AT_CORNERS in changes and chosen["split_corners"] is None:
         return " (--split-corners 20)"
     unsplit = not (chosen["splits"] or chosen["split_at"] or chosen["split_corners"])
-    return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in text and unsplit else ""
+    return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in changes and unsplit else ""
 
 
 def _family_named(chosen: dict[str, Any]) -> str:
@@ -242,7 +244,7 @@ def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, A
     """What a design file says of all strips."""
     limits = {"ratio": chosen["ratio"]}
     limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
-    strips: dict[str, Any] = {"sheet": _relative(sheet, output) if ".toml" in sheet else sheet}
+    strips: dict[str, Any] = {"sheet": seen_from(sheet, output) if ".toml" in sheet else sheet}
     strips |= {} if chosen["thickness"] is None else {"thickness": chosen["thickness"]}
     strips |= {"max_width": chosen["max_width"], "limits": limits}
     strips |= {"gravity": True} if chosen["gravity"] else {}
@@ -320,7 +322,7 @@ def _write_files(
         write_text(workshop / names[0], curves_json([one.curve for one in curves]))
         write_curves(_side_by_side([one.curve for one in curves]), workshop / names[1])
         if strips is not None:
-            seen = mesh | {"mesh": _relative(mesh["mesh"], output)}
+            seen = mesh | {"mesh": seen_from(mesh["mesh"], output)}
             text = compose_section_design(name, seen, spec, strips)
             write_text(workshop / names[2], text)
     return names
@@ -334,11 +336,3 @@ def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
         placed.append(curve.transformed([[1, 0, x - left], [0, 1, -low], [0, 0, 1]]))
         x += right - left + GAP_MM
     return placed
-
-
-def _relative(mesh: str, folder: Path) -> str:
-    """The file as seen from a folder, where that can be said."""
-    try:
-        return Path(os.path.relpath(mesh, folder)).as_posix()
-    except ValueError:  # another drive
-        return Path(mesh).resolve().as_posix()

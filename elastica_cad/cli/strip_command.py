@@ -9,32 +9,37 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.asking.asked_curves import (
-    AskedCurve,
-    asked_curves,
-    curve_options,
-    split_option,
-    which_options,
+from elastica_cad.cli.asking.asked_curves import AskedCurve, asked_curves, curve_argument
+from elastica_cad.cli.asking.settings import FileKeys
+from elastica_cad.cli.asking.strip_options import (
+    grouped,
+    option_words,
+    spec_from_options,
+    strip_options,
+    table_of,
 )
-from elastica_cad.cli.asking.options import LENGTH, Length, holding_option, join_options, output_options
-from elastica_cad.cli.asking.strip_options import spec_from_options, strip_options
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
     changed_requests,
     first_that_holds,
     first_told,
-    option_words,
     suggest_later,
     typed_line,
 )
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
+from elastica_cad.declared import kind_of
 from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs
+from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.holders.holding_template import tell_ends
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.design_files.records import Reader
+from elastica_cad.formats.design_files.strip_table import PLANE
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.formats.design_files.toml_text import seen_from, toml_text
+from elastica_cad.formats.file_access.write_files import write_text, write_together
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
@@ -49,80 +54,73 @@ MOST_ADVICE = 1
 """Sentences after a success; each costs a solve or two."""
 
 
-_CUT = (
-    click.option("--kerf", type=Length(words=("sheet",)), default=0.0, metavar="MM|sheet", show_default=True,
-                 help="Width that the laser burns away; `sheet`: the sheet's. Most shops add it themselves."),
-    click.option("--curves", type=click.Choice(["spline", "arc", "polyline"]), default="spline",
-                 show_default=True, help="How curved edges are written."),
-    click.option("--tolerance", type=LENGTH, default=0.02, show_default=True, metavar="MM",
-                 help="Largest error of arcs and polylines."),
-    click.option("--dxf-version", default="R2010", show_default=True,
-                 help="R12, R2000, R2004, R2007, R2010, R2013 or R2018."),
-    holding_option,
-    click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]),
-                 help="Write NAME.pdf too: full size on this paper, tiles with marks to join them by."),
-    click.option("--step/--no-step", default=True,
-                 help="Write NAME.step: the flat and the bent strip (needs a CAD kernel)."),
-    click.option("--pictures/--no-pictures", default=True, help="Draw NAME.png (needs matplotlib)."),
-    click.option("--glb", is_flag=True,
-                 help="Write NAME.glb too: the bent strip for browsers, phones and Blender (needs build123d)."),
-    output_options,
-)  # fmt: skip
-
-
-def _files(chosen: Mapping[str, Any]) -> StripFiles:
+def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
     """Which files the options ask for."""
-    width = None if chosen["kerf"] == "sheet" else chosen["kerf"]
-    bridges = None if chosen["holding"] is None else HoldingTabs(chosen["holding"])
-    cutting = Cutting(width, chosen["curves"], chosen["tolerance"], chosen["dxf_version"], bridges)
-    return StripFiles(cutting, chosen["paper"], chosen["glb"], chosen["step"], chosen["pictures"])
+    reader, below = Reader(), Table({"cut": {}, "files": {}, **table}, "", {})
+    cutting, more = (
+        reader.value(kind_of(one), below, key) for key, one in (("cut", Cutting), ("files", FileKeys))
+    )
+    return StripFiles(cutting, more.paper, more.glb, chosen["step"], chosen["pictures"])
 
 
-@click.command()
-@curve_options
-@which_options
-@click.option("--all", "every", is_flag=True, help="A strip for every curve of the file, each for itself.")
-@split_option
+class _Grouped(click.Command):
+    """Lists its options in groups."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Each group with its own heading."""
+        for group, parameters in grouped(self.get_params(ctx)).items():
+            rows = [
+                row
+                for one in parameters
+                if isinstance(one, click.Option) and (row := one.get_help_record(ctx)) is not None
+            ]
+            if rows:
+                with formatter.section(group.capitalize()):
+                    formatter.write_dl(rows)
+
+
+@click.command(cls=_Grouped)
+@curve_argument()
 @strip_options
-@click.option("--strict", is_flag=True, help="Exit with 1 when the strain is beyond what the sheet bears.")
-@join_options(*_CUT)
 @click.pass_context
 def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """Make the strip that bends into the curve in CURVE, and write its cutting files.
 
     Writes NAME.dxf and NAME.svg (the cut pattern), NAME.json (the report), NAME.png (the picture; needs
     matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is that of the file read.
-    NAME-backing.dxf and .svg are what is glued on a laminate. --glb and --paper add a model and a template.
-
-    --split-corners makes a strip of every piece between corners, NAME-1, NAME-2 ..., whose ends carry the same J1
-    where they meet.
+    NAME-backing.dxf and .svg are what is glued on a laminate.
 
     The curve is taken exactly as drawn, or refused; only a pen curve whose curvature jumps from piece to piece is
-    made fair within 0.1 mm or so, which is told (--smooth 0 leaves it alone). With --nearest, --ratio, --stable,
-    --margin, --keep-strain or another limit the strip may leave it, as little as it must.
+    made fair within 0.1 mm or so, which is told (--set smooth=0 leaves it alone). With --nearest, --ratio,
+    --stable, --margin, --keep-strain or another limit the strip may leave it, as little as it must.
 
-    KEYS are written as in a design file: 'at = 40, width = 1.2'.
+    All other keys of a design file are given by --set KEY=VALUE, as --set limits.curvature=0.02; `elastica help`
+    lists them, `elastica help KEY` explains one.
     """
+    table = table_of(chosen)
+    files, which = _files(chosen, table), table.get("curve", {})
     curves = asked_curves(
         chosen["curve"],
         chosen["unit"],
         chosen["number"],
-        chosen["layer"],
+        which.get("layer"),
         every=chosen["every"],
-        split=chosen["split_corners"],
+        split=which.get("split_corners", False),
     )
-    reports, wrong, refused = [], 0, 0
+    if chosen["save_design"] is not None:
+        wrote([_save_design(chosen["save_design"], curves, table, force=chosen["force"])])
+    reports, wrong, refused, strict = [], 0, 0, table.get("files", {}).get("strict", False)
     for asked in curves:
         try:
-            spec = spec_from_options(asked.curve, asked.name, chosen)
+            spec = spec_from_options(asked.curve, asked.name, table)
             if len(curves) == 1:
                 suggest_later(partial(_suggestion, spec, asked, chosen))
-            kit = _made(asked, spec, _files(chosen))
+            kit = _made(asked, spec, files)
             say_step(f"writing the files of {asked.name}")
             written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
             _tell(kit, written)
             reports.append(kit.report)
-            wrong += chosen["strict"] and not kit.strip.strain_verdict.allowed
+            wrong += strict and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
             if len(curves) == 1 and not chosen["every"]:
                 raise
@@ -134,6 +132,28 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         if len(curves) > 1:
             warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}")
         ctx.exit(1)
+
+
+def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, Any], *, force: bool) -> Path:
+    """Write the request as a design file, with a table for every curve."""
+    shared = {
+        key: one for key, one in table.items() if key not in ("curve", "files", "label", "slots", *PLANE)
+    }
+    own = {key: one for key, one in table.items() if key in ("slots", *PLANE)}
+    strips = [
+        {"label": table.get("label", engravable(asked.name)), "curve": _curve_keys(asked, path.parent), **own}
+        for asked in curves
+    ]
+    with write_together(path.parent, [path.name], force=force) as folder:
+        write_text(folder / path.name, toml_text({"schema": 1, **shared, "strips": strips}))
+    return path
+
+
+def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
+    """The curve as a design file in that folder names it."""
+    unit = {"unit": asked.unit} if asked.unit else {}
+    number = {"number": asked.drawn.number} if asked.count > 1 else {}
+    return {"file": seen_from(asked.path, folder), **number, **unit}
 
 
 def _made(asked: AskedCurve, spec: StripSpec, files: StripFiles) -> StripKit:

@@ -25,7 +25,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # while the taper is sought, and of the curve that is handed on
@@ -125,21 +125,21 @@ class BattenSpec:
         except NotConvergedError:
             if self.lying is not None:  # what the weight does is told
                 raise
-            raise self._too_thin(0.5 - self.place, self._even_chord, "less") from None
+            raise self._too_thin(0.5 - self.place, self._even_chord, note("less")) from None
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
-            raise self._too_thin(taper, chord, f"{thin:.3g} mm")
+            raise self._too_thin(taper, chord, Length(thin))
         return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
 
-    def _too_thin(self, side: float, chord: float, thin: str) -> InputError:
+    def _too_thin(self, side: float, chord: float, thin: object) -> InputError:
         """That the stock's taper, larger at the end where `side` is positive, brings the camber less far."""
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_of(most, chord)
         # rounded towards the middle, so that what is told can be made
         nearest = (
-            f"at least {np.ceil(10 * within) / 10:.3g}"
+            note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
-            else f"at most {np.floor(10 * within) / 10:.3g}"
+            else note("at most {percent:.3g}", percent=np.floor(10 * within) / 10)
         )
         return InputError(
             "camber at {place:.4g} % asks for {thin} at the thin end of stock of {largest:g}, "

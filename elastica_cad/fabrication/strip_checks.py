@@ -24,7 +24,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.refusals import Length
 
-AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
+AskedGravity: TypeAlias = Gravity | bool | Sequence[float] | None
 """A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
 
 Loads: TypeAlias = "tuple[PointMass, ...] | Weight"
@@ -130,8 +130,8 @@ def check_law(
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "a law says what the section is and how large: leave out style, slots, max_width and min_width, and "
-            "give tabs a length only, or leave out law",
+            "a law says what the section is and how large: leave out style, slots, max_width and min_width, "
+            "and give tabs a length only, or leave out law",
             where={"field": "law"},
         )
     other = getattr(law, "sheet", sheet)
@@ -181,7 +181,7 @@ def limits_beside(
                 width=Length(width),
                 low=low,
                 high=Length(high),
-                where={"field": (name, "limit width")},
+                where={"field": (name, "limits.width")},
             )
     narrowest, widest = min_width or low, max_width or high
     if narrowest > widest:  # refused where the widths are compared
@@ -214,7 +214,7 @@ def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Shop
             name=sheet.name,
             least=Length(least),
             where={"field": "max_width"},
-            changes=[Change("max_width", float(rounded_up(2 * least, 3)))],
+            changes=[Change("max_width", rounded_up(2 * least, 3))],
         )
     return max_width / max(min_width, least)
 

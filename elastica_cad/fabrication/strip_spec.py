@@ -3,12 +3,13 @@
 from dataclasses import dataclass, field, replace
 from dataclasses import fields as fields_of
 from functools import cached_property
-from typing import Any, cast
+from typing import Annotated, Any, cast
 
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_flag, require_positive, require_record, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -134,30 +135,125 @@ class StripSpec(EqualByValue):
     True
     """
 
-    curve: PlaneCurve
-    sheet: Sheet | str
+    curve: Annotated[PlaneCurve, Asked("The curve that the strip takes.", group="curve")]
+    sheet: Annotated[
+        Sheet | str,
+        Asked(
+            "Material: the name of a sheet, or a file of yours, my.toml or my.toml:NAME.",
+            group="sheet",
+            common=True,
+            written=Sheet,
+        ),
+    ]
     frame: Frame | None = None
-    max_width: float | None = None
-    min_width: float | None = None
-    style: Style = PLAIN
-    limits: Limits | None = None
-    keep: Keep | None = None
-    gravity: AskedGravity = None
-    loads: tuple[PointMass, ...] | Weight = ()
-    supports: Supports = field(default_factory=Supports)
-    natural_curvature: NaturalCurvature = 0.0
-    samples: int | None = None
-    ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
-    joint: float | None = None
-    straight_ends: bool = True
-    slots: tuple[Slot, ...] = ()
-    label: str = ""
-    smooth: float | None = None
-    shop: Shop = DEFAULT_SHOP
-    compensate: bool | None = None
-    creep: float = 0.0
-    law: BoundedLaw | None = None
-    ignore_limits: bool = False
+    max_width: Annotated[
+        float | None, Asked("Width of the widest place.", "mm", least=0, group="widths", common=True)
+    ] = None
+    min_width: Annotated[
+        float | None,
+        Asked("Width of the narrowest place, or its limit.", "mm", least=0, group="widths", common=True),
+    ] = None
+    style: Annotated[Style, Asked("How stiffness becomes material.", group="widths", common=True)] = PLAIN
+    limits: Annotated[
+        Limits | None,
+        Asked("The curve may change, as little as these limits ask for.", group="limits", common=True),
+    ] = None
+    keep: Annotated[
+        Keep | None, Asked("What a curve that may change keeps.", group="limits", common=True)
+    ] = None
+    gravity: Annotated[
+        AskedGravity,
+        Asked(
+            "The strip carries its own weight: true, the direction in which it falls, or a length of its own.",
+            group="weight",
+            common=True,
+            written=bool | tuple[float, float, float] | tuple[float, float] | Gravity,
+        ),
+    ] = None
+    loads: Annotated[
+        tuple[PointMass, ...] | Weight,
+        Asked(
+            "Masses hung on the strip, or all weight in newtons.",
+            group="weight",
+            written=tuple[PointMass, ...] | Weight,
+        ),
+    ] = ()
+    supports: Annotated[
+        Supports, Asked("What holds the start and the end of the curve.", group="ends", common=True)
+    ] = field(default_factory=Supports)
+    natural_curvature: Annotated[
+        NaturalCurvature,
+        Asked(
+            "Curvature of the strip before it is bent, or a blank that is bent beforehand.",
+            "1/mm",
+            group="curve",
+            common=True,
+        ),
+    ] = 0.0
+    samples: Annotated[
+        int | None, Asked("Nodes of the rod; chosen unless given.", least=2, most=20000, group="curve")
+    ] = None
+    ends: Annotated[
+        tuple[Tab, Tab],
+        Asked(
+            "Tab of both ends, or the two of start and end.",
+            group="ends",
+            common=True,
+            written=Tab | tuple[Tab, Tab],
+        ),
+    ] = (Tab(10.0), Tab(10.0))
+    joint: Annotated[
+        float | None,
+        Asked(
+            "Where a closed strip is joined, along its curve; where it is bent least unless given.",
+            "mm",
+            least=0,
+            group="ends",
+        ),
+    ] = None
+    straight_ends: Annotated[
+        bool,
+        Asked(
+            "Straight first and last pieces of the curve become the tabs; false: the whole curve is bent.",
+            group="ends",
+        ),
+    ] = True
+    slots: Annotated[tuple[Slot, ...], Asked("Slots from the edge.", group="ends")] = ()
+    label: Annotated[
+        str, Asked("Text engraved on the strip, and its name in messages.", group="ends", common=True)
+    ] = ""
+    smooth: Annotated[
+        float | None,
+        Asked(
+            "How far the curve may be moved to become fair; 0 follows it exactly as drawn.",
+            "mm",
+            least=0,
+            group="curve",
+        ),
+    ] = None
+    shop: Annotated[Shop, Asked("What the workshop can make.", group="limits")] = DEFAULT_SHOP
+    compensate: Annotated[
+        bool | None,
+        Asked(
+            "Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone.",
+            group="widths",
+            common=True,
+        ),
+    ] = None
+    creep: Annotated[
+        float,
+        Asked("Creep factor of the sheet in the long run; 0 leaves creep out.", least=0, group="weight"),
+    ] = 0.0
+    law: Annotated[
+        BoundedLaw | None,
+        Asked(
+            "What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves.",
+            group="widths",
+        ),
+    ] = None
+    ignore_limits: Annotated[
+        bool, Asked("Make a strip that cannot be cut or handled, and say so.", group="limits", common=True)
+    ] = False
 
     def __new__(cls, *_: Any, **fields: Any) -> "StripSpec":
         """Refuse old names of fields with what they are called now."""

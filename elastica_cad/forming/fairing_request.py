@@ -11,7 +11,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 LARGEST_SMOOTH = 1000.0
 """Largest smoothing distance, mm."""
@@ -67,25 +67,27 @@ class Smoothing:
         """Sentences about what was moved."""
         found = []
         if self.healed > SEEN:
-            found.append(
-                "The digits of the file turn its tangents where pieces meet: put right, "
-                f"{self.healed:.2g} mm at most."
-            )
+            found.append(note(
+                "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
+                far=Length(self.healed),
+            ))  # fmt: skip
         if self.fairing is not None:
             before = self.ratio_as_drawn
             ratio = (
-                "as drawn no strip takes it"
+                note("as drawn no strip takes it")
                 if before is None
-                else f"the stiffness ratio as drawn was {before:.4g}"
+                else note("the stiffness ratio as drawn was {ratio:.3g}", ratio=before)
             )
-            found.append(
-                f"The curvature jumped where pieces meet: made fair, {self.moved:.2g} mm from the drawn "
-                "curve at most; "
-                f"{ratio} (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer)."
-            )
+            found.append(note(
+                "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve at most; "
+                "{before} (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).",
+                far=Length(self.moved), before=ratio,
+            ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
-            found.append(f"Its corners, of {sharpest:.2g} degrees at most, were rounded within that.")
+            found.append(note(
+                "Its corners, of {angle:.2g} degrees at most, were rounded within that.", angle=sharpest
+            ))  # fmt: skip
         return tuple(found)
 
 

@@ -3,17 +3,18 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from numbers import Real
-from typing import Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, require_positive
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.mechanics.material.sheet import Sheet
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
-Bound: TypeAlias = "float | ArrayLike | Callable[[FloatArray], FloatArray] | None"
+Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
 UNLIMITED_RATIO = 1000.0  # widths of 0.1 mm beside 100 mm, which no machine cuts
@@ -36,8 +37,8 @@ class HalfPlane:
     (0.0, 1.0)
     """
 
-    point: tuple[float, float] = (0.0, 0.0)
-    normal: tuple[float, float] = (0.0, 1.0)
+    point: Annotated[tuple[float, float], Asked("A point on the wall.", "mm")] = (0.0, 0.0)
+    normal: Annotated[tuple[float, float], Asked("Points to where the strip may be.")] = (0.0, 1.0)
 
     def __post_init__(self) -> None:
         point, normal = (
@@ -66,8 +67,8 @@ class Box:
         Opposite corners, mm.
     """
 
-    lower: tuple[float, float]
-    upper: tuple[float, float]
+    lower: Annotated[tuple[float, float], Asked("Corner of least x and y.", "mm")]
+    upper: Annotated[tuple[float, float], Asked("Corner of largest x and y.", "mm")]
 
     def __post_init__(self) -> None:
         lower, upper = _pair("lower corner of a box", self.lower), _pair("upper corner of a box", self.upper)
@@ -94,6 +95,19 @@ class Box:
         corner = outside > 0
         gradient[corner] = (beyond * sign)[corner] / outside[corner, None]
         return np.where(corner, outside, off[rows, axis]), gradient
+
+
+Row: TypeAlias = tuple[float, ...]
+
+
+def bounds_along_strip(
+    lower: Annotated[float | Row | None, Asked("Least value, or values at equal distances.", least=1)] = None,
+    upper: Annotated[
+        float | Row | None, Asked("Largest value, or values at equal distances.", least=1)
+    ] = None,
+) -> tuple[float | Row | None, float | Row | None]:
+    """Bounds of K / min K along the strip, as files say them."""
+    return lower, upper
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,15 +149,49 @@ class Limits:
     3.0
     """
 
-    ratio: float | None = None
-    margin: float | None = None
-    curvature: float | None = None
+    ratio: Annotated[
+        float | None,
+        Asked("Largest stiffness ratio, widest over narrowest.", least=1, group="limits", common=True),
+    ] = None
+    margin: Annotated[
+        float | None,
+        Asked(
+            "Least stability margin: 0 is where it would snap away, 5 is safely stable.",
+            group="limits",
+            common=True,
+        ),
+    ] = None
+    curvature: Annotated[float | None, Asked("Largest curvature.", "1/mm", least=0, group="limits")] = None
     sheet: Sheet | None = None
-    strain: float | None = None
-    width: tuple[float, float] | None = None
-    length: tuple[float, float] | None = None
-    keep_out: tuple[HalfPlane | Box, ...] = ()
-    stiffness_bounds: tuple[Bound, Bound] | None = None
+    strain: Annotated[
+        float | None,
+        Asked(
+            "Largest strain: true for what the sheet bears, or a number.",
+            least=0,
+            group="limits",
+            common=True,
+            written=bool | float,
+        ),
+    ] = None
+    width: Annotated[
+        tuple[float, float] | None,
+        Asked("Least and largest width, which bound the ratio.", "mm", least=0, group="limits"),
+    ] = None
+    length: Annotated[
+        tuple[float, float] | None, Asked("Least and largest length.", "mm", least=0, group="limits")
+    ] = None
+    keep_out: Annotated[
+        tuple[HalfPlane | Box, ...],
+        Asked("Ground, walls and boxes where the strip may not go.", group="limits"),
+    ] = ()
+    stiffness_bounds: Annotated[
+        tuple[Bound, Bound] | None,
+        Asked(
+            "Bounds of the stiffness over its least value, along the strip.",
+            group="limits",
+            written=bounds_along_strip,
+        ),
+    ] = None
 
     def __post_init__(self) -> None:
         for name in ("ratio", "margin", "curvature", "strain"):
@@ -253,12 +301,25 @@ class Keep:
     (True, False)
     """
 
-    ends: bool | tuple[bool, bool] = True
-    tangents: bool | tuple[bool, bool] = False
-    length: bool = False
-    symmetry: Symmetry | None = None
-    points: tuple[float, ...] = ()
-    line: bool | tuple[tuple[float, float], tuple[float, float]] | None = None
+    ends: Annotated[
+        bool | tuple[bool, bool],
+        Asked("Do both ends, or start and end, stay where they are?", group="limits", common=True),
+    ] = True
+    tangents: Annotated[
+        bool | tuple[bool, bool],
+        Asked("Do both ends, or start and end, keep their tangents?", group="limits", common=True),
+    ] = False
+    length: Annotated[bool, Asked("Keep the length.", group="limits", common=True)] = False
+    symmetry: Annotated[
+        Symmetry | None, Asked("The mirror image or half turn that the curve keeps.", group="limits")
+    ] = None
+    points: Annotated[
+        tuple[float, ...], Asked("Places along the drawn curve that stay on the strip.", "mm", group="limits")
+    ] = ()
+    line: Annotated[
+        bool | tuple[tuple[float, float], tuple[float, float]] | None,
+        Asked("Inflections stay on their line, or on the line through two points.", "mm", group="limits"),
+    ] = None
 
     def __post_init__(self) -> None:
         for name in ("ends", "tangents"):

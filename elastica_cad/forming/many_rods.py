@@ -14,6 +14,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.refusals import note
 
 AHEAD = 64
 """Curves of a stream that are handed to an executor at a time: enough for a dozen workers, and few to keep in
@@ -204,7 +205,11 @@ def _attempted(task: _Task) -> NearestRod:
 
 
 def _lost(task: _Task, error: Exception) -> NearestRod:
-    why = f"the executor gave no answer ({type(error).__name__}: {error}); run this curve again"
+    why = note(
+        "the executor gave no answer ({kind_of_error}: {error}); run this curve again",
+        kind_of_error=type(error).__name__,
+        error=error,
+    )
     return NearestRod.failed(task.curve, why, task.limits, task.keep)
 
 

@@ -22,8 +22,7 @@ from elastica_cad.geometry.polynomials.panel_functions import (
 )
 from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
-from elastica_cad.mechanics.theorem1.verdict import figure
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 Kept: TypeAlias = Literal["ends", "shape"]
 
@@ -66,11 +65,14 @@ class MatchedPair:
         return iter((self.first, self.second))
 
     def __str__(self) -> str:
-        held = " and held by the same clamps" if self.same_clamps else ""
-        first, second = (figure(moved) for moved in self.moved)
-        return (
-            f"Both curves are {figure(self.first.length)} mm long{held}: the first was moved by up to {first} mm, "
-            f"the second by {second} mm."
+        return note(
+            "Both curves are {length} long and held by the same clamps: the first was moved by up to {first}, the "
+            "second by {second}."
+            if self.same_clamps
+            else "Both curves are {length} long: the first was moved by up to {first}, the second by {second}.",
+            length=Length(self.first.length),
+            first=Length(self.moved[0]),
+            second=Length(self.moved[1]),
         )
 
 

@@ -21,7 +21,8 @@ from elastica_cad.mechanics.loads.arguments import (
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, listed
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, lengths
+from elastica_cad.refusals import Length, Listed, note
 
 _SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none
 _CHOICES = 5  # places tried for each support between its first and last possible one
@@ -50,17 +51,20 @@ class Splitting:
     ratios: tuple[float, ...]
 
     def __str__(self) -> str:
-        ratios = listed([f"{ratio:.3g}" for ratio in self.ratios], len(self.ratios))
-        if not self.supports:
-            return (
-                f"The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios}."
+        count, ratios = len(self.supports), Listed(map(float, self.ratios))
+        if not count:
+            said = "The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios:.3g}."
+        elif count == 1:
+            said = (
+                "1 support, at {places}, splits the curve into 2 strips that can be made, with stiffness ratios of "
+                "{ratios:.3g}."
             )
-        count = len(self.supports)
-        places = listed([f"{s:.4g}" for s in self.supports], len(self.supports))
-        return (
-            f"{count} support{'s' * (count > 1)}, at {places} mm, split{'s' * (count == 1)} the curve into "
-            f"{count + 1} strips that can be made, with stiffness ratios of {ratios}."
-        )
+        else:
+            said = (
+                "{count} supports, at {places}, split the curve into {strips} strips that can be made, with "
+                "stiffness ratios of {ratios:.3g}."
+            )
+        return note(said, count=count, places=lengths(self.supports), strips=count + 1, ratios=ratios)
 
 
 def split(
@@ -274,11 +278,11 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     curve = cut.curve
     s = float(curve.arc_length(np.array(place)))
     if cut.places is not None:
-        what = "no strip reaches from there to the next place that is offered: offer more places"
+        what = note("no strip reaches from there to the next place that is offered: offer more places")
     else:
-        what = "no strip that starts there can go on"
-    limit = "" if cut.ratio is None else f" within a stiffness ratio of {cut.ratio:g}"
-    reason = f"Supports do not help at {s:.4g} mm: {what}{limit}."
+        what = note("no strip that starts there can go on")
+    limit = "" if cut.ratio is None else note(" within a stiffness ratio of {ratio:g}", ratio=cut.ratio)
+    reason = note("Supports do not help at {s}: {what}{limit}.", s=Length(s), what=what, limit=limit)
     try:
         why = examine_curvature(curve, cut.supports).reasons
     except InputError:

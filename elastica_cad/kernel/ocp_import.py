@@ -9,6 +9,7 @@ from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 from elastica_cad.errors import MissingDependencyError, how_to_install
+from elastica_cad.refusals import note
 
 Shape: TypeAlias = Any
 """A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
@@ -92,14 +93,14 @@ def library_trouble(library: str, error: ImportError) -> str:
     """What to do where a library above OpenCASCADE is not imported: install it, or mend what it stands on."""
     if error.name == library:
         return how_to_install(library)
-    return kernel_trouble() or f"it cannot be loaded ({error}); install what that names"
+    return kernel_trouble() or note("it cannot be loaded ({error}); install what that names", error=error)
 
 
 def _unsound(error: Exception) -> MissingDependencyError:
     """OCP that is there and cannot be used: two releases in one place, or a library of the system missing."""
     if isinstance(error.__cause__, KeyboardInterrupt):  # Ctrl-C while its compiled part began
         raise error.__cause__
-    reason = f"OpenCASCADE (OCP) is installed but cannot be loaded ({error})"
+    reason = note("OpenCASCADE (OCP) is installed but cannot be loaded ({error})", error=error)
     brought = {
         name: version
         for name in ("cadquery-ocp", "cadquery-ocp-novtk")

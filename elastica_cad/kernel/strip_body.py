@@ -24,7 +24,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.model.strip_model import Model
@@ -61,7 +61,12 @@ def end_angles(angles: object) -> tuple[float | None, float | None]:
     given = [degrees(angle) for angle in pair if angle]
     if given and all(abs(angle) < LEAST_DEGREES and round(angle, 9) % 1 for angle in given):
         shown = ", ".join(f"{angle:.4g}" for angle in given)
-        warn(f"angles are in degrees, and {shown} is little: give numpy.degrees(...) of what is in radians")
+        warn(
+            note(
+                "angles are in degrees, and {shown} is little: give numpy.degrees(...) of what is in radians",
+                shown=shown,
+            )
+        )
     return pair
 
 
@@ -78,10 +83,11 @@ def warn_of_contact(strip: Strip) -> None:
     meeting = self_contact(strip)
     if meeting is not None:
         low, high = meeting
-        warn(
-            f"bent, the strip runs through itself: {low:.1f} mm along it meets {high:.1f} mm (tabs lie below 0 "
-            f"and beyond {strip.rod.length:.1f}); shorten the tabs, open the curve, or cut a slot there"
-        )
+        warn(note(
+            "bent, the strip runs through itself: {low} along it meets {high} (tabs lie below 0 and beyond "
+            "{length}); shorten the tabs, open the curve, or cut a slot there",
+            low=Length(low), high=Length(high), length=Length(strip.rod.length),
+        ))  # fmt: skip
 
 
 OFF_PLANE_MM = 1e-4

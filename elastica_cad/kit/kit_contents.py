@@ -30,6 +30,7 @@ from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, note
 
 Writer: TypeAlias = Callable[[Path], object]
 
@@ -251,6 +252,10 @@ def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
     if not far:
         return ()
     return (
-        f"strips rest farther from their design than slots have room ({CLEARANCE_MM:g} mm), so they may have to be "
-        f"pushed into each other: {', '.join(far)}",
+        note(
+            "strips rest farther from their design than slots have room ({room:g}), so "
+            "they may have to be pushed into each other: {strips}",
+            room=Length(CLEARANCE_MM),
+            strips=", ".join(far),
+        ),
     )

@@ -1,4 +1,4 @@
-"""A picture of a verdict: the drawn curve with its inflections, the line they should lie on, and what is wrong where."""
+"""A picture of a verdict: the drawn curve, its inflections, the line for them, and what is wrong where."""
 
 from collections.abc import Iterator
 from textwrap import fill

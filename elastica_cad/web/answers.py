@@ -119,14 +119,23 @@ def _design(request: Mapping[str, Any]) -> Design:
     return design_of(request["design"], FilePath("design"), _no_file)
 
 
-def _spec(request: Mapping[str, Any]) -> StripSpec:
-    """What is asked of the strip that is looked at."""
-    design = request["design"]
-    strips, k = design.get("strips"), request.get("strip", 0)
+def asked_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
+    """What a design asks of one of its strips.
+
+    Raises
+    ------
+    InputError
+        No such strip, or what is asked makes no sense.
+    """
+    strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
         raise InputError("the design has no strip to draw: add one")
     alone = {key: value for key, value in design.items() if key not in OF_MODELS} | {"strips": [strips[k]]}
     return design_of(alone, FilePath("design"), _no_file).entries[0].spec
+
+
+def _spec(request: Mapping[str, Any]) -> StripSpec:
+    return asked_spec(request["design"], request.get("strip", 0))
 
 
 def _strip(request: Mapping[str, Any], _: FilePath) -> Record:

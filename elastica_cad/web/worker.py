@@ -33,7 +33,8 @@ def reply(line: bytes) -> tuple[bytes, bytes]:
     ):  # a page that is of another version, or nonsense: the next question is answered all the same
         traceback.print_exc()
         found = _refused("this design cannot be read: its values are of the wrong kind")
-    head = {name: request.get(name) for name in ("id", "do")} if isinstance(request, dict) else {}
+    known = request if isinstance(request, dict) else {}
+    head = {name: known[name] for name in ("id", "do", "kind") if name in known}
     if isinstance(found, Download):
         return b"file", json.dumps(head | {"name": found.name}).encode() + b"\n" + found.content
     return b"text", json.dumps(head | found, allow_nan=False, default=str).encode()

@@ -18,7 +18,8 @@ WITHOUT_A_KERNEL = (
     sys.executable, "-c",
     "import sys; sys.modules['OCP'] = None; from elastica_cad.cli import main; main()",
 )  # fmt: skip
-PERFORATED = ("--style", "perforated", "--outer-width", "60", "--columns", "4", "--rows", "135", "--no-step")
+PERFORATED = ("--style", "perforated", "--outer-width", "60", "--set", "style.columns=4", "--set",
+              "style.rows=135", "--no-step")  # fmt: skip
 """1220 holes."""
 
 LAMP = """

@@ -30,7 +30,7 @@ PAIRS = (
 )  # fmt: skip
 
 LAMINATE = Laminated(width=24.0, backing=CARD)
-LAMINATE_OPTIONS = "--style laminated --outer-width 24 --backing card-200gsm"
+LAMINATE_OPTIONS = "--style laminated --outer-width 24 --set style.backing=card-200gsm"
 LAMINATE_KEYS = "style = { kind = 'laminated', width = 24, backing = 'card-200gsm' }\n"
 LAMINATE_IN_FREECAD = {"Style": "Laminated", "OuterWidth": 24.0, "Backing": "card-200gsm"}
 BATTEN = "kind = 'thickness', limits = [0.1, 0.5], width = 12"
@@ -69,13 +69,13 @@ MORE_REQUESTS = {
     ),
     "as wide as masses ask for": Request(
         {"gravity": (0.0, -1.0), "loads": (PointMass(90.0, 0.03), PointMass(40.0, 0.01))},
-        "--gravity --hang 90 0.03 --hang 40 0.01",
+        "--gravity --set 'loads = [{ at = 90, mass = 0.03 }, { at = 40, mass = 0.01 }]'",
         "gravity = true\nloads = [{ at = 90, mass = 0.03 }, { at = 40, mass = 0.01 }]",
         {"MaxWidth": 0.0, **DOWN_IN_FREECAD, "Loads": ["at = 90, mass = 0.03", "at = 40, mass = 0.01"]}, ARCH,
     ),
     "masses within limits": Request(
         WIDE | {"gravity": (0.0, -1.0), "loads": (PointMass(90.0, 3.0),), "limits": Limits(ratio=3.0)},
-        f"{WIDE_OPTION} --gravity --hang 90 3 --ratio 3",
+        f"{WIDE_OPTION} --gravity --set 'loads = [{{ at = 90, mass = 3 }}]' --ratio 3",
         f"{WIDE_KEY}gravity = true\nlimits.ratio = 3\nloads = [{{ at = 90, mass = 3 }}]",
         WIDE_IN_FREECAD | NEAREST_IN_FREECAD | DOWN_IN_FREECAD
         | {"RatioLimit": 3.0, "Loads": ["at = 90, mass = 3"]},
@@ -90,7 +90,8 @@ MORE_REQUESTS = {
     "within many limits": Request(
         WIDE | {"limits": Limits(ratio=3.0, margin=2.0, curvature=0.08, length=(150, 400)),
                 "keep": Keep(tangents=(True, False))},
-        f"{WIDE_OPTION} --ratio 3 --margin 2 --max-curvature 0.08 --length-range 150 400 --keep-tangent start",
+        f"{WIDE_OPTION} --ratio 3 --margin 2 --set limits.curvature=0.08 --set limits.length=[150,400] "
+        f"--set keep.tangents=[true,false]",
         f"{WIDE_KEY}limits = {{ ratio = 3, margin = 2, curvature = 0.08, length = [150, 400] }}\n"
         "keep = { tangents = [true, false] }",
         WIDE_IN_FREECAD | NEAREST_IN_FREECAD
@@ -100,7 +101,7 @@ MORE_REQUESTS = {
     ),
     "within limits that exclude each other": Request(
         WIDE | {"limits": Limits(curvature=1e-3), "keep": Keep(tangents=True, length=True)},
-        f"{WIDE_OPTION} --max-curvature 0.001 --keep-tangents --keep-length",
+        f"{WIDE_OPTION} --set limits.curvature=0.001 --keep-tangents --keep-length",
         f"{WIDE_KEY}limits.curvature = 0.001\nkeep = {{ tangents = true, length = true }}",
         WIDE_IN_FREECAD | NEAREST_IN_FREECAD | {"CurvatureLimit": 1e-3, "KeepTangents": True, "KeepLength": True},
         ARCH,
@@ -126,12 +127,13 @@ MORE_REQUESTS = {
     ),
     "closed where it is bent least": Request(WIDE, WIDE_OPTION, WIDE_KEY, WIDE_IN_FREECAD, OVAL),
     "closed within limits": Request(
-        WIDE | {"joint": 60.0, "limits": Limits(ratio=9.0)}, f"{WIDE_OPTION} --joint 60 --ratio 9",
+        WIDE | {"joint": 60.0, "limits": Limits(ratio=9.0)}, f"{WIDE_OPTION} --set joint=60 --ratio 9",
         f"{WIDE_KEY}joint = 60\nlimits.ratio = 9",
         WIDE_IN_FREECAD | NEAREST_IN_FREECAD | {"RatioLimit": 9.0, "Joint": 60.0}, OVAL,
     ),
     "a batten under its weight": Request(
-        {"law": ThicknessLaw(CARD, 0.1, 0.5, width=12.0), "gravity": (0.0, -1.0)}, f'--law "{BATTEN}" --gravity',
+        {"law": ThicknessLaw(CARD, 0.1, 0.5, width=12.0), "gravity": (0.0, -1.0)},
+        f'--set "law = {{ {BATTEN} }}" --gravity',
         f"law = {{ {BATTEN} }}\ngravity = true", {"Law": BATTEN, **DOWN_IN_FREECAD}, ARCH,
     ),
     "plain, of a blank whose curvature varies": Request(

@@ -69,8 +69,8 @@ REQUESTS = {
     "plain, of a measured sheet, with equal tabs": Request(
         {"max_width": 20.0, "creep": 0.8, "supports": Supports("slide-x", "slide-y"),
          "ends": (Tab(8, corner_radius=1), Tab(8, corner_radius=1))},
-        """--thickness 0.3 --max-width 20 --creep 0.8 --start slide-x --end slide-y
-           --tab 8 --tab-radius 1""",
+        """--thickness 0.3 --max-width 20 --set creep=0.8 --start slide-x --end slide-y
+           --tab 8 --set ends.corner_radius=1""",
         """thickness = 0.3
            max_width = 20
            creep = 0.8
@@ -82,7 +82,7 @@ REQUESTS = {
     ),
     "narrower than can be handled, of a faired curve": Request(
         {"min_width": 1.5, "ignore_limits": True, "smooth": 0.5, "shop": Shop(least_width=2.0)},
-        "--min-width 1.5 --ignore-limits --smooth 0.5 --least-width 2",
+        "--min-width 1.5 --ignore-limits --set smooth=0.5 --set shop.least_width=2",
         """min_width = 1.5
            ignore_limits = true
            smooth = 0.5
@@ -96,10 +96,10 @@ REQUESTS = {
                   Tab(22, width=18, taper=1, t_slot=TSlot(9, screw=3, nut=(5, 2), wall=3))),
          "slots": (Slot(40.0, 1.2, side="lower"), Slot(80.0, 1.5, 4.0, lean=0.1, relief="round", mate="B"))},
         """--max-width 20
-           --start-tab 'length = 12, chamfer = 2, holes = [{ at = 6, diameter = 3, across = 1 }]'
-           --end-tab 'length = 22, width = 18, taper = 1, t_slot = { depth = 9, screw = 3, nut = [5, 2], wall = 3 }'
-           --slot 'at = 40, width = 1.2, side = "lower"'
-           --slot 'at = 80, width = 1.5, depth = 4, lean = 0.1, relief = "round", mate = "B"'""",
+           --set 'ends = [{ length = 12, chamfer = 2, holes = [{ at = 6, diameter = 3, across = 1 }] },
+           { length = 22, width = 18, taper = 1, t_slot = { depth = 9, screw = 3, nut = [5, 2], wall = 3 } }]'
+           --set 'slots = [{ at = 40, width = 1.2, side = "lower" },
+              { at = 80, width = 1.5, depth = 4, lean = 0.1, relief = "round", mate = "B" }]'""",
         """max_width = 20
            ends = [{ length = 12, chamfer = 2, holes = [{ at = 6, diameter = 3, across = 1 }] },
                    { length = 22, width = 18, taper = 1, \
@@ -119,10 +119,12 @@ REQUESTS = {
                              corner_radius=0.1, sides="arc"),
          "shop": Shop(least_ligament=0.4), "natural_curvature": 0.002, "supports": Supports("guided", "clamped"),
          "ends": (Tab(12, holes=(Hole(6, 3),)), Tab(8, holes=(Hole(4, 3),)))},
-        """--style perforated --outer-width 24 --columns 2 --rows 6 --hole-ratio 0.72 --least-ligament 0.4
-           --least-hole 1.2 --corner-radius 0.1 --sides arc --natural-curvature 0.002 --start guided --end clamped
-           --start-tab 'length = 12, holes = [{ at = 6, diameter = 3 }]'
-           --end-tab 'length = 8, holes = [{ at = 4, diameter = 3 }]'""",
+        """--style perforated --outer-width 24 --set style.columns=2 --set style.rows=6
+           --set style.hole_ratio=0.72 --set style.least_ligament=0.4 --set shop.least_ligament=0.4
+           --set style.least_hole=1.2 --set style.corner_radius=0.1 --set style.sides=arc
+           --natural-curvature 0.002 --start guided --end clamped
+           --set 'ends = [{ length = 12, holes = [{ at = 6, diameter = 3 }] },
+              { length = 8, holes = [{ at = 4, diameter = 3 }] }]'""",
         """style = { kind = "perforated", width = 24, columns = 2, rows = 6, hole_ratio = 0.72, \
 least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
            shop.least_ligament = 0.4
@@ -138,8 +140,9 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     "laminated, masses hung on it": Request(
         {"style": Laminated(width=24.0, backing=CARD, least_backing=2.0, dots=2.0), "gravity": (0.6, -0.8),
          "loads": (PointMass(60.0, 2.0), PointMass(90.0, 1.0))},
-        """--style laminated --outer-width 24 --backing card-200gsm --least-backing 2 --dots 2
-           --gravity --down 0.6 -0.8 --hang 60 2 --hang 90 1""",
+        """--style laminated --outer-width 24 --set style.backing=card-200gsm --set style.least_backing=2
+           --set style.dots=2
+           --gravity --down 0.6 -0.8 --set 'loads = [{ at = 60, mass = 2 }, { at = 90, mass = 1 }]'""",
         """style = { kind = "laminated", width = 24, backing = "card-200gsm", least_backing = 2, dots = 2 }
            gravity = [0.6, 0, -0.8]
            loads = [{ at = 60, mass = 2 }, { at = 90, mass = 1 }]""",
@@ -150,8 +153,8 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     "all weight in newtons": Request(
         {"max_width": 20.0, "gravity": Gravity(300.0, (0.0, -1.0)),
          "loads": Weight(1e-4, 1e-6, (PointMass(60.0, 0.1),), own=True)},
-        """--max-width 20 --gravity --gravity-length 300
-           --loads 'alpha = 1e-4, beta = 1e-6, own = true, masses = [{ at = 60, mass = 0.1 }]'""",
+        """--max-width 20 --gravity --set gravity.length=300
+           --set 'loads = { alpha = 1e-4, beta = 1e-6, own = true, masses = [{ at = 60, mass = 0.1 }] }'""",
         """max_width = 20
            gravity = { length = 300 }
            loads = { alpha = 1e-4, beta = 1e-6, own = true, masses = [{ at = 60, mass = 0.1 }] }""",
@@ -161,7 +164,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     ),
     "widths made for narrow tabs, weight and anticlastic bending": Request(
         {"max_width": 20.0, "gravity": True, "ends": (Tab(12, width=8), Tab(8)), "compensate": True},
-        "--max-width 20 --gravity --start-tab 'length = 12, width = 8' --end-tab 'length = 8' --compensate",
+        "--max-width 20 --gravity --set 'ends = [{ length = 12, width = 8 }, { length = 8 }]' --compensate",
         """max_width = 20
            gravity = true
            ends = [{ length = 12, width = 8 }, { length = 8 }]
@@ -172,7 +175,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     ),
     "closed, joined where it is told, widths in proportion to the stiffness": Request(
         {"max_width": 20.0, "joint": 60.0, "ends": (Tab(8), Tab(8)), "compensate": False},
-        "--max-width 20 --joint 60 --tab 8 --no-compensate",
+        "--max-width 20 --set joint=60 --tab 8 --no-compensate",
         """max_width = 20
            joint = 60
            ends = { length = 8 }
@@ -182,7 +185,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     ),
     "a batten planed thinner": Request(
         {"law": ThicknessLaw(CARD, 0.1, 0.5, width=12.0)},
-        """--law 'kind = "thickness", limits = [0.1, 0.5], width = 12'""",
+        """--set 'law = { kind = "thickness", limits = [0.1, 0.5], width = 12 }'""",
         """law = { kind = "thickness", limits = [0.1, 0.5], width = 12 }""",
         {"Law": 'kind = "thickness", limits = [0.1, 0.5], width = 12'},
         ARCH,
@@ -190,7 +193,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     "a round rod, of a blank whose curvature varies": Request(
         {"law": RoundLaw(CARD, 2.0, 8.0), "samples": 101,
          "natural_curvature": RestCurvature.linear([0, 90, 202.2], [0.002, -0.003, 0.001])},
-        """--law 'kind = "rod", limits = [2, 8]' --samples 101
+        """--set 'law = { kind = "rod", limits = [2, 8] }' --set samples=101
            --natural-curvature 'stations = [0, 90, 202.2], curvatures = [0.002, -0.003, 0.001]'""",
         """law = { kind = "rod", limits = [2, 8] }
            samples = 101
@@ -202,8 +205,8 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     "a tube under its weight, lying on its side in space": Request(
         {"law": RoundLaw(CARD, 0.2, 0.8, bore=0.7), "gravity": (0.0, 0.0, -1.0),
          "frame": Frame((5.0, -7.0, 11.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))},
-        """--law 'kind = "tube", limits = [0.2, 0.8], bore = 0.7' --gravity --down-in-space 0 0 -1
-           --origin 5 -7 11 --x-axis 0 0 1 --y-axis 0 1 0""",
+        """--set 'law = { kind = "tube", limits = [0.2, 0.8], bore = 0.7 }' --gravity --set gravity=[0,0,-1]
+           --set origin=[5,-7,11] --set x_axis=[0,0,1] --set y_axis=[0,1,0]""",
         """law = { kind = "tube", limits = [0.2, 0.8], bore = 0.7 }
            gravity = [0, 0, -1]
            origin = [5, -7, 11]
@@ -214,7 +217,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     ),
     "glued leaves near a curve, its tangents kept": Request(
         {"law": LeavesLaw(CARD, 4, 12.0, fewest=2), "limits": Limits(), "keep": Keep(tangents=True)},
-        """--law 'kind = "leaves", leaves = 4, fewest = 2, width = 12' --nearest --keep-tangents""",
+        """--set 'law = { kind = "leaves", leaves = 4, fewest = 2, width = 12 }' --nearest --keep-tangents""",
         """law = { kind = "leaves", leaves = 4, fewest = 2, width = 12 }
            limits = {}
            keep = { tangents = true }""",
@@ -224,7 +227,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     "near a curve, free at its end": Request(
         {"max_width": 20.0, "supports": Supports("clamped", "free"), "gravity": (0.0, -1.0),
          "limits": Limits(ratio=3.0), "keep": Keep(tangents=(True, False))},
-        "--max-width 20 --start clamped --end free --gravity --ratio 3 --keep-tangent start",
+        "--max-width 20 --start clamped --end free --gravity --ratio 3 --set keep.tangents=[true,false]",
         """max_width = 20
            supports = ["clamped", "free"]
            gravity = true
@@ -239,9 +242,10 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
          "limits": Limits(sheet=CARD, width=(14, 20),
                           keep_out=(HalfPlane((0, -1), (0, 1)), Box((60, 55), (90, 95))),
                           stiffness_bounds=((1, 1, 1.1, 1.1), (3, 2, 3)))},
-        """--max-width 20 --start slide-y --end pinned --keep-point 40 --keep-strain --width-range 14 20
-           --keep-out 'point = [0, -1], normal = [0, 1]' --keep-out 'lower = [60, 55], upper = [90, 95]'
-           --stiffness-bounds 'lower = [1, 1, 1.1, 1.1], upper = [3, 2, 3]'""",
+        """--max-width 20 --start slide-y --end pinned --set keep.points=[40] --keep-strain
+           --set limits.width=[14,20]
+           --set 'limits.keep_out = [{ point = [0, -1], normal = [0, 1] }, { lower = [60, 55], upper = [90, 95] }]'
+           --set 'limits.stiffness_bounds = { lower = [1, 1, 1.1, 1.1], upper = [3, 2, 3] }'""",
         """max_width = 20
            supports = ["slide-y", "pinned"]
            keep = { points = [40] }
@@ -259,7 +263,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         {"max_width": 20.0, "supports": Supports("pinned", "clamped"), "natural_curvature": 0.002,
          "limits": Limits(margin=9.0), "keep": Keep(line=((0, 20), (150, 25)))},
         """--max-width 20 --start pinned --end clamped --natural-curvature 0.002 --margin 9
-           --inflection-line 0 20 150 25""",
+           --set keep.line=[[0,20],[150,25]]""",
         """max_width = 20
            supports = ["pinned", "clamped"]
            natural_curvature = 0.002
@@ -272,7 +276,7 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     "near a curve, of the same length, within a strain, its end let go": Request(
         {"max_width": 20.0, "limits": Limits(sheet=CARD, strain=0.003),
          "keep": Keep(ends=(True, False), length=True)},
-        "--max-width 20 --max-strain 0.003 --keep-ends start --keep-length",
+        "--max-width 20 --set limits.strain=0.003 --keep-ends start --keep-length",
         """max_width = 20
            limits = { strain = 0.003 }
            keep = { ends = [true, false], length = true }""",
@@ -283,7 +287,8 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
     "near a curve, symmetric, shorter and less curved": Request(
         {"max_width": 20.0, "limits": Limits(curvature=0.02, length=(200, 220)),
          "keep": Keep(symmetry="mirror", tangents=True)},
-        "--max-width 20 --max-curvature 0.02 --length-range 200 220 --keep-symmetry mirror --keep-tangents",
+        "--max-width 20 --set limits.curvature=0.02 --set limits.length=[200,220] --set keep.symmetry=mirror "
+        "--keep-tangents",
         """max_width = 20
            limits = { curvature = 0.02, length = [200, 220] }
            keep = { symmetry = "mirror", tangents = true }""",
@@ -300,30 +305,31 @@ REFUSED = {
         'max_width = 20\nsupports = ["clamped", "slide-x"]', {"MaxWidth": 20.0, "EndSupport": "slide-x"}, HINGED,
     ),
     "narrower than the workshop can": Request(
-        {"min_width": 1.5, "shop": Shop(least_width=2.0)}, "--min-width 1.5 --least-width 2",
+        {"min_width": 1.5, "shop": Shop(least_width=2.0)}, "--min-width 1.5 --set shop.least_width=2",
         "min_width = 1.5\nshop = { least_width = 2 }", {"MaxWidth": 0.0, "MinWidth": 1.5, "LeastWidth": 2.0}, ARCH,
     ),
     "perforated, with larger holes than are let": Request(
         {"max_width": 8.0, "style": Perforated(width=24.0, hole_ratio=0.6)},
-        "--max-width 8 --style perforated --outer-width 24 --hole-ratio 0.6",
+        "--max-width 8 --style perforated --outer-width 24 --set style.hole_ratio=0.6",
         """max_width = 8
            style = { kind = "perforated", width = 24, hole_ratio = 0.6 }""",
         {"MaterialWidth": 8.0, "Style": "Perforated", "OuterWidth": 24.0, "HoleRatio": 0.6}, ARCH,
     ),
     "laminated, with a narrower backing than is let": Request(
         {"style": Laminated(width=24.0, backing=CARD, least_backing=23.0)},
-        "--style laminated --outer-width 24 --backing card-200gsm --least-backing 23",
+        "--style laminated --outer-width 24 --set style.backing=card-200gsm --set style.least_backing=23",
         """style = { kind = "laminated", width = 24, backing = "card-200gsm", least_backing = 23 }""",
         {"Style": "Laminated", "OuterWidth": 24.0, "Backing": "card-200gsm", "LeastBacking": 23.0}, ARCH,
     ),
     "masses without gravity": Request(
-        {"max_width": 20.0, "loads": (PointMass(90.0, 3.0),)}, "--max-width 20 --hang 90 3",
+        {"max_width": 20.0, "loads": (PointMass(90.0, 3.0),)}, "--max-width 20 "
+        "--set 'loads = [{ at = 90, mass = 3 }]'",
         "max_width = 20\nloads = [{ at = 90, mass = 3 }]", {"MaxWidth": 20.0, "Loads": ["at = 90, mass = 3"]}, ARCH,
     ),
     "limits that cannot be met together": Request(
         {"max_width": 20.0, "supports": Supports("free", "clamped"), "gravity": True, "limits": Limits(ratio=3.0),
          "keep": Keep(tangents=(False, True))},
-        "--max-width 20 --start free --gravity --ratio 3 --keep-tangent end",
+        "--max-width 20 --start free --gravity --ratio 3 --set keep.tangents=[false,true]",
         """max_width = 20
            supports = ["free", "clamped"]
            gravity = true
@@ -334,11 +340,12 @@ REFUSED = {
         WAVE,
     ),
     "joined, though the curve is open": Request(
-        {"max_width": 20.0, "joint": 60.0}, "--max-width 20 --joint 60", "max_width = 20\njoint = 60",
+        {"max_width": 20.0, "joint": 60.0}, "--max-width 20 --set joint=60", "max_width = 20\njoint = 60",
         {"MaxWidth": 20.0, "Joint": 60.0}, ARCH,
     ),
     "a slot beside the strip": Request(
-        {"max_width": 20.0, "slots": (Slot(900.0, 1.2),)}, "--max-width 20 --slot 'at = 900, width = 1.2'",
+        {"max_width": 20.0, "slots": (Slot(900.0, 1.2),)}, "--max-width 20 "
+        "--set 'slots = [{ at = 900, width = 1.2 }]'",
         "max_width = 20\nslots = [{ at = 900, width = 1.2 }]",
         {"MaxWidth": 20.0, "Slots": ["at = 900, width = 1.2"]}, ARCH,
     ),

@@ -6,7 +6,7 @@ from pathlib import Path
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.features import strip as feature
-from freecad.elastica_wb.host.sentences import translated
+from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import ElasticaError
 from tests.contract import answers
@@ -39,7 +39,7 @@ def assert_same_answer(asked, document, drawn):
     )
     if isinstance(expected, ElasticaError):
         assert "Invalid" in made.State
-        assert answers.same_refusal(expected, made.getStatusString(), translated), made.getStatusString()
+        assert answers.same_refusal(expected, made.getStatusString(), worded), made.getStatusString()
     else:
         assert made.State == ["Up-to-date"], made.getStatusString()
         answers.assert_same_strip(feature.strip_of(made), expected)

@@ -7,7 +7,7 @@ import FreeCAD as App
 import pytest
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.user_units import Unit, shown_unit, worded
+from freecad.elastica_wb.host.words import Unit, shown_unit
 
 INCH = Unit("in", 25.4)
 UI = Path(__file__).resolve().parents[2] / "freecad_workbench" / "resources" / "ui" / "preferences.ui"
@@ -19,25 +19,6 @@ def schema():
     before = App.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
     yield App.Units.setSchema
     App.Units.setSchema(before)
-
-
-@pytest.mark.parametrize(
-    ("sentence", "expected"),
-    [
-        ("the curve is 254 mm long", "the curve is 10 in long"),
-        ("20.8 to 30 mm wide, stiffness ratio 1.44", "0.8189 to 1.181 in wide, stiffness ratio 1.44"),
-        ("it crosses at (25.4, -50.8) mm.", "it crosses at (1, -2) in."),
-        ("inflections at 25.4, 50.8 and 76.2 mm", "inflections at 1, 2 and 3 in"),
-        ("127 by 2.54e2 mm, 5 of 25.4 mm", "5 by 10 in, 5 of 1 in"),
-        ("elasto-gravity length 127 +- 2.54 mm", "elasto-gravity length 5 +- 0.1 in"),
-        ("curvature 0.02 1/mm, area 12 mm2, 3 N/mm2", "curvature 0.02 1/mm, area 12 mm2, 3 N/mm2"),
-        ("wrote A1_birch-0.8_0.8mm_x4.dxf", "wrote A1_birch-0.8_0.8mm_x4.dxf"),
-        ("no place 1/25.4 mm is meant", "no place 1/25.4 mm is meant"),
-    ],
-)
-def test_sentences(sentence, expected):
-    assert worded(sentence, INCH) == expected
-    assert worded(sentence, Unit("mm", 1.0)) == sentence
 
 
 def test_freecads_units_rule(schema):

@@ -31,7 +31,7 @@ def run(*words, cwd, screen=False, seconds=120):
     return done.stdout
 
 
-FINE = ("--tolerance", "0.002")
+FINE = ("--set", "cut.tolerance=0.002")
 
 IN_FREECAD = """
 import json
@@ -59,8 +59,8 @@ open({file!r} + ".freecad.json", "w").write(json.dumps(found))
 
 
 OPTIONS = {
-    "exact": [], "arc": ["--curves", "arc"], "lines": ["--curves", "polyline", *FINE],
-    "old": ["--dxf-version", "R12", *FINE], "paper": ["--paper", "A3"],
+    "exact": [], "arc": ["--set", "cut.curves=arc"], "lines": ["--set", "cut.curves=polyline", *FINE],
+    "old": ["--set", "cut.version=R12", *FINE], "paper": ["--set", "files.paper=A3"],
 }  # fmt: skip
 """How the command writes one strip: exact, as arcs, as lines, for old machines, with a paper template."""
 
@@ -84,7 +84,8 @@ def written(folder, kind):
     """The files of the strip as the command writes them, made once for each kind."""
     if not (folder / kind).exists():
         asked = ["--sheet", "birch-plywood-0.8", "--max-width", "30", "--label", "BOW"]
-        asked += ["--start-tab", "length = 12, holes = [{at = 6, diameter = 3}]", *OPTIONS[kind], "-o", kind]
+        tabs = "ends = [{ length = 12, holes = [{at = 6, diameter = 3}] }, {}]"
+        asked += ["--set", tabs, *OPTIONS[kind], "-o", kind]
         asked += [] if kind == "exact" else ["--no-step", "--no-pictures"]
         run(sys.executable, "-m", "elastica_cad", "strip", "bow.dxf", *asked, cwd=folder)
     return folder / kind

@@ -30,7 +30,7 @@ FAR = InputError(
 
 
 def test_a_template_is_filled_and_its_values_keep_their_types():
-    assert str(FAR) == "the ends are 1230 mm apart: bring them closer"
+    assert str(FAR) == "the ends are 1234 mm apart: bring them closer"
     assert FAR.refusal.text == "the ends are {distance} apart: bring them closer"
     assert FAR.refusal.values["distance"] == 1234.5
     assert FAR.refusal.kind == "input"

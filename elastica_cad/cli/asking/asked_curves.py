@@ -45,7 +45,7 @@ def _standard_input(ctx: click.Context) -> Path:
     InputError
         Nothing, or more than is read.
     """
-    if ctx.params.get("watch"):
+    if ctx.find_root().params.get("watch"):
         raise InputError("standard input does not change: give --watch a file")
     data = sys.stdin.buffer.read(LARGEST_FILE + 1)
     if not data.strip():
@@ -117,6 +117,8 @@ class AskedCurve:
         What files made from it are called.
     which : tuple of str
         Words that choose it in its file, where several were asked for.
+    unit : str or None
+        Of the file, where it was told.
     """
 
     path: Path
@@ -125,6 +127,7 @@ class AskedCurve:
     count: int
     name: str
     which: tuple[str, ...] = ()
+    unit: str | None = None
 
     @property
     def curve(self) -> PlaneCurve:
@@ -191,6 +194,7 @@ def asked_curves(
             len(drawing),
             _file_stem(path, str(one.number) if every else number, one.piece if one.pieces > 1 else None),
             ("--curve", str(one.number)) if several else (),
+            unit,
         )
         for whole in found
         for one in (whole.split_at_corners() if split else (whole,))

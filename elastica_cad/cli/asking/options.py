@@ -20,7 +20,7 @@ _NAMED = MILLIMETRES | {"inch": MILLIMETRES["in"], '"': MILLIMETRES["in"]}
 
 
 class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """A length in mm: "38", "1.5in", "5/16in", "3.8cm"; without a unit it is of the command's `--units`.
+    """A length in mm: "38", "1.5in", "5/16in", "3.8cm"; without a unit it is of `elastica --units`.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
             return float(value)
         if value in self.words:
             return value
-        plain = UNITS[(ctx.params.get("units") if ctx else None) or "mm"]
+        plain = UNITS[(ctx.find_root().params.get("units") if ctx else None) or "mm"]
         found = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
         number, scale = (value, plain) if found is None else (found[1], _NAMED.get(found[2], 0.0))
         try:
@@ -67,6 +67,7 @@ def _number(text: str) -> float:
 
 
 LENGTH = Length()
+IDLE_DOWN = "--down says how weight pulls, which is left out: add --gravity"
 POINT, SPACE_POINT = (LENGTH, LENGTH), (LENGTH, LENGTH, LENGTH)
 
 
@@ -93,12 +94,6 @@ def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
 
     return add
 
-
-holding_option = click.option(
-    "--holding", type=LENGTH, metavar="MM",
-    help="Leave bridges of this width in the outer cuts, which hold the parts in the sheet.",
-)  # fmt: skip
-"""Bridges that hold parts in the sheet."""
 
 smooth_option = click.option(
     "--smooth", type=LENGTH, metavar="MM",

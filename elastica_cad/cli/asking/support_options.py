@@ -1,5 +1,6 @@
 """Options for what holds the ends of a strip, and for the shape that it has before it is bent."""
 
+import tomllib
 from pathlib import Path
 from typing import Any, get_args
 
@@ -7,30 +8,52 @@ import click
 
 from elastica_cad.cli.asking.asked_curves import asked_curves
 from elastica_cad.cli.asking.options import join_options
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
+from elastica_cad.declared import kind_of
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.formats.design_files.records import Reader
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName
 
 END_NAMES = get_args(EndName)
 
 
-class _Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
+def read_curves_told(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
+    """The one curve of a file, told where its size is in doubt."""
+    (drawn,) = asked_curves(path, unit, None, None)
+    return [drawn.bendable(None)]
+
+
+def natural_curvature_of(value: Any) -> NaturalCurvature:
+    """What the option gives, as a record where it is no number."""
+    if isinstance(value, float):
+        return value
+    kind, table = kind_of(NaturalCurvature), Table({"natural_curvature": value}, "", {})
+    found: NaturalCurvature = Reader(read_curves=read_curves_told).value(kind, table, "natural_curvature")
+    return found
+
+
+class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
     """A curvature, a table of curvatures along the strip, or a drawing of the strip before it is bent."""
 
     name = "blank"
 
-    def convert(
-        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
-    ) -> NaturalCurvature:
-        """A number in 1/mm, or a `RestCurvature`."""
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The value of the key `natural_curvature` of a design file."""
         try:
             return float(value)
         except ValueError:
             pass
         if "=" in value:
-            from elastica_cad.formats.design_files.one_line import parse_line
-            from elastica_cad.formats.design_files.rod_records import BLANK_LINE, read_rest_curvature
-
-            return parse_line(value, "--natural-curvature", read_rest_curvature, example=BLANK_LINE)
+            try:
+                return tomllib.loads(f"blank = {{{value}}}")["blank"]
+            except tomllib.TOMLDecodeError as error:
+                raise InputError(
+                    "--natural-curvature: {line} cannot be read: write keys and values, such as "
+                    "stations = [0, 300], curvatures = [0, 0.01]",
+                    line=quoted(value),
+                ) from error
         if not Path(value).is_file():
             self.fail(
                 f"{value!r} is no number and no file: give 1/mm, 'stations = [0, 300], curvatures = [0, 0.01]', or "
@@ -38,8 +61,7 @@ class _Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
                 param,
                 ctx,
             )
-        (blank,) = asked_curves(Path(value), None, None, None)
-        return RestCurvature.of(blank.bendable(None))
+        return {"curve": value}
 
 
 support_options = join_options(
@@ -48,7 +70,7 @@ support_options = join_options(
                      help=f"Support of the {end} of the curve.")
         for end in ("start", "end")
     ),
-    click.option("--natural-curvature", type=_Blank(), default=0.0, metavar="1/MM|KEYS|FILE",
+    click.option("--natural-curvature", type=Blank(), default=0.0, metavar="1/MM|KEYS|FILE",
                  help="Curvature of the strip before bending (0: flat); along it as 'stations = [0, 300], "
                       "curvatures = [0, 0.01]', or a drawing of the bent blank."),
 )  # fmt: skip

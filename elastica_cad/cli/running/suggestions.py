@@ -36,10 +36,6 @@ def name_program() -> str:
 TYPED = "elastica.typed"
 """Key of the words that the user typed, in click's `meta`."""
 
-OTHER_FIELDS = {"limits": "nearest", "keep": "keep_ends", "loads": "hung", "ends": "tab", "width": "outer_width",
-                "limit width": "width_range"}  # fmt: skip
-"""Parameters of options that set a field of another name."""
-
 MOST_REFUSALS = 7
 """Curves of a file whose refusals are printed."""
 
@@ -64,23 +60,8 @@ def typed_line(*added: str, instead: str | None = None) -> str:
 def typed_length(mm: float) -> str:
     """A length, mm, as it is typed behind the words of the running command: with its unit where it has others."""
     context = click.get_current_context(silent=True)
-    units = "mm" if context is None else context.params.get("units", "mm")
+    units = "mm" if context is None else context.find_root().params.get("units", "mm")
     return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
-
-
-def option_of(field: str) -> str:
-    """The option of the running command that sets a field of the request; empty where it has none."""
-    options = {option.name: option.opts[0] for option in click.get_current_context().command.params}
-    name = options.get(OTHER_FIELDS.get(field, field), "")
-    return name if name.startswith("--") else ""
-
-
-def option_words(change: Change) -> tuple[str, ...]:
-    """The words that make a change; none where the running command has no option for it."""
-    option = option_of(change.field)
-    if not option:
-        return ()
-    return (option,) if change.value is True else (option, typed_length(change.value))
 
 
 def first_told(refused: int) -> str:

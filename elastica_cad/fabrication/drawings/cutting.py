@@ -1,11 +1,13 @@
 """What the cutter is given: loops moved by half the kerf, and bridges that hold parts in their sheet."""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_whole, require_positive, require_record
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.geometry.curves.curve_derivatives import turn_between
@@ -132,10 +134,10 @@ class HoldingTabs:
         Interrupt inner cuts too, those longer than `spacing`.
     """
 
-    width: float = 0.5
-    spacing: float = 100.0
-    least: int = 2
-    inner: bool = False
+    width: Annotated[float, Asked("Width of a bridge.", "mm", least=0)] = 0.5
+    spacing: Annotated[float, Asked("Largest distance between two bridges.", "mm", least=0)] = 100.0
+    least: Annotated[int, Asked("How many bridges each loop has at least.", least=1)] = 2
+    inner: Annotated[bool, Asked("Interrupt inner cuts too.")] = False
 
     def __post_init__(self) -> None:
         for name in ("width", "spacing"):

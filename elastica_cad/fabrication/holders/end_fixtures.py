@@ -4,13 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import combinations
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from elastica_cad._counts import and_more
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_record
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import centred_text, engravable, text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
@@ -23,7 +24,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Listed, note
 
 LEAST_WALL_MM = 0.8
 """Two lines of a 0.4 mm nozzle."""
@@ -86,11 +87,13 @@ class EndFixture:
 
     tab: PlacedTab
     floor: Frame | None = None
-    clearance: float = 0.15
-    wall: float = 4.0
-    foot: float = 12.0
-    foot_height: float = 4.0
-    screw: float = 4.3
+    clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0)] = 0.15
+    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=0)] = 4.0
+    foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0)] = 12.0
+    foot_height: Annotated[float, Asked("Height of the foot.", "mm", least=0)] = 4.0
+    screw: Annotated[float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0)] = (
+        4.3
+    )
     number: str | None = None
     lean: tuple[float, float] = (0.0, 0.0)
 
@@ -385,26 +388,27 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     parts = [[_Prism.of(solid) for solid in block.solid.added] for block in blocks]
     edges = [np.concatenate([part.edges for part in its]) for its in parts]
     pairs = [
-        f"{blocks[i].tab.name} and {blocks[j].tab.name}"
+        Listed([blocks[i].tab.name, blocks[j].tab.name])
         for i, j in combinations(range(len(blocks)), 2)
         if _reach_into(edges[i], parts[j]) or _reach_into(edges[j], parts[i])
     ]
     crossed = [
-        f"{name} would run through the printed block of {blocks[k].tab.name}"
+        note("{strip} would run through the printed block of {tab}", strip=name, tab=blocks[k].tab.name)
         for name, one in zip(strip_names(placed), placed, strict=True)
         for k in _crossed(one, blocks, parts)
     ]
     told = []
     if pairs:
-        told.append(
-            f"the printed blocks of {pairs[0]}{and_more(pairs, 'pair')} would stand in each other: end these "
-            "strips farther apart, make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)"
-        )
+        told.append(note(
+            "the printed blocks of {pair}{more} would stand in each other: end these strips farther apart, "
+            "make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)",
+            pair=pairs[0], more=and_more(pairs, "pair"),
+        ))  # fmt: skip
     if crossed:
-        told.append(
-            f"{crossed[0]}{and_more(crossed, 'place')}: end them farther apart, or hold fewer of the ends "
-            "by blocks (strips, ends)"
-        )
+        told.append(note(
+            "{crossed}{more}: end them farther apart, or hold fewer of the ends by blocks (strips, ends)",
+            crossed=crossed[0], more=and_more(crossed, "place"),
+        ))  # fmt: skip
     return tuple(told)
 
 

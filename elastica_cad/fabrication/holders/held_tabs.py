@@ -17,6 +17,7 @@ from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed
 from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
+from elastica_cad.refusals import Length, note
 
 Slotted: TypeAlias = BasePlate | Ring
 
@@ -149,13 +150,24 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         low, high = np.degrees(np.array([seat.turning for _, _, seat in held]).T)
         room = max(seat.room for _, _, seat in held)
         if room < NO_PLAY_MM and high.max() - low.min() < NO_PLAY_DEGREES:
-            told.append(f"{name} leaves its tabs no play: they bend a little between its edges")
+            told.append(
+                note("{name} leaves its tabs no play: they bend a little between its edges", name=name)
+            )
         else:
             across = 0.0 if room < NO_PLAY_MM else room
             least, most = _turn(low.min()), _turn(high.max())
-            told.append(f"{name} leaves its tabs {across:.2g} mm across and {least} to {most} degrees")
+            told.append(note(
+                "{name} leaves its tabs {across:.2g} across and {least} to {most} degrees",
+                name=name, across=Length(across), least=least, most=most,
+            ))  # fmt: skip
     glued = (one for one in holders if (isinstance(one, BasePlate) and one.glued) or _lies_on(one))
-    return (*told, *(f"{one.name} leaves its tabs no play: they are glued at their angle" for one in glued))
+    return (
+        *told,
+        *(
+            note("{name} leaves its tabs no play: they are glued at their angle", name=one.name)
+            for one in glued
+        ),
+    )
 
 
 def _lies_on(holder: object) -> TypeGuard[Ring]:
@@ -165,7 +177,7 @@ def _lies_on(holder: object) -> TypeGuard[Ring]:
 
 def _turn(degrees: float) -> str:
     """With its sign; 0 for a turn too small to be seen."""
-    return "0" if abs(degrees) < NO_PLAY_DEGREES else f"{degrees:+.2g}"
+    return "0" if abs(degrees) < NO_PLAY_DEGREES else note("{turn:+.2g}", turn=degrees)
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
@@ -177,11 +189,12 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         if rocking:
             one, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
             low, high = np.degrees(seat.turning)
-            told.append(
-                f"{names[id(one)]}{and_more(rocking)}: in the {holder} the tab at its {end} rocks by "
-                f"{low:+.0f} to {high:+.0f} degrees and does not hold the drawn angle; "
-                f"{_shape(one, tab_seats(holders))}; {_cure(one, end, holders)}"
-            )
+            told.append(note(
+                "{strip}{more}: in the {holder} the tab at its {end} rocks by {low:+.0f} to {high:+.0f} "
+                "degrees and does not hold the drawn angle; {shape}; {cure}",
+                strip=names[id(one)], more=and_more(rocking), holder=holder, end=end, low=low, high=high,
+                shape=_shape(one, tab_seats(holders)), cure=_cure(one, end, holders),
+            ))  # fmt: skip
     return tuple(told)
 
 
@@ -203,16 +216,18 @@ def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     try:
         strayed = one.strip.held(*(_seat_of(seats, one, end) for end in ENDS)).deviation
     except NotConvergedError:
-        return "the strip finds no rest in it"
-    return f"the strip strays {strayed:.2g} mm so, {100 * strayed / one.strip.rod.length:.2g} % of its length"
+        return note("the strip finds no rest in it")
+    return note(
+        "the strip strays {far:.2g} so, {percent:.2g} % of its length",
+        far=Length(strayed),
+        percent=100 * strayed / one.strip.rod.length,
+    )
 
 
 def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
     """What would hold a tab: two plates in place of the one that does, or what else there is."""
-    key, others = (
-        PlacedTab.of(one.strip, end, one.frame).key,
-        "end fixtures or feet (feet = 10) glued at its angle",
-    )
+    key = PlacedTab.of(one.strip, end, one.frame).key
+    others = note("end fixtures or feet (feet = 10) glued at its angle")
     lengths = [
         needed_length(slot.tab, plate, GAP_MM)
         for plate in _plates_of(holders)
@@ -220,6 +235,9 @@ def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
         if slot.tab is not None and slot.tab.key == key
     ]
     if len(lengths) != 1:
-        return f"use {others}"
+        return note("use {others}", others=others)
     long = max(*lengths, *(tab.length for tab in one.strip.ends))
-    return f"use two plates (gap = {GAP_MM:g}) and tabs of {long:.0f} mm, or {others}"
+    return note(
+        "use two plates (gap = {gap:g}) and tabs of {length:.0f}, or {others}",
+        gap=GAP_MM, length=Length(long), others=others,
+    )  # fmt: skip

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refuse_options_unlike, refusing_old_names
 from elastica_cad.fabrication.holders.held_tabs import slot_walls, tab_seats
 from elastica_cad.fabrication.holders.placed_tab import Key, PlacedTab, tabs_to_hold
@@ -257,14 +258,14 @@ def end_plates(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ends: Sequence[StripEnd] = ENDS,
+    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     together: bool = False,
-    border: float = 8.0,
-    play: float = PLAY_MM,
-    clearance: float = CLEARANCE_MM,
-    shape: Shape = "ring",
-    name: str = "ring",
-    gap: float | None = None,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = PLAY_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
+    name: Annotated[str, Asked("Name of its files.")] = "ring",
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
     shop: Shop | None = None,
     ignore_limits: bool = False,
 ) -> tuple[BasePlate, ...]:

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
@@ -31,6 +32,7 @@ from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length as Mm
+from elastica_cad.refusals import note
 
 FLATTEST_RAD = np.radians(15.0)
 """Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
@@ -159,13 +161,13 @@ def base_plate(
     sheet: Sheet | str,
     *,
     frame: Frame | None = None,
-    play: float = 0.5,
-    clearance: float = CLEARANCE_MM,
-    slot_width: float | None = None,
-    border: float = 12.0,
-    shape: Shape = "hull",
-    ends: Sequence[StripEnd] = ENDS,
-    name: str = "base",
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = 0.5,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0)] = None,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 12.0,
+    shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
+    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
+    name: Annotated[str, Asked("Name of its files.")] = "base",
     shop: Shop | None = None,
     ignore_limits: bool = False,
 ) -> BasePlate:
@@ -300,7 +302,7 @@ def _check_slots(
     """What is said of a plate with slots, and other cuts, that was made all the same; see `accept_faults`."""
     _refuse_meetings(slots, name)
     loops = (*(slot.path for slot in slots), *others)
-    called = [f"the slot of {slot.name}" for slot in slots]
+    called = [note("the slot of {name}", name=slot.name) for slot in slots]
     faults = (
         *find_slot_faults(name, [(slot.name, slot.size[1], slot.through) for slot in slots]),
         *find_plate_faults(name, sheet, outline, loops, shop, called),

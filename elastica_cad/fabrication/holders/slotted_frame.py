@@ -3,12 +3,13 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_whole, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, centred_text
@@ -131,13 +132,13 @@ def slotted_frame(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ribs: int = 3,
-    depth: float = 20.0,
-    tongue: float = 12.0,
-    play: float = PLAY_MM,
-    clearance: float = CLEARANCE_MM,
-    border: float = 8.0,
-    gap: float | None = None,
+    ribs: Annotated[int, Asked("Ribs between the rails.", least=1)] = 3,
+    depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=0)] = 20.0,
+    tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=0)] = 12.0,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = PLAY_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
     shop: Shop | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:

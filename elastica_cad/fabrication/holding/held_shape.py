@@ -10,6 +10,7 @@ from elastica_cad.fabrication.holding.tab_seat import EndPose, TabSeat
 from elastica_cad.geometry.curves.plane_curve import CORNER_RAD
 from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length, note, sentences
 
 MEETING_SHARE = 1e-4
 """Of the length: ends that are nearer meet; rods on few nodes close as well as that."""
@@ -82,10 +83,13 @@ class Reactions:
 
     def __str__(self) -> str:
         start, end = (
-            f"{np.hypot(x, y):.4g} N, ({x:.4g}, {y:.4g}), and {moment:.4g} N mm"
+            note(
+                "{force:.3g} N, ({x:.3g}, {y:.3g}), and {moment:.3g} N mm",
+                force=np.hypot(x, y), x=x, y=y, moment=moment,
+            )
             for (x, y), moment in ((self.start_force, self.start_moment), (self.end_force, self.end_moment))
-        )
-        return f"the start is held by {start}; the end by {end}"
+        )  # fmt: skip
+        return note("the start is held by {start}; the end by {end}", start=start, end=end)
 
 
 Seats = tuple[TabSeat | None, TabSeat | None]
@@ -134,18 +138,24 @@ class HeldShape:
     def __str__(self) -> str:
         """One sentence."""
         told = [
-            f"{mm:.2g} mm by {cause}"
+            note("{far:.2g} by {cause}", far=Length(mm), cause=note(cause))
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
             if mm >= LEAST_TOLD_MM
         ]
-        before = ", without its correction" if self.corrected else ""
-        of = f"; each cause alone{before}: {'; '.join(told)}" if told else ""
-        curl = ", its widths made for anticlastic bending," if self.as_plate else ""
-        share = 100 * self.deviation / self.rod.length
-        return (
-            f"as made and held{curl} the strip strays {self.deviation:.2g} mm from its design, {share:.2g} % of "
-            f"its length{of}"
+        said = note(
+            "as made and held, its widths made for anticlastic bending, the strip strays {far:.2g} from its "
+            "design, {percent:.2g} % of its length" if self.as_plate else
+            "as made and held the strip strays {far:.2g} from its design, {percent:.2g} % of its length",
+            far=Length(self.deviation), percent=100 * self.deviation / self.rod.length,
+        )  # fmt: skip
+        if not told:
+            return said
+        each = (
+            "{strays}; each cause alone, without its correction: {causes}"
+            if self.corrected
+            else "{strays}; each cause alone: {causes}"
         )
+        return note(each, strays=said, causes=sentences(told))
 
 
 def strayed(design: Rod, place: FloatArray) -> float:

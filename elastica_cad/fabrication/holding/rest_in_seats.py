@@ -17,6 +17,7 @@ from elastica_cad.forming.optimizer.quadratic_program import (
 )
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Length, note
 
 STEP_SHARE = 0.05  # of the length: largest move of an end in one step
 STEP_RAD = 0.15  # largest turn of an end in one step
@@ -225,7 +226,8 @@ def rest_in_seats(
         raise NotConvergedError(
             problem.without_room(q)
             if price > PRICE and problem.walls(q)[1].min() < -OVERLAP_SHARE * design.length
-            else "the strip finds no rest in its holders: give them less play, or hold the tabs with screws or glue"
+            else "the strip finds no rest in its holders: give them less play, or hold the tabs with screws "
+            "or glue"
         )
     poses = [EndPose(), EndPose()]
     for one, part in problem.parts(q):
@@ -286,10 +288,11 @@ class _Held:
         each = [(one, float(one.walls(part, self.design.length)[1].min())) for one, part in self.parts(q)]
         one, gap = min(each, key=lambda pair: pair[1])
         end = "end" if one.index else "start"
-        return (
-            f"the tab at the {end} does not go into its {one.seat.name}: however it turns and bends, {-gap:.2g} mm "
-            "of it stand in the material; give it more play"
-        )
+        return note(
+            "the tab at the {end} does not go into its {seat}: however it turns and bends, {depth:.2g} of "
+            "it stand in the material; give it more play",
+            end=end, seat=one.seat.name, depth=Length(-gap),
+        )  # fmt: skip
 
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
         """What the pushes (k,) of the walls, over B, change of them as the ends turn, 1/mm3."""

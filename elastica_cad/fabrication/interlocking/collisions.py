@@ -28,6 +28,7 @@ from elastica_cad.fabrication.slots.slot import slot_cut
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import turns_along
+from elastica_cad.refusals import Length, Point, note
 
 EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 1.0
 """Between samples along edges, and on faces, where strips that run alike overlap evenly."""
@@ -229,23 +230,25 @@ class _Meeting:
 
     def told(self, more: str = "") -> str:
         """A sentence; `more` counts the other pairs."""
-        (a, b), (s, r) = self.names, self.places
+        (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
-            depth, (x, y, z) = self.beside_slots.depth, self.beside_slots.position
-            return (
-                f"{a} at {s:.1f} mm also runs {depth:.2g} mm deep into {b} at {r:.1f} mm, beside the slots that "
-                f"join them, near ({x:.1f}, {y:.1f}, {z:.1f}) mm{more}: turn or shift one of them, or make them "
-                "narrower there"
-            )
+            return note(
+                "{a} at {s} also runs {depth:.2g} deep into {b} at {r}, beside the slots that join them, "
+                "near {place}{more}: turn or shift one of them, or make them narrower there",
+                a=a, s=s, depth=Length(self.beside_slots.depth), b=b, r=r, more=more,
+                place=Point(self.beside_slots.position),
+            )  # fmt: skip
         if self.is_flush:
-            return (
-                f"{a} at {s:.1f} mm lies in the thickness of {b} at {r:.1f} mm{more}: place them apart, or make "
-                "them narrower there"
-            )
-        return (
-            f"{a} at {s:.1f} mm runs through {b} at {r:.1f} mm{more}: slot them (interlock), place them apart, or "
-            "make them narrower there"
-        )
+            return note(
+                "{a} at {s} lies in the thickness of {b} at {r}{more}: place them apart, or make them "
+                "narrower there",
+                a=a, s=s, b=b, r=r, more=more,
+            )  # fmt: skip
+        return note(
+            "{a} at {s} runs through {b} at {r}{more}: slot them (interlock), place them apart, or make them "
+            "narrower there",
+            a=a, s=s, b=b, r=r, more=more,
+        )  # fmt: skip
 
 
 def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:

@@ -3,19 +3,20 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
-from typing import Literal, TypeVar
+from typing import Annotated, Literal, TypeVar
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, is_whole, numbers, require_number
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.crossings import PARALLEL_RAD, Crossing, strip_crossings
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, require_placed, strip_names
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM, Relief, Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Listed, note, sentences
 
 MOST_STEPS = 30
 """Of Newton's method with the slopes at the centre line: each leaves what a strip turns over a slot's width."""
@@ -149,11 +150,13 @@ class InterlockedStrips:
 def interlock(
     placed: Sequence[Placed],
     *,
-    clearance: float = CLEARANCE_MM,
-    fit: Fit = "exact",
-    relief: Relief = "square",
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    fit: Annotated[Fit, Asked("Slots for the exact angle, or as the paper cuts them.")] = "exact",
+    relief: Annotated[Relief, Asked("Inner end of slots.")] = "square",
     pairs: Iterable[tuple[int, int]] | None = None,
-    above: ArrayLike | None = None,
+    above: Annotated[
+        ArrayLike | None, Asked("From where strips are pushed on.", written=tuple[float, float, float])
+    ] = None,
 ) -> InterlockedStrips:
     """Slots wherever two bent strips cross, cut half way into each from opposite sides.
 
@@ -336,10 +339,11 @@ class _Cutter:
             raise InputError(self._touch(names, float(a.stations[int(touch.argmax())])))
 
     def _touch(self, names: list[str], s: float) -> str:
-        return (
-            f"{names[0]} and {names[1]} touch along a line at {s:.6g} mm of {names[0]} instead of crossing: move "
-            "them apart or turn one of them"
-        )
+        return note(
+            "{a} and {b} touch along a line at {s} of {a} instead of crossing: move them apart or turn one "
+            "of them",
+            a=names[0], b=names[1], s=Length(s),
+        )  # fmt: skip
 
 
 def strip_thickness(strip: Strip) -> float:
@@ -361,16 +365,17 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
     found = []
     for (i, j), group in shallow.items():
         a, b = names[i], names[j]
-        places = ", ".join(f"{joint.slots[0].at:.1f}" for joint in group)
+        places = Listed(Length(joint.slots[0].at) for joint in group)
         width = max(
             float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
         )
         degrees = np.degrees(min(joint.angle[0] for joint in group))
-        found.append(
-            f"{a} and {b} cross at {degrees:.1f} degrees at {places} mm of {a}: the slots are up to "
-            f"{width:.2f} mm wide; a larger angle would hold better"
-        )
-    told = _assembly(names, joints) if joints else "no two strips cross: interlocking cut no slot"
+        found.append(note(
+            "{a} and {b} cross at {degrees:.3g} degrees at {places} of {a}: the slots are up to {width} "
+            "wide; a larger angle would hold better",
+            a=a, b=b, degrees=degrees, places=places, width=Length(width),
+        ))  # fmt: skip
+    told = _assembly(names, joints) if joints else note("no two strips cross: interlocking cut no slot")
     return (*found, told)
 
 
@@ -380,10 +385,10 @@ def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
     both = [names[i] for i, found in sorted(sides.items()) if len(found) > 1]
-    order = ", ".join(names)
-    text = f"assembly: {order}; push each strip onto those before it"
+    text = note("assembly: {order}; push each strip onto those before it", order=", ".join(names))
     if both:
-        text += f"; {', '.join(both)} must be threaded in, being held from both edges"
+        last = note("{strips} must be threaded in, being held from both edges", strips=", ".join(both))
+        return sentences([text, last])
     return text
 
 

@@ -1,6 +1,5 @@
 """A strip as a workshop can make it: in pieces joined by lap plates where it is long, its widths made up."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -23,6 +22,7 @@ from elastica_cad.geometry.paths.path_intersections import clip_across, trim_acr
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import turns_along
 from elastica_cad.refusals import Length as Mm
+from elastica_cad.refusals import Listed, note, sentences
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.strip.as_made import LapPlates
@@ -36,9 +36,6 @@ from elastica_cad.mechanics.material.section_limits import thinner_for
 
 PLACES = 400
 """Places along a strip where a joint is tried."""
-
-SPLICED = "cut in"
-"""How the sentence about a strip in pieces begins."""
 
 APART_MM = 5.0
 """Between the pieces in one drawing."""
@@ -116,21 +113,31 @@ class Splice:
         """One sentence."""
         if len(self.strip.layers) > 1:
             joints = zip(self.layer_pieces, (self.joints, self.backing_joints), strict=True)
-            where = " and ".join(f"{name} at {_tell_places(places)} mm" for name, places in joints if places)
-            return (
-                f"{SPLICED} pieces: {where}, joined by plates of {self.lap:g} mm on the free face of each layer, "
-                f"which are stiffer and move the shape by {self.deviation:.2g} mm"
+            pieces = Listed(
+                note("{pieces} at {places}", pieces=name, places=Listed(map(Mm, at)))
+                for name, at in joints
+                if at
             )
-        count, places = len(self.joints) + 1, _tell_places(self.joints)
-        lost = len(self.strip.holes) - len(self._holes)
-        if lost:
-            return (
-                f"{SPLICED} {count} pieces at {places} mm, joined by plates of {self.lap:g} mm, without the {lost} "
-                f"holes that lie under them; they are stiffer and move the shape by {self.deviation:.2g} mm"
-            )
-        return (
-            f"{SPLICED} {count} pieces at {places} mm, joined by plates of {self.lap:g} mm, which are stiffer and "
-            f"move the shape by {self.deviation:.2g} mm"
+            return note(
+                "cut in pieces: {pieces}, joined by plates of {lap:g} on the free face of each layer, which "
+                "are stiffer and move the shape by {far:.2g}",
+                pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation),
+            )  # fmt: skip
+        said = (
+            "cut in {count} pieces at {places}, joined by plates of {lap:g}, without the {lost} holes that "
+            "lie under them; they are stiffer and move the shape by {far:.2g}"
+            if (lost := len(self.strip.holes) - len(self._holes))
+            else "cut in {count} pieces at {places}, joined by plates of {lap:g}, which are stiffer and "
+            "move the shape by {far:.2g}"
+        )
+        places = Listed(map(Mm, self.joints))
+        return note(
+            said,
+            count=len(self.joints) + 1,
+            places=places,
+            lap=Mm(self.lap),
+            lost=lost,
+            far=Mm(self.deviation),
         )
 
     @property
@@ -209,10 +216,6 @@ class _Whole:
 def _tick(whole: _Whole, x: float) -> Path:
     half = 0.4 * float(whole.width(x))
     return Path.polyline([(x, -half), (x, half)])
-
-
-def _tell_places(joints: Sequence[float]) -> str:
-    return " and ".join(f"{at:.1f}" for at in joints)
 
 
 def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | None = None) -> Splice:
@@ -371,7 +374,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
     thinner = thinner_for(strip.sheet, strip.max_strain)
     raise StrainError(
         "{strains} To make it all the same, set ignore_limits (--ignore-limits).",
-        strains=" ".join(f"{text}." for text in strip.strain_warnings),
+        strains=sentences(strip.strain_warnings, ". ", "."),
         percent=judged.percent,
         where={"at": judged.at},
         changes=[*([] if thinner is None else [Change("thickness", thinner)]), Change("nearest", True)],
@@ -384,8 +387,9 @@ def compensate_within(strip: Strip, shop: Shop) -> Strip:
     faults = find_strip_faults(better, shop)
     if not faults or find_strip_faults(strip, shop):
         return better
-    told = (
-        f"its widths do not make up for how it is made, since it would then be {faults[0].what}; give it tabs as "
-        "wide as its ends, or shallower slots"
+    told = note(
+        "its widths do not make up for how it is made, since it would then be {fault}; give it "
+        "tabs as wide as its ends, or shallower slots",
+        fault=faults[0].what,
     )
     return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, told)))

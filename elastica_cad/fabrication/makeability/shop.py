@@ -2,8 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 from elastica_cad._values import is_number, require_record
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -46,11 +48,34 @@ class Shop:
     (3.0, 1.5)
     """
 
-    least_width: float | None = None
-    least_ligament: float | None = None
-    least_bridge: float | None = None
-    stock: tuple[float, float] | None = None
-    lap: float | None = None
+    least_width: Annotated[
+        float | None,
+        Asked(
+            "Narrowest strip, tab or tongue that can be made; that of the sheet unless given.",
+            "mm",
+            least=0,
+            group="limits",
+        ),
+    ] = None
+    least_ligament: Annotated[
+        float | None,
+        Asked("Least material between the holes of a perforated strip.", "mm", least=0, group="limits"),
+    ] = None
+    least_bridge: Annotated[
+        float | None, Asked("Least material between the cuts of a plate.", "mm", least=0, group="limits")
+    ] = None
+    stock: Annotated[
+        tuple[float, float] | None, Asked("Sides of the largest sheet.", "mm", least=0, group="limits")
+    ] = None
+    lap: Annotated[
+        float | None,
+        Asked(
+            "Length of the plates that join pieces of a strip longer than the stock.",
+            "mm",
+            least=0,
+            group="limits",
+        ),
+    ] = None
 
     def __post_init__(self) -> None:
         for name in ("least_width", "least_ligament", "least_bridge", "lap"):

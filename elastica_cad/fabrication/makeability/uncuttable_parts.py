@@ -23,6 +23,7 @@ from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
 FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
@@ -185,7 +186,7 @@ class Fault:
     changes: tuple[Change, ...] = ()
 
     def __str__(self) -> str:
-        return f"{self.part}: {self.what}; {self.cure}"
+        return note("{part}: {fault}; {cure}", part=self.part, fault=self.what, cure=self.cure)
 
 
 def _tell_faults(faults: Iterable[Fault]) -> str:
@@ -193,7 +194,8 @@ def _tell_faults(faults: Iterable[Fault]) -> str:
     found: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
         found.setdefault((fault.part, fault.cure), []).append(fault.what)
-    return " ".join(f"{part}: {'; '.join(whats)}; {cure}." for (part, cure), whats in found.items())
+    said = (Fault(part, sentences(whats), cure) for (part, cure), whats in found.items())
+    return sentences(map(str, said), ". ", ".")
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
@@ -207,12 +209,12 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         raise InputError(
-            "{tell_faults} To make it all the same, set ignore_limits (--ignore-limits).",
-            tell_faults=_tell_faults(faults),
+            "{faults} To make it all the same, set ignore_limits (--ignore-limits).",
+            faults=_tell_faults(faults),
             kind="fault",
             changes=[*changes],
         )
-    return tuple(f"made anyway: {fault}" for fault in faults)
+    return tuple(note("made anyway: {fault}", fault=str(fault)) for fault in faults)
 
 
 def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
@@ -225,7 +227,7 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
     >>> from elastica_cad.mechanics.rod.rod_record import Rod
     >>> thin = Strip(Rod.straight(200, [1, 4, 1]), Sheet.named("birch-plywood-0.8"), max_width=6, label="A")
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
-    A: only 1.5 mm wide at ... mm along it, 3 mm are needed in birch-plywood-0.8; make it wider ...
+    A: only 1.5 mm wide at ... mm from the start of the curve, 3 mm are needed in birch-plywood-0.8; ...
     """
     if strip.layout.size is not None:  # not cut from a sheet: its law has limits of its own
         return ()
@@ -242,21 +244,27 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
         called = name if i == 0 else f"{name}, backing"
         length, width = _size(strip)
         if width < FAR_WIDER * stock[0]:
-            found += _thin_strip(called, strip, layer, least)
+            found += _thin_strip(called, strip, layer, least, min(least, shop.bridge_for(layer.sheet)))
         found += _too_large(called, min(length, stock[0] if joined else np.inf), width, layer.sheet, stock)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament:
         allowed = style.least_ligament
-        what = f"ligaments down to {allowed:.3g} mm are allowed, {ligament:.3g} mm are needed"
-        found.append(Fault(name, what, "ask for wider ligaments, or fewer columns"))
+        what = note(
+            "ligaments down to {allowed} are allowed, {ligament} are needed",
+            allowed=Length(allowed),
+            ligament=Length(ligament),
+        )
+        found.append(Fault(name, what, note("ask for wider ligaments, or fewer columns")))
     longest = min(strip.rod.length, stocks[0][0] if joined else np.inf)
     slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
     if slenderest > SLENDEREST:
-        what = (
-            f"{strip.rod.length:.4g} mm long and {strip.width.extremes[0]:.3g} mm wide: too slender to handle"
+        what = note(
+            "{length} long and {width} wide: too slender to handle",
+            length=Length(strip.rod.length),
+            width=Length(strip.width.extremes[0]),
         )
         wider = _wider(strip, slenderest / SLENDEREST)
-        found.append(Fault(name, what, "make it wider, or split it", wider))
+        found.append(Fault(name, what, note("make it wider, or split it"), wider))
     return tuple(found)
 
 
@@ -275,8 +283,9 @@ def find_plate_faults(
     return (
         *_faults_at(
             name, find_thin_places([outline], holes, least), least, sheet,
-            "leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border",
-            ("the edge", *called, *("a hole" for _ in holes[len(called):])),
+            note("leave more room between the slots: a larger ring or plate, fewer or narrower strips, a "
+            "wider border"),
+            (note("the edge"), *called, *(note("a hole") for _ in holes[len(called):])),
         ),
         *_too_large(name, float(length), float(width), sheet, stock),
     )  # fmt: skip
@@ -288,11 +297,11 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
     if not wide:
         return ()
     slot, width, through = max(wide, key=lambda one: one[1] / one[2])
-    what = (
-        f"the slot for {slot}{and_more(wide)} is {width:.3g} mm wide for a tab of {through:.3g} mm, "
-        "which it cannot hold"
-    )
-    cure = "end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures"
+    what = note(
+        "the slot for {slot}{more} is {width} wide for a tab of {through}, which it cannot hold",
+        slot=slot, more=and_more(wide), width=Length(width), through=Length(through),
+    )  # fmt: skip
+    cure = note("end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures")
     return (Fault(name, what, cure),)
 
 
@@ -301,8 +310,12 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
     return tuple(
         Fault(
             name,
-            f"beside the tab of {tab} the strip would stand {depth:.3g} mm deep in the plate",
-            "give it a tab as wide as the strip, or set the plate so much lower",
+            note(
+                "beside the tab of {tab} the strip would stand {depth} deep in the plate",
+                tab=tab,
+                depth=Length(depth),
+            ),
+            note("give it a tab as wide as the strip, or set the plate so much lower"),
         )
         for tab, depth, thickness in shoulders
         if depth > thickness
@@ -315,23 +328,66 @@ def _size(strip: Strip) -> tuple[float, float]:
     return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
 
 
-def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator[Fault]:
+def _thin_strip(name: str, strip: Strip, layer: Layer, least: float, web: float) -> Iterator[Fault]:
+    """Necks of the strip and its tabs narrower than `least`, webs beside holes narrower than `web`, mm."""
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
-    places = find_thin_places([layer.outline], holes, least)
-    cure = "make it wider (max_width), or ask for the nearest curve with a smaller ratio"
-    narrowest = min((place.width for place in places), default=least)
+    places = find_thin_places([layer.outline], holes, max(least, web))
+    necks = [place for place in places if place.loops == (0, 0) and place.width < least]
+    free, tabs = [], []
+    for place in necks:
+        of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
+        (tabs if of_tab else free).append(place)
+    cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
+    narrowest = min((place.width for place in free), default=least)
     changes = (*_wider(strip, least / narrowest), Change("nearest", True))
-    yield from (
-        replace(fault, changes=changes) for fault in _faults_at(name, places, least, layer.sheet, cure)
-    )
+    yield from (replace(fault, changes=changes) for fault in _faults_at(name, free, least, layer.sheet, cure))
+    for place in tabs[:1]:
+        wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+        what = note(
+            "only {wide:g} wide {at}, {needed:g} are needed in {sheet}",
+            wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
+        )  # fmt: skip
+        yield Fault(name, what, note("give the tab a larger width"))
+    webs = [place for place in places if place.loops != (0, 0) and place.width < web]
+    for place in webs[:MOST_TOLD]:
+        yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
+
+
+def _place_on(strip: Strip, place: ThinPlace) -> str:
+    """Where a place of the flat part is: along the strip, or in one of its tabs."""
+    length = strip.rod.length
+    if place.x < 0:
+        return note("{into} into the tab at its start", into=Length(-place.x))
+    if place.x > length:
+        return note("{into} into the tab at its end", into=Length(place.x - length))
+    return note("at {s} from the start of the curve", s=Length(place.x))
+
+
+def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
+    """The fault of too little material beside a hole, and how far to move the hole."""
+    wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+    shift = Length(rounded_up(least - place.width, 2))
+    if 0 in place.loops:
+        what = note(
+            "only {wide:g} are left between a hole and the edge {at}, {needed:g} are needed in {sheet}",
+            wide=wide, at=at, needed=needed, sheet=sheet.name,
+        )  # fmt: skip
+        return Fault(
+            name, what, note("move the hole {shift} away from the edge, or make it smaller", shift=shift)
+        )
+    what = note(
+        "only {wide:g} are left between two holes {at}, {needed:g} are needed in {sheet}",
+        wide=wide, at=at, needed=needed, sheet=sheet.name,
+    )  # fmt: skip
+    return Fault(name, what, note("move the holes {shift} apart, or make them smaller", shift=shift))
 
 
 def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
     """The width of a plain strip's widest place that makes it so many times as wide."""
     if not isinstance(strip.style, Plain):
         return ()
-    return (Change("max_width", float(rounded_up(times * float(strip.width.extremes[1]), 3))),)
+    return (Change("max_width", rounded_up(times * float(strip.width.extremes[1]), 3)),)
 
 
 def _faults_at(
@@ -339,19 +395,19 @@ def _faults_at(
 ) -> Iterator[Fault]:
     for k, place in enumerate(places[:MOST_TOLD]):
         rest = len(places) - MOST_TOLD
-        more = f" (and {rest} more places)" if k == MOST_TOLD - 1 and rest > 0 else ""
+        more = note(" (and {rest} more places)", rest=rest) if k == MOST_TOLD - 1 and rest > 0 else ""
         at = (
-            f"at {place.x:.4g} mm along it"
+            note("at {s} from the start of the curve", s=Length(place.x))
             if abs(place.y) < 1e-9
-            else f"at ({place.x:.4g}, {place.y:.4g}) mm"
+            else note("at {place} of the flat part", place=Point((place.x, place.y)))
         )
-        between = (
-            f"between {' and '.join(dict.fromkeys(loops[k] for k in sorted(place.loops)))} "
-            if loops
-            else "wide "
-        )
-        wide, needed = told_apart(place.width, least, ".3g")
-        what = f"only {wide} mm {between}{at}{more}, {needed} mm are needed in {sheet.name}"
+        wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+        between = Listed(dict.fromkeys(loops[k] for k in sorted(place.loops))) if loops else ()
+        what = note(
+            "only {wide:g} between {loops} {at}{more}, {needed:g} are needed in {sheet}" if loops else
+            "only {wide:g} wide {at}{more}, {needed:g} are needed in {sheet}",
+            wide=wide, loops=between, at=at, more=more, needed=needed, sheet=sheet.name,
+        )  # fmt: skip
         yield Fault(name, what, cure)
 
 
@@ -363,12 +419,15 @@ def _too_large(
         (its_long, long_side), (its_short, short_side) = (
             told_apart(own, side, ".4g") for own, side in zip((long, short), stock, strict=True)
         )
-        sides = f"{long_side} x {short_side}"
-        what = f"{its_long} x {its_short} mm is larger than the stock of {sides} mm in {sheet.name}"
+        what = note(
+            "{long:g} x {short:g} is larger than the stock of {stock_long:g} x {stock_short:g} in {sheet}",
+            long=its_long, short=Length(its_short), stock_long=long_side, stock_short=Length(short_side),
+            sheet=sheet.name,
+        )  # fmt: skip
         if width > length or (width > stock[1] and length <= stock[0]):
-            fits = Change("max_width", float(rounded_down(min(stock[1], length / TIMES_AS_LONG), 2)))
-            yield Fault(name, what, "give a smaller max_width, or name a larger stock", (fits,))
+            fits = Change("max_width", rounded_down(min(stock[1], length / TIMES_AS_LONG), 2))
+            yield Fault(name, what, note("give a smaller max_width, or name a larger stock"), (fits,))
         else:
-            cure = "name a larger stock, join a strip of pieces by plates (lap), or scale the curve"
+            cure = note("name a larger stock, join a strip of pieces by plates (lap), or scale the curve")
             lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))
             yield Fault(name, what, cure, (lap,))

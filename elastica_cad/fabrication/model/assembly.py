@@ -18,6 +18,7 @@ from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, 
 from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import note
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
 """What strips are held by, as messages say it."""
@@ -236,7 +237,10 @@ def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
     """Names of tabs with what holds them."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate | Ring):
-            yield from ((slot.name, f"slot {slot.name} of {holder.name}") for slot in holder.slots)
+            yield from (
+                (slot.name, note("slot {slot} of {holder}", slot=slot.name, holder=holder.name))
+                for slot in holder.slots
+            )
             if isinstance(holder, Ring):
                 yield from ((name, f"on {holder.name}") for name in holder.seated)
         elif isinstance(holder, EndFixture):

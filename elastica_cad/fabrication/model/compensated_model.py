@@ -8,6 +8,7 @@ from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.refusals import Length, note
 
 LARGEST = 0.15
 """Of the logarithm of a width's change. Strips that flare at their ends are narrower elsewhere."""
@@ -60,11 +61,13 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
             else:
                 wider[k] *= narrower
     told = tuple(
-        f"{model.name_of(k)} is {strip.max_width:.4g} mm wide at most, not {one.max_width:.4g} mm, so that it "
-        "still locks into its neighbours"
+        note(
+            "{strip} is {width:.4g} wide at most, not {asked:.4g}, so that it still locks into its neighbours",
+            strip=model.name_of(k), width=Length(strip.max_width), asked=Length(one.max_width),
+        )
         for k, (one, strip) in enumerate(zip(model.strips, locked.strips, strict=True))
         if strip.max_width is not None and one.max_width is not None and strip.max_width > one.max_width
-    )
+    )  # fmt: skip
     return replace(locked, reports=(*locked.reports, *told))
 
 

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.holders.slotted_frame import Rib, slotted_frame
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import note
 
 LEAST_SPREAD = 0.2
 """Two plates hold each other through the strips where slots spread at least so much across as along."""
@@ -83,7 +84,13 @@ def stand(
         raise InputError(
             "nothing can hold strips without tabs: give them ends of some length ({problem})", problem=problem
         )
-    return Stand(blocks, f"held by a printed block at every end, for plates cannot hold all tabs: {problem}")
+    return Stand(
+        blocks,
+        note(
+            "held by a printed block at every end, for plates cannot hold all tabs: {problem}",
+            problem=problem,
+        ),
+    )
 
 
 def _plates_apart(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any]) -> tuple[BasePlate, ...]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from elastica_cad._counts import counted
 from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, is_number, is_whole, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.held_tabs import held_shapes
@@ -33,12 +34,18 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import require_printable
 
+Triple: TypeAlias = tuple[float, float, float]
+
 MOST_PLACED = 100_000
 """Strips of one model."""
 
 
 def mirror(
-    placed: Sequence[Placed], point: ArrayLike, normal: ArrayLike, *, keep: bool = True
+    placed: Sequence[Placed],
+    point: Annotated[ArrayLike, Asked("A point on the plane.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    normal: Annotated[ArrayLike, Asked("Across the plane.", written=Triple)] = (1.0, 0.0, 0.0),
+    *,
+    keep: Annotated[bool, Asked("Keep the original too.")] = True,
 ) -> tuple[Placed, ...]:
     """The mirror images in the plane through `point` across `normal`, behind the strips themselves if kept."""
     n, p = _vector(normal), _vector(point)
@@ -52,11 +59,11 @@ def mirror(
 
 def rotate(
     placed: Sequence[Placed],
-    count: int,
+    count: Annotated[int, Asked("How many in all.", least=1)],
     *,
-    axis: ArrayLike = (0.0, 0.0, 1.0),
-    point: ArrayLike = (0.0, 0.0, 0.0),
-    step: float | None = None,
+    axis: Annotated[ArrayLike, Asked("Direction of the axis.", written=Triple)] = (0.0, 0.0, 1.0),
+    point: Annotated[ArrayLike, Asked("A point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    step: Annotated[float | None, Asked("Angle between two; all around unless given.", "rad")] = None,
 ) -> tuple[Placed, ...]:
     """The strips `count` times about an axis, each `step` rad further; the full turn by `count` unless given."""
     k, p = _vector(axis), _vector(point)
@@ -80,7 +87,11 @@ def rotate(
     return tuple(copies)
 
 
-def repeat(placed: Sequence[Placed], count: int, step: ArrayLike) -> tuple[Placed, ...]:
+def repeat(
+    placed: Sequence[Placed],
+    count: Annotated[int, Asked("How many in all.", least=1)],
+    step: Annotated[ArrayLike, Asked("From one to the next.", "mm", written=Triple)],
+) -> tuple[Placed, ...]:
     """The strips `count` times, the first where they are, each `step` (3,) mm further."""
     if not (is_whole(count) and count >= 1):
         raise InputError("a pattern repeats 1 time or more, not {count}", count=count)
@@ -252,7 +263,9 @@ class Model:
         """The shape that each strip takes as it is made, in its rings and these holders: see `Strip.held`."""
         return held_shapes(self.placed, (*self.plates, *holders))
 
-    def mirrored(self, point: ArrayLike, normal: ArrayLike, *, keep: bool = True) -> "Model":
+    def mirrored(
+        self, point: ArrayLike = (0.0, 0.0, 0.0), normal: ArrayLike = (1.0, 0.0, 0.0), *, keep: bool = True
+    ) -> "Model":
         """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""
         return self._arranged(mirror(self.placed, point, normal, keep=keep))
 

@@ -12,7 +12,7 @@ from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPat
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 SLACK_MM = 1e-9
 """Rounding that a piece as large as its row may have."""
@@ -56,7 +56,7 @@ class NestedSheet(Drawing):
         """How the sheet must lie: where its grain runs; empty for sheets without grain."""
         if self.sheet is None or self.sheet.grain == "none":
             return ""
-        return f"the grain runs along x, the side of {self.sheet_size[0]:g} mm"
+        return note("the grain runs along x, the side of {side:g}", side=Length(self.sheet_size[0]))
 
     @property
     def counts(self) -> dict[str, int]:
@@ -301,9 +301,12 @@ def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float
     for piece in pieces:
         if not any(_boxes(0, piece, margin, (size[0] - margin, size[1] - margin), False)):
             x, y = piece.size
-            grain = f" with the grain {piece.sheet.grain} it" if piece.sheet.grain != "none" else ""
-            return (
-                f"{piece.name}: {x:.1f} by {y:.1f} mm is larger than a sheet of {size[0]:g} by {size[1]:g} mm with "
-                f"a margin of {margin:g} mm{grain}: use a larger sheet or make the part in pieces"
-            )
+            return note(
+                "{piece}: {x:.4g} by {y:.4g} is larger than a sheet of {long:g} by {short:g} with a margin "
+                "of {margin:g}: use a larger sheet or make the part in pieces" if piece.sheet.grain == "none" else
+                "{piece}: {x:.4g} by {y:.4g} is larger than a sheet of {long:g} by {short:g} with a margin "
+                "of {margin:g} with the grain {grain} it: use a larger sheet or make the part in pieces",
+                piece=piece.name, x=x, y=Length(y), long=size[0], short=Length(size[1]), margin=Length(margin),
+                grain=piece.sheet.grain,
+            )  # fmt: skip
     raise AssertionError("every piece fits the sheet")

@@ -2,12 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, numbers
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -17,7 +18,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of, place, trim_segment
 from elastica_cad.geometry.polynomials.splines import spline_through
 from elastica_cad.geometry.running_sums import lengths_along
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines: a tenth of what drawings tell apart."""
@@ -73,13 +74,15 @@ class Slot:
     'upper'
     """
 
-    at: float
-    width: float
-    depth: float | None = None
-    side: Side = "upper"
-    lean: float = 0.0
-    relief: Relief = "square"
-    mate: str = ""
+    at: Annotated[float, Asked("Place along the strip.", "mm")]
+    width: Annotated[float, Asked("Width of the slot.", "mm", least=0)]
+    depth: Annotated[
+        float | None, Asked("Depth from the edge; to the centre line unless given.", "mm", least=0)
+    ] = None
+    side: Annotated[Side, Asked("The edge on which it opens.")] = "upper"
+    lean: Annotated[float, Asked("Angle to the ruling of the strip.", "rad")] = 0.0
+    relief: Annotated[Relief, Asked("Its inner end.")] = "square"
+    mate: Annotated[str, Asked("What goes in; written beside it.")] = ""
     path: FloatArray | None = None
     widths: FloatArray | None = None
 
@@ -91,7 +94,7 @@ class Slot:
                     name=name,
                     getattr=getattr(self, name),
                 )
-        here = f"slot at {self.at:.6g} mm"
+        here = note("slot at {at}", at=Length(self.at))
         if self.width <= 0 or (self.depth is not None and self.depth <= 0):
             raise InputError("{here}: width and depth must be positive, in mm", here=here)
         if not (is_one_of(self.side, ("upper", "lower")) and is_one_of(self.relief, ("square", "round"))):
@@ -304,13 +307,13 @@ class _Edge:
                     low=low,
                     high=Length(high),
                 )
-            fault = "does not open at the edge" if len(crossings) < 2 else "cuts through to another edge"
             raise InputError(
-                "{name}: the slot at {at:.6g} {fault}: make it {value} or move it",
-                name=name,
+                "{strip}: the slot at {at} does not open at the edge: make it deeper or move it"
+                if len(crossings) < 2
+                else "{strip}: the slot at {at} cuts through to another edge: make it shallower or narrower "
+                "or move it",
+                strip=name,
                 at=Length(slot.at),
-                fault=fault,
-                value="deeper" if len(crossings) < 2 else "shallower or narrower",
             )
         (first, a), (second, b) = sorted(crossings, key=lambda pair: (pair[1].segment, pair[1].u))
         points = np.concatenate([c.points for c in chords[a.segment : b.segment + 1]])
@@ -381,7 +384,7 @@ def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: 
 
 
 def _meeting(name: str, a: Slot, b: Slot) -> str:
-    return (
-        f"{name}: the slots at {a.at:.6g} mm and {b.at:.6g} mm meet: move them apart, or make "
-        "them narrower or shallower"
-    )
+    return note(
+        "{strip}: the slots at {one} and {other} meet: move them apart, or make them narrower or shallower",
+        strip=name, one=Length(a.at), other=Length(b.at),
+    )  # fmt: skip

@@ -1,11 +1,13 @@
 """Laminated strips: an outline of any width, and a narrower strip glued on that gives it its stiffness."""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_positive
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.fabrication.strip.styles import (
     Backing,
@@ -22,7 +24,7 @@ from elastica_cad.mechanics.material.laminated_section import BoundedBacking, La
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Either, Length, Refusal, note
 
 SLACK = 3e-4
 """Share by which a rod's own stiffness, fitted at fewer stations, may pass what fits; it is brought to that."""
@@ -60,10 +62,14 @@ class Laminated:
     20.0
     """
 
-    width: Width
-    backing: Sheet
-    least_backing: float = 1.0
-    dots: float = 1.0
+    width: Annotated[Width, Asked("Width of the base.", "mm", least=0, common=True, written=float)]
+    backing: Annotated[Sheet, Asked("Sheet that is glued on.")]
+    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", least=0)] = (
+        1.0
+    )
+    dots: Annotated[
+        float, Asked("Diameter of the holes in the tabs that align the layers; 0 for none.", "mm", least=0)
+    ] = 1.0
 
     def __post_init__(self) -> None:
         if isinstance(self.backing, str):
@@ -100,8 +106,8 @@ class Laminated:
         told: tuple[str, ...] = ()
         if rod.gravity is not None and rod.weight is None:
             told = (
-                "the rod was designed for a weight proportional to its stiffness, and a laminate's is not: use "
-                "optimal_laminate, or see how far it strays (deviation_as_built)",
+                "the rod was designed for a weight proportional to its stiffness, and a laminate's is not: "
+                "use optimal_laminate, or see how far it strays (deviation_as_built)",
             )
         return Layout(sheet, base, base, scale, backing=backing, dots=self.dots, warnings=told)
 
@@ -179,22 +185,23 @@ def _infeasible(
 ) -> str:
     """Why no scale fits, where, and which thickness or stiffness ratio would do."""
     i, j = fits.lowest_at, fits.highest_at
-    told = (
-        f"the laminate cannot be as soft as it should at {s[i]:.1f} mm (base {w1[i]:.4g} mm, K {K[i]:.3g}) and as "
-        f"stiff at {s[j]:.1f} mm (base {w1[j]:.4g} mm, K {K[j]:.3g}): "
-    )
-    ways = [f"narrow the base at {s[i]:.1f} mm", f"widen it at {s[j]:.1f} mm"]
+    ways: list[Refusal] = []
     try:
         ratio = section.thickness_ratio(w1, K, least_backing=least)
     except InputError as error:
-        ways.append(f"choose other widths ({error})")
+        ways = [note("choose other widths ({why})", why=error.refusal)]
     else:
-        ways.insert(
-            0,
-            f"make the backing {rounded_up(1 / ratio, 3)} times as thick as the base or more (now "
-            f"{section.backing.thickness / section.base.thickness:.3g} times)",
-        )
-    return told + ", or ".join(ways)
+        ways = [note(
+            "make the backing {least:g} times as thick as the base or more (now {now:.3g} times)",
+            least=rounded_up(1 / ratio, 3), now=section.backing.thickness / section.base.thickness,
+        )]  # fmt: skip
+    ways[1:1] = [note("narrow the base at {s}", s=Length(s[i])), note("widen it at {s}", s=Length(s[j]))]
+    return note(
+        "the laminate cannot be as soft as it should at {soft} (base {soft_width}, K {soft_stiffness:.3g}) "
+        "and as stiff at {stiff} (base {stiff_width}, K {stiff_stiffness:.3g}): {ways}",
+        soft=Length(s[i]), soft_width=Length(w1[i]), soft_stiffness=K[i],
+        stiff=Length(s[j]), stiff_width=Length(w1[j]), stiff_stiffness=K[j], ways=Either(ways),
+    )  # fmt: skip
 
 
 def _backing_width(

@@ -4,13 +4,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from math import dist, hypot, sqrt
-from typing import Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 
 from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_positive, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -40,9 +41,9 @@ class Hole:
         Distance from the centre line, mm, towards positive y.
     """
 
-    at: float
-    diameter: float
-    across: float = 0.0
+    at: Annotated[float, Asked("Distance from where the tab begins.", "mm")]
+    diameter: Annotated[float, Asked("Diameter of the hole.", "mm", least=0)]
+    across: Annotated[float, Asked("Distance from the centre line.", "mm")] = 0.0
 
     def __post_init__(self) -> None:
         for name in ("at", "diameter", "across"):
@@ -75,10 +76,13 @@ class TSlot:
         Sizes that are not positive, a nut narrower than the screw, a depth that ends before the nut.
     """
 
-    depth: float
-    screw: float = 3.2
-    nut: tuple[float, float] = (5.6, 2.6)
-    wall: float = 4.0
+    depth: Annotated[float, Asked("From the outer edge inward.", "mm", least=0)]
+    screw: Annotated[float, Asked("Width of the slot.", "mm", least=0)] = 3.2
+    nut: Annotated[tuple[float, float], Asked("Pocket across and along the screw.", "mm", least=0)] = (
+        5.6,
+        2.6,
+    )
+    wall: Annotated[float, Asked("Between the outer edge and the nut.", "mm", least=0)] = 4.0
 
     def __post_init__(self) -> None:
         nut = self.nut if isinstance(self.nut, Sequence) else ()
@@ -136,13 +140,15 @@ class Tab:
     12
     """
 
-    length: float
-    width: float | None = None
-    corner_radius: float = 0.0
-    chamfer: float = 0.0
-    holes: tuple[Hole, ...] = ()
-    t_slot: TSlot | None = None
-    taper: float = 0.0
+    length: Annotated[float, Asked("Length of the tab; 0 for none.", "mm", least=0, common=True)] = 10.0
+    width: Annotated[
+        float | None, Asked("Width of the tab; that of the strip unless given.", "mm", least=0)
+    ] = None
+    corner_radius: Annotated[float, Asked("Rounding of the outer corners.", "mm", least=0)] = 0.0
+    chamfer: Annotated[float, Asked("Chamfer of the outer corners.", "mm", least=0)] = 0.0
+    holes: Annotated[tuple[Hole, ...], Asked("Round holes.")] = ()
+    t_slot: Annotated[TSlot | None, Asked("Slot for a screw with its nut.")] = None
+    taper: Annotated[float, Asked("How much the tab narrows on either side.", "mm", least=0)] = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "holes", several("holes", self.holes, Hole, "Hole"))
@@ -297,14 +303,14 @@ def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[L
 
 
 def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
-    """The tabs of both ends.
+    """The tabs of both ends; one alone is that of both.
 
     Raises
     ------
     InputError
         Something else, or not two of them.
     """
-    found = several("ends", tabs, Tab, "Tab")
+    found = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(found) != 2:
         raise InputError(
             "ends are {counted}: give two, for the start and the end; Tab(0) is none",

@@ -3,12 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
+from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_positive
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
@@ -33,6 +35,7 @@ from elastica_cad.mechanics.material.plain_section import PerforatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import Either, note
 from elastica_cad.refusals import Length as Mm
 
 FIT_MM = 2e-5
@@ -358,14 +361,16 @@ class Perforated:
     True
     """
 
-    width: Width
-    columns: int = 2
-    rows: int | None = None
-    hole_ratio: float = 0.85
-    least_ligament: float = 0.5
-    least_hole: float = 1.0
-    corner_radius: float = 0.0
-    sides: Literal["spline", "arc"] = "spline"
+    width: Annotated[Width, Asked("Width of the outline.", "mm", least=0, common=True, written=float)]
+    columns: Annotated[int, Asked("Diamond holes side by side.", least=1)] = 2
+    rows: Annotated[int | None, Asked("Diamond holes one after the other; chosen unless given.", least=1)] = (
+        None
+    )
+    hole_ratio: Annotated[float, Asked("Largest share of the width that holes take.", least=0, most=1)] = 0.85
+    least_ligament: Annotated[float, Asked("Narrowest ligament between holes.", "mm", least=0)] = 0.5
+    least_hole: Annotated[float, Asked("Widest place of the narrowest hole.", "mm", least=0)] = 1.0
+    corner_radius: Annotated[float, Asked("Rounding of the corners of the holes.", "mm", least=0)] = 0.0
+    sides: Annotated[Literal["spline", "arc"], Asked("What the sides of holes are made of.")] = "spline"
 
     def __post_init__(self) -> None:
         for name in ("columns", "rows"):
@@ -437,18 +442,20 @@ class Perforated:
         i = int(np.argmax(slopes))
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
-            told.append(
-                f"ligaments lean {np.degrees(np.arctan(slopes[i])):.0f} degrees off the strip at {s[i]:.1f} mm: "
-                f"use fewer rows, {np.ceil(long):.0f} mm long or longer"
-            )
+            told.append(note(
+                "ligaments lean {angle:.0f} degrees off the strip at {s}: use fewer rows, {long} long or "
+                "longer",
+                angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
+            ))  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
         i = int(np.argmax(missing))
         if missing[i] > TIP_SHARE:
-            told.append(
-                f"a corner radius of {self.corner_radius:g} mm leaves {100 * missing[i]:.1f} % too much material "
-                f"at the tips at {pattern.joints[i]:.1f} mm: {self.corner_radius * TIP_SHARE / missing[i]:.2g} mm "
-                f"or less keeps it within {100 * TIP_SHARE:.0f} %"
-            )
+            told.append(note(
+                "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips at {s}: "
+                "{least:.2g} or less keeps it within {allowed:.0f} %",
+                radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
+                least=Mm(self.corner_radius * TIP_SHARE / missing[i]), allowed=100 * TIP_SHARE,
+            ))  # fmt: skip
         return tuple(told)
 
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
@@ -510,28 +517,30 @@ class _Fit:
             if asked > scale * (1 + SLACK):
                 i = self.by_ligaments.highest_at
                 raise InputError(
-                    "the rod's bending stiffness asks for {rigidity:.4g} of material at {s:.1f}, "
-                    "{rigidity_2:.4g} fit: widen the outline or raise max_width",
-                    rigidity=Mm(asked * self.K[i] / rigidity),
+                    "the rod's bending stiffness asks for {needed:.4g} of material at {s:.1f}, "
+                    "{given:.4g} fit: widen the outline or raise max_width",
+                    needed=Mm(asked * self.K[i] / rigidity),
                     s=Mm(self.s[i]),
-                    rigidity_2=Mm(scale * self.K[i] / rigidity),
+                    given=Mm(scale * self.K[i] / rigidity),
                 )
             scale = asked
         if scale < self.lowest * (1 - SLACK):
-            way = "raise max_width" if self.rod.bending_stiffness is None else "use a thinner or softer sheet"
+            way = note(
+                "raise max_width" if self.rod.bending_stiffness is None else "use a thinner or softer sheet"
+            )
             raise InputError(
-                "{too_little}: the ligaments need {rigidity:.4g} in all where they are widest, not "
-                "{rigidity_2:.4g}; {way}",
+                "{too_little}: the ligaments need {needed:.4g} in all where they are widest, not "
+                "{given:.4g}; {way}",
                 too_little=self._too_little(scale),
-                rigidity=Mm(self.lowest * high / rigidity),
-                rigidity_2=Mm(scale * high / rigidity),
+                needed=Mm(self.lowest * high / rigidity),
+                given=Mm(scale * high / rigidity),
                 way=way,
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
             raise InputError(
-                "the ligaments are {rigidity:.4g} in all at the narrowest place, below min_width "
+                "the ligaments are {ligaments:.4g} in all at the narrowest place, below min_width "
                 "{min_width:g}: widen the outline or lower the stiffness ratio",
-                rigidity=Mm(scale * low / rigidity),
+                ligaments=Mm(scale * low / rigidity),
                 min_width=Mm(min_width),
             )
         return scale
@@ -542,17 +551,26 @@ class _Fit:
         i, need = self._least_outline()
         ways = []
         if np.isfinite(need):
-            ways.append(f"make the outline {rounded_up(need)} mm or more wide there (now {self.w[i]:.4g} mm)")
+            ways.append(note(
+                "make the outline {least:g} or more wide there (now {now:.4g})",
+                least=Mm(rounded_up(need)), now=Mm(self.w[i]),
+            ))  # fmt: skip
         fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
-            ways.append(f"allow a hole_ratio of {np.ceil(1000 * share) / 1000:.3f}")
+            ways.append(note("allow a hole_ratio of {share:.3f}", share=np.ceil(1000 * share) / 1000))
         elif fewer:
-            ways.append(f"use {fewer[0]} column{'s' if fewer[0] > 1 else ''}")
+            ways.append(note("use {columns}", columns=counted(fewer[0], "column")))
         ratio = self.rod.ratio * self.highest / self.lowest
         if ratio > 1:
-            ways.append(f"lower the stiffness ratio from {self.rod.ratio:.3g} to {rounded_down(ratio, 3)}")
-        return f"{self._too_little(self.highest)}, when holes still fit at {self.s[i]:.1f} mm: {', or '.join(ways)}"
+            ways.append(note(
+                "lower the stiffness ratio from {now:.3g} to {most:g}",
+                now=self.rod.ratio, most=rounded_down(ratio, 3),
+            ))  # fmt: skip
+        return note(
+            "{too_little}, when holes still fit at {s}: {ways}",
+            too_little=self._too_little(self.highest), s=Mm(self.s[i]), ways=Either(ways),
+        )  # fmt: skip
 
     def _least_outline(self) -> tuple[int, float]:
         """Where the outline is too narrow, and the width that would do, mm: infinite where none does.
@@ -579,13 +597,13 @@ class _Fit:
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
-            return (
-                f"holes would take {100 * share:.1f} % of the width at {self.s[i]:.1f} mm, more than "
-                f"{100 * self.style.hole_ratio:.1f} %"
-            )
+            return note(
+                "holes would take {percent:.3g} % of the width at {s}, more than {most:.3g} %",
+                percent=100 * share, s=Mm(self.s[i]), most=100 * self.style.hole_ratio,
+            )  # fmt: skip
         i = self.by_ligaments.lowest_at
         each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
-        return (
-            f"ligaments would be {each:.3g} mm wide at {self.s[i]:.1f} mm, below "
-            f"{self.style.least_ligament:g} mm"
-        )
+        return note(
+            "ligaments would be {each} wide at {s}, below {least:g}",
+            each=Mm(each), s=Mm(self.s[i]), least=Mm(self.style.least_ligament),
+        )  # fmt: skip

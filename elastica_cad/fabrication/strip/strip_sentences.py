@@ -1,10 +1,11 @@
 """What is told of a strip in words: how wide it is, how it closes, and what a maker should know before cutting."""
 
 from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
-from elastica_cad._counts import told_apart, told_range
+from elastica_cad._counts import told_apart
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import Reactions
@@ -14,6 +15,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import PLYWOOD_SOURCE, TOLD_TO
 from elastica_cad.mechanics.studies.creep import Creep
+from elastica_cad.refusals import Length, Span, note
 
 LINEAR_CREEP_SHARE = 0.5
 """Of the strain limit: beyond it creep grows faster than the stress."""
@@ -27,14 +29,12 @@ UNEVEN_JOINT_MM = 0.05
 
 def tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
     """How wide a strip is, and as thick as it tapers."""
-
-    def told(size: Profile) -> str:
-        return f"{told_range(*size.extremes, digits)} mm"
-
-    if "diameter" in tapered:
-        return f"{told(tapered['diameter'])} in diameter"
-    wide = f"{told(width)} wide"
-    return f"{wide}, {told(tapered['thickness'])} thick" if "thickness" in tapered else wide
+    told: dict[str, Any] = {
+        name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
+    }
+    if "diameter" in told:
+        return note("{diameter} in diameter", diameter=told["diameter"])
+    return note("{width} wide, {thickness} thick" if "thickness" in told else "{width} wide", **told)
 
 
 def backing_mark(curvature: FloatArray) -> str:
@@ -55,26 +55,33 @@ def tell_backing(mark: str) -> str:
     """On which side of the bend the backing lies, in a sentence; empty of a straight strip."""
     if not mark:
         return ""
-    if mark.endswith("START"):
-        word, *_ = mark.split()
-        return (
-            f"bent, the backing lies {word.lower()} at the start (the end at x = 0 of the cutting files), on the "
-            f"other side of the bend beyond each inflection: {mark} is engraved on both sheets"
-        )
-    return f"bent, the backing lies {mark.lower()}: {mark} is engraved on both sheets, on the faces that look there"
+    said = {
+        "INSIDE": "bent, the backing lies inside: {mark} is engraved on both sheets, on the faces that look "
+        "there",
+        "OUTSIDE": "bent, the backing lies outside: {mark} is engraved on both sheets, on the faces that "
+        "look there",
+        "INSIDE AT START": "bent, the backing lies inside at the start (the end at x = 0 of the cutting "
+        "files), on the other side of the bend beyond each inflection: {mark} is "
+        "engraved on both sheets",
+        "OUTSIDE AT START": "bent, the backing lies outside at the start (the end at x = 0 of the cutting "
+        "files), on the other side of the bend beyond each inflection: {mark} is "
+        "engraved on both sheets",
+    }
+    return note(said[mark], mark=mark)
 
 
 def tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
     """How a closed strip is joined at a place, where it is so wide, mm, and what the joint carries."""
     how = (
-        f"glue its tab of {lap:.3g} mm, bent as drawn, behind its start"
+        note("glue its tab of {lap}, bent as drawn, behind its start", lap=Length(lap))
         if lap
-        else "join its ends butt to butt"
+        else note("join its ends butt to butt")
     )
-    return (
-        f"closed: {how} at {place}, where it is {width:.3g} mm wide; the joint carries "
-        f"{abs(held.end_moment):.3g} N mm and {np.hypot(*held.end_force):.2g} N"
-    )
+    return note(
+        "closed: {how} at {place}, where it is {width} wide; the joint carries {moment:.3g} N mm and "
+        "{force:.2g} N",
+        how=how, place=place, width=Length(width), moment=abs(held.end_moment), force=np.hypot(*held.end_force),
+    )  # fmt: skip
 
 
 def warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
@@ -87,27 +94,31 @@ def warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[st
             bearable = bend[at] * layer.limit / layer.largest
             strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2f")
             radius, least = told_apart(1 / bend[at], 1 / bearable, ".1f")
-            yield (
-                f"strain {strain} % at {judged.at:.1f} mm is beyond the {limit} % "
-                f"that {layer.name} bears: its radius there is {radius} mm, the least advisable "
-                f"{least} mm; {judged.outcome}; use a thinner sheet or a gentler curve"
-            )
+            yield note(
+                "strain {strain:g} % at {at} from the start is beyond the {limit:g} % that {sheet} bears: "
+                "its radius there is {radius:g}, the least advisable {least:g}; {outcome}; use a thinner "
+                "sheet or a gentler curve",
+                strain=strain, at=Length(judged.at or 0.0), limit=limit, sheet=layer.name, radius=Length(radius),
+                least=Length(least), outcome=note(judged.outcome), severity="warning",
+            )  # fmt: skip
 
 
 def warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[str]:
     """Ends that do not match where a strip closes, and strips wider than long."""
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
-        yield (
-            f"its ends are {start:.3g} and {end:.3g} mm wide where it closes: choose another joint, leave out "
-            "gravity, or make the curvature continuous there"
-        )
+        yield note(
+            "its ends are {start:.3g} and {end} wide where it closes: choose another joint, leave out "
+            "gravity, or make the curvature continuous there",
+            start=start, end=Length(end), severity="warning",
+        )  # fmt: skip
     widest = float(width.extremes[1])
     if widest > length:
-        yield (
-            f"it is {widest:.4g} mm wide and {length:.4g} mm long: what is wider than long bends as a "
-            "plate, not as a strip; give a smaller max_width, and look at its unit"
-        )
+        yield note(
+            "it is {width} wide and {length} long: what is wider than long bends as a plate, not as a "
+            "strip; give a smaller max_width, and look at its unit",
+            width=Length(widest), length=Length(length), severity="warning",
+        )  # fmt: skip
 
 
 def warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
@@ -118,27 +129,31 @@ def warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], ben
         least = one.sheet.published_radius
         if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + TOLD_TO:
             at = bends.place(tightest)
-            yield (
-                f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {at:.1f} mm, but plywood of "
-                f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "
-                f"({PLYWOOD_SOURCE}); use a thinner sheet or a gentler curve"
-            )
+            yield note(
+                "it bends to a radius of {radius} at {at} from the start, but plywood of {thickness:g} "
+                "bends to {least} at least {grain} the face grain ({source}); use a thinner sheet or a "
+                "gentler curve",
+                radius=Length(1 / bend[tightest]), at=Length(at), thickness=Length(one.sheet.thickness),
+                least=Length(least), grain=note(one.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
+            )  # fmt: skip
 
 
 def warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
     """Where creep of the most strained layer is not linear any more, and a strip that does not stay."""
     if strained.largest > LINEAR_CREEP_SHARE * strained.limit:
-        yield (
-            f"strain {100 * strained.largest:.2f} % is more than {100 * LINEAR_CREEP_SHARE:.0f} % of what the "
-            "sheet bears: creep is not linear there, and more than said; use a thinner sheet or a gentler curve"
-        )
+        yield note(
+            "strain {strain:.2f} % is more than {share:.0f} % of what the sheet bears: creep is not linear "
+            "there, and more than said; use a thinner sheet or a gentler curve",
+            strain=100 * strained.largest, share=100 * LINEAR_CREEP_SHARE, severity="warning",
+        )  # fmt: skip
     try:
         later = crept()
     except NotConvergedError as problem:
         yield str(problem)
         return
     if later is not None and not later.stays:
-        yield (
-            f"with a creep factor of {factor:g} it will not stay in the long run: it snaps into another "
-            "shape; use a stiffer sheet or support it"
-        )
+        yield note(
+            "with a creep factor of {factor:g} it will not stay in the long run: it snaps into another "
+            "shape; use a stiffer sheet or support it",
+            factor=factor, severity="warning",
+        )  # fmt: skip

@@ -30,7 +30,7 @@ from elastica_cad.mechanics.material.stiffness_law import (
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
 
-Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
+Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
 """An outer width: one number, or a profile or function of arc length, all in mm."""
 
 WIDTH_MM = 1e-6
@@ -271,11 +271,11 @@ def _within(
     if min_width is not None and narrow * (1 + slack) < min_width:
         raise InputError(
             "the narrowest place is {narrow:.4g}, below min_width {min_width:g}: the ratio is "
-            "{ratio:.3g}, so max_width must be {rounded_up} mm or more",
+            "{ratio:.3g}, so max_width must be {needed:g} or more",
             narrow=Length(narrow),
             min_width=Length(min_width),
             ratio=rod.ratio,
-            rounded_up=rounded_up(min_width * wide / narrow),
+            needed=Length(rounded_up(min_width * wide / narrow)),
         )
     if max_width is not None and wide > max_width * (1 + slack):
         raise InputError(

@@ -13,6 +13,7 @@ from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_coun
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.refusals import Length, Point, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +128,11 @@ class DrawnFile:
     @property
     def left_out(self) -> str:
         """What was skipped, as one sentence; empty when nothing was."""
-        return f"left out, for they are no curves: {list_things(self.skipped)}" if self.skipped else ""
+        return (
+            note("left out, for they are no curves: {things}", things=list_things(self.skipped))
+            if self.skipped
+            else ""
+        )
 
     @property
     def bad(self) -> tuple[DrawnCurve, ...]:
@@ -207,7 +212,10 @@ class CurveList(list[PlaneCurve]):
     @property
     def notes(self) -> tuple[str, ...]:
         """What the reader left out, one sentence each."""
-        bad = [f"{one.called} is left out: {one.problem}" for one in self.file.bad]
+        bad = [
+            note("{called} is left out: {problem}", called=one.called, problem=one.problem)
+            for one in self.file.bad
+        ]
         return (*(text for text in (self.file.size, self.file.left_out) if text), *self.file.gaps, *bad)
 
 
@@ -260,12 +268,11 @@ def collect_curves(
         DrawnCurve(number, partial(make, chain, drilled), source.name, source.layer)
         for number, (chain, drilled, source) in enumerate(zip(chains, holes, sources, strict=True), start=1)
     ]
-    gaps = tuple(
-        f"{curves[i].called} and {curves[j].called} end {apart:.2g} mm apart near "
-        f"({place[0]:.4g}, {place[1]:.4g}) mm and are two strips: close the gap in the drawing where they are "
-        "meant to be one"
-        for apart, i, j, place in near_ends(chains, tolerance)[:_SHOWN]
-    )
+    gaps = tuple(note(
+        "{one} and {other} end {apart:.2g} apart near {place} and are two strips: close the gap in the "
+        "drawing where they are meant to be one",
+        one=curves[i].called, other=curves[j].called, apart=Length(apart), place=Point(place),
+    )for apart, i, j, place in near_ends(chains, tolerance)[:_SHOWN])  # fmt: skip
     return DrawnFile(path, curves, dict(sorted(skipped.items())), gaps=gaps)
 
 

@@ -12,7 +12,7 @@ from elastica_cad.formats.curve_files.chains import curve_from_run, holes_on_cha
 from elastica_cad.formats.curve_files.edges import Edge, Run
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Point, note
 
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
@@ -151,22 +151,25 @@ def _why_not_one(runs: Sequence[Run]) -> str:
     between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)  # run, its end; other run, its end
     between[np.arange(len(runs)), :, np.arange(len(runs))] = np.inf
     run, side = np.unravel_index(between.argmin(), between.shape)[:2]
-    gap, (x, y, z) = between.min(), ends[run, side]
-    where = f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
+    gap, place = between.min(), Point(ends[run, side])
     if gap <= JOIN:
-        return (
-            f"three edges or more meet at {where}: a strip goes on in one way, so give only the edges that it is "
-            "to follow"
+        return note(
+            "three edges or more meet at {place}: a strip goes on in one way, so give only the "
+            "edges that it is to follow",
+            place=place,
         )
     if gap <= MEANT * np.ptp(np.concatenate([edge.points for one in runs for edge in one]), axis=0).max():
-        return (
-            f"two edges end {gap:.3g} mm apart at {where}: make their ends meet there, in a sketch by a coincident "
-            "constraint"
+        return note(
+            "two edges end {gap} apart at {place}: make their ends meet there, in a sketch by a "
+            "coincident constraint",
+            gap=Length(gap),
+            place=place,
         )
-    return (
-        f"the edges make {len(runs)} separate chains, the nearest {gap:.3g} mm apart at {where}: make their ends "
-        "meet, or leave out what the strip is not to follow, in a sketch as construction geometry"
-    )
+    return note(
+        "the edges make {count} separate chains, the nearest {gap} apart at {place}: make their ends meet, "
+        "or leave out what the strip is not to follow, in a sketch as construction geometry",
+        count=len(runs), gap=Length(gap), place=place,
+    )  # fmt: skip
 
 
 def _within(run: Sequence[Edge], plane: Frame) -> Frame:

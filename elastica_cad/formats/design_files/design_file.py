@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from os import PathLike
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,23 +25,25 @@ from elastica_cad.errors import (
     quoted,
     toml_slip,
 )
+from elastica_cad.fabrication.interlocking.interlock import interlock
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES, TOP
-from elastica_cad.formats.design_files.keys.strip_keys import STRIP
 from elastica_cad.formats.design_files.kit_spec import KitSpec
-from elastica_cad.formats.design_files.model_tables import read_interlock, read_kit
-from elastica_cad.formats.design_files.strip_table import CurveReader, StripEntry, read_strip
-from elastica_cad.formats.design_files.tables import Slips, Table
+from elastica_cad.formats.design_files.model_tables import PATTERNS, DesignKeys, read_kit
+from elastica_cad.formats.design_files.records import CurveReader, Reader, names_of
+from elastica_cad.formats.design_files.revolution_table import INHERITED, RevolutionEntry, read_revolution
+from elastica_cad.formats.design_files.sections_table import read_sections
+from elastica_cad.formats.design_files.strip_table import StripEntry, StripKeys, read_strip
+from elastica_cad.formats.design_files.tables import Slips, Table, merged
 from elastica_cad.formats.file_access.source_file import read_below, require_below, require_file
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.refusals import note
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holders.plates import Ring
-    from elastica_cad.formats.design_files.revolution_table import RevolutionEntry
     from elastica_cad.formats.surface_files.mesh_files import SurfaceReader
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
@@ -74,7 +77,7 @@ class Design:
     interlock: dict[str, Any] | None = None
     kit: KitSpec = field(default_factory=KitSpec)
     reports: tuple[str, ...] = ()
-    revolution: "RevolutionEntry | None" = None
+    revolution: RevolutionEntry | None = None
 
     def with_limits_ignored(self) -> "Design":
         """The design with `ignore_limits` everywhere: parts that cannot be cut or handled are made, and told."""
@@ -131,7 +134,7 @@ class Design:
             placed, plates = [*surface.placed, *placed], surface.plates
         if failed and not placed:
             raise failed[0]
-        without = tuple(f"{said} This section is left out." for said in _in_words(failed))
+        without = tuple(note("{said} This section is left out.", said=said) for said in _in_words(failed))
         model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
@@ -154,6 +157,7 @@ def read_design(
     read_surface: "SurfaceReader | None" = None,
     *,
     below: Sequence[str | Path] = (),
+    changes: Mapping[str, Any] = MappingProxyType({}),
 ) -> Design:
     """A design file, every formula computed and every curve file read.
 
@@ -168,6 +172,8 @@ def read_design(
         `elastica_cad.files.read_surface`.
     below : sequence of path-like
         Folders from which it may read files, besides its own and the working folder.
+    changes : mapping
+        Values of the file's own keys that stand in place of those in it.
 
     Raises
     ------
@@ -178,7 +184,7 @@ def read_design(
     path = require_file(path)
     below = several("folders to read from", below, str | PathLike, "path")
     with read_below(path.parent, Path(), *below):
-        return design_of(parse_design(path), path, read_curves, read_surface)
+        return design_of(merged(parse_design(path), changes), path, read_curves, read_surface)
 
 
 def design_of(
@@ -196,26 +202,27 @@ def design_of(
     """
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
-        top.only(*TOP)
+        top.only(*names_of(DesignKeys))
     if data.get("schema") != DESIGN_SCHEMA:
-        slips.add(
-            f"{path}: schema is {quoted(data.get('schema'))}; this version reads schema = {DESIGN_SCHEMA}"
-        )
+        slips.add(note(
+            "{file}: schema is {schema}; this version reads schema = {known}",
+            file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
+        ))  # fmt: skip
     top.scope = top.within(data.get("let", {}))
-    sheets = _own_sheets(top, path)
+    reader = Reader(_own_sheets(top, path), path.parent, read_curves)
     revolution = None
     with slips.gathering():
-        revolution = _read_revolution(top, path.parent, sheets, read_curves)
-    entries, reports = _read_strips(top, path.parent, sheets, read_curves, read_surface, slips)
+        revolution = _read_revolution(top, reader)
+    entries, reports = _read_strips(top, reader, read_surface, slips)
     patterns: list[tuple[str, dict[str, Any]]] = []
     for table in top.tables("patterns"):
         with slips.gathering():
-            patterns.append(_pattern(table))
+            patterns.append(_pattern(table, reader))
     interlocked, kit = None, KitSpec()
     with slips.gathering():
-        interlocked = read_interlock(top.table("interlock")) if top.has("interlock") else None
+        interlocked = reader.given(interlock, top.table("interlock")) if top.has("interlock") else None
     with slips.gathering():
-        kit = read_kit(top, sheets)
+        kit = read_kit(top, reader)
     slips.tell()
     if not entries and revolution is None:
         raise InputError("{where_} has no strips: write at least one table [[strips]]", where_=top.where)
@@ -265,18 +272,13 @@ def parse_design(path: Path) -> dict[str, Any]:
         ) from error
 
 
-def _read_revolution(
-    top: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader
-) -> "RevolutionEntry | None":
+def _read_revolution(top: Table, reader: Reader) -> RevolutionEntry | None:
     """The surface of revolution, where the design has one; keys that it leaves out are those of the design."""
     if not top.has("revolution"):
         return None
-    from elastica_cad.formats.design_files.revolution_table import read_revolution
-
     table = top.table("revolution")
-    inherited = ("sheet", "thickness", "ends", "shop", "ignore_limits")
-    table.defaults = Table({key: top.raw(key) for key in inherited if top.has(key)}, top.where, top.scope)
-    return read_revolution(table, folder, sheets, read_curves)
+    table.defaults = Table({key: top.raw(key) for key in INHERITED if top.has(key)}, top.where, top.scope)
+    return read_revolution(table, reader)
 
 
 class _Sheets(dict[str, Sheet]):
@@ -305,12 +307,7 @@ def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
 
 
 def _read_strips(
-    top: Table,
-    folder: Path,
-    sheets: dict[str, Sheet],
-    read_curves: CurveReader,
-    read_surface: "SurfaceReader | None",
-    slips: Slips,
+    top: Table, reader: Reader, read_surface: "SurfaceReader | None", slips: Slips
 ) -> tuple[list[StripEntry], tuple[str, ...]]:
     """All strips in order, and what sections of meshes have to say; what is wrong goes to `slips`."""
     entries: list[StripEntry] = []
@@ -319,11 +316,9 @@ def _read_strips(
     for table in top.tables("strips"):
         sections: tuple[SectionCurve | None, ...] = ()
         with slips.gathering():
-            table.only(*STRIP)
+            table.only(*names_of(StripKeys))
             if table.has("sections"):
-                from elastica_cad.formats.design_files.sections_table import read_sections
-
-                sections, told = read_sections(_only_sections(table), folder, read_surface)
+                sections, told = read_sections(_only_sections(table), reader, read_surface)
                 reports += told
             else:
                 sections = (None,) * table.count("count", 1)
@@ -334,7 +329,7 @@ def _read_strips(
                 one.scope = one.within(table.data.get("let", {}))
                 label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
                 one.where = f"{where} ({label})"
-                entries.append(read_strip(one, label, folder, sheets, read_curves, section))
+                entries.append(read_strip(one, label, reader, section))
             except InputError as problem:
                 if section is None:
                     slips.add(str(problem), one.where)
@@ -342,7 +337,10 @@ def _read_strips(
                     failed.append(problem)
     if failed and not entries:
         raise failed[0]
-    return entries, (*reports, *(f"{problem} This section is left out." for problem in failed))
+    return entries, (
+        *reports,
+        *(note("{problem} This section is left out.", problem=problem) for problem in failed),
+    )
 
 
 def _only_sections(table: Table) -> Table:
@@ -353,7 +351,7 @@ def _only_sections(table: Table) -> Table:
     return table.table("sections")
 
 
-def _pattern(table: Table) -> tuple[str, dict[str, Any]]:
+def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
     """One of mirror, rotate and repeat."""
     table.only(*_PATTERNS)
     if len(table.data) != 1:
@@ -361,14 +359,7 @@ def _pattern(table: Table) -> tuple[str, dict[str, Any]]:
             "{where_} must hold one of {patterns}", where_=table.where, patterns=", ".join(_PATTERNS)
         )
     (kind,) = table.data
-    inner = table.table(kind).only(*MODEL_TABLES[kind])
-    if kind == "mirror":
-        point, normal = inner.vector("point", 3, (0.0, 0.0, 0.0)), inner.vector("normal", 3)
-        return kind, {"point": point, "normal": normal, "keep": inner.flag("keep", True)}
-    if kind == "repeat":
-        return kind, {"count": inner.count("count", 1), "step": inner.vector("step", 3)}
-    axis, point = inner.vector("axis", 3, (0.0, 0.0, 1.0)), inner.vector("point", 3, (0.0, 0.0, 0.0))
-    return kind, {"count": inner.count("count", 1), "axis": axis, "point": point, "step": inner.maybe("step")}
+    return kind, reader.given(PATTERNS[kind], table.table(kind))
 
 
 SAME_DIGITS = 11

@@ -11,6 +11,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.refusals import note
 
 Value: TypeAlias = "float | FloatArray"
 
@@ -133,8 +134,16 @@ class Formula:
 
     def _unknown(self, kind: str, node: ast.Name, known: Mapping[str, object]) -> str:
         near = get_close_matches(node.id, known, n=1)
-        hint = f"did you mean {near[0]}?" if near else f"known are {', '.join(sorted(known))}"
-        return f"{self.where}: unknown {kind} {node.id!r} at letter {node.col_offset + 1} of {self.text!r}; {hint}"
+        hint = (
+            note("did you mean {near}?", near=near[0])
+            if near
+            else note("known are {names}", names=", ".join(sorted(known)))
+        )
+        return note(
+            "{place}: unknown {thing} {name!r} at letter {letter} of {formula!r}; {hint}",
+            place=self.where, thing=kind, name=node.id, letter=node.col_offset + 1, formula=self.text,
+            hint=hint,
+        )  # fmt: skip
 
 
 _Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]

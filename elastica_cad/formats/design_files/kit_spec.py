@@ -3,12 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.placed_strip import strip_names
+from elastica_cad.formats.drawing_files.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.material.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -23,19 +25,41 @@ if TYPE_CHECKING:
 class Nesting:
     """Sheets that pieces are laid on: (width, height) and least distance, mm."""
 
-    sheet_size: tuple[float, float] = (600.0, 400.0)
-    margin: float = 2.0
+    sheet_size: Annotated[tuple[float, float], Asked("Width and height of the sheets.", "mm", least=0)] = (
+        600.0,
+        400.0,
+    )
+    margin: Annotated[float, Asked("Least distance between parts.", "mm", least=0)] = 2.0
 
 
 @dataclass(frozen=True)
 class Cutting:
     """How cutting files are written: `kerf` in mm, or None for each sheet's own; no `holding` tabs for None."""
 
-    kerf: float | None = 0.0
-    curves: str = "spline"
-    tolerance: float = 0.02
-    version: str = "R2010"
-    holding: HoldingTabs | None = None
+    kerf: Annotated[
+        float | None,
+        Asked(
+            "Width that the laser burns away; the word sheet takes that of the sheet.",
+            "mm",
+            least=0,
+            group="files",
+            common=True,
+            written=float | Literal["sheet"],
+        ),
+    ] = 0.0
+    curves: Annotated[
+        str,
+        Asked(
+            "What curved edges are written as.", group="files", written=Literal["spline", "arc", "polyline"]
+        ),
+    ] = "spline"
+    tolerance: Annotated[
+        float, Asked("Largest error of arcs and polylines.", "mm", least=0, group="files")
+    ] = 0.02
+    version: Annotated[str, Asked("Version of the DXF files.", group="files", written=DxfVersion)] = "R2010"
+    holding: Annotated[
+        HoldingTabs | None, Asked("Bridges that hold the parts in the sheet.", group="files")
+    ] = None
 
     def options(self, sheet: Sheet) -> dict[str, Any]:
         """Options of `save` for what is cut of a sheet.

@@ -1,51 +1,186 @@
-"""What a design file says about all that goes with its strips: joints, base, fixtures, sheets, cutting."""
+"""Tables that say what goes with the strips of a model: patterns, base, frame, fixtures, sheets, cutting."""
 
-from collections.abc import Iterator
-from typing import Any, get_args
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs
-from elastica_cad.fabrication.strip.outline import ENDS
-from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES
-from elastica_cad.formats.design_files.keys.values import NUMBER
+from elastica_cad.declared import Asked, Field, Record
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.plate_pairs import end_plates
+from elastica_cad.fabrication.holders.plates import base_plate
+from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
+from elastica_cad.fabrication.interlocking.interlock import interlock as slots_at_crossings
+from elastica_cad.fabrication.model.strip_model import mirror, repeat, rotate
+from elastica_cad.fabrication.strip.outline import StripEnd
 from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec, Nesting
-from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop
+from elastica_cad.formats.design_files.records import Reader, fields_of
+from elastica_cad.formats.design_files.revolution_table import RevolutionKeys
+from elastica_cad.formats.design_files.strip_table import SharedKeys, StripKeys
 from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet_library import sheet_keys
+
+Pair: TypeAlias = tuple[float, float]
+Names: TypeAlias = str | tuple[str, ...]
 
 
-def read_interlock(table: Table) -> dict[str, Any]:
-    """Options of `Model.interlock`."""
-    table.only(*MODEL_TABLES["interlock"])
-    options: dict[str, Any] = {"clearance": table.number("clearance", 0.1)}
-    options["fit"] = table.text("fit", "exact", ("exact", "paper"))
-    options["relief"] = table.text("relief", "square", ("square", "round"))
-    return options | ({"above": table.vector("above", 3)} if table.has("above") else {})
+@dataclass(frozen=True)
+class OwnSheet:
+    """A sheet that a design brings along: the fields of `Sheet`, by keys that say their unit."""
+
+    FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(sheet_keys)
 
 
-def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
-    """All that goes with the strips, from the whole design."""
-    nesting = _read_nesting(top.table("nest").only(*MODEL_TABLES["nest"]), Nesting())
-    extras = top.table("extras").only(*MODEL_TABLES["extras"])
-    return KitSpec(
-        nesting=nesting,
-        cutting=_read_cutting(top.table("cut")),
-        holders=tuple(_read_holders(top, sheets, nesting)),
-        coupon=extras.flag("coupon"),
-        reference_bar=extras.maybe("reference_bar"),
-        shop=read_shop(top.table("shop")),
-        ignore_limits=top.flag("ignore_limits"),
+@dataclass(frozen=True)
+class _Holder:
+    strips: Annotated[Names, Asked('Labels of the strips that it holds; "A*" for all that begin so.')] = "*"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stand(_Holder):
+    """The simplest of the other holders that holds all tabs."""
+
+    sheet: Annotated[Sheet, Asked("Sheet of the plates.")]
+    thickness: Annotated[
+        float | None, Asked("Thickness of that sheet, where it is another than its own.", "mm", least=0)
+    ] = None
+    sheet_size: Annotated[Pair | None, Asked("Sheets that plates are cut from.", "mm", least=0)] = None
+    margin: Annotated[float | None, Asked("Least distance between parts on these sheets.", "mm", least=0)] = (
+        None
     )
 
 
-HOLDERS: tuple[HolderKind, ...] = get_args(HolderKind)
+@dataclass(frozen=True, kw_only=True)
+class _Plates(Stand):
+    feet: Annotated[
+        float | None, Asked("Small plates of this size glued beside inclined tabs.", "mm", least=0)
+    ] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Base(_Plates):
+    """A plate with a slot for every tab."""
+
+    BESIDE: ClassVar[Record] = base_plate
+    height: Annotated[float, Asked("Height of its upper face.", "mm")] = 0.0
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rings(_Plates):
+    """A plate for each end."""
+
+    BESIDE: ClassVar[Record] = end_plates
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrameOfPlates(_Plates):
+    """Two rails with ribs between."""
+
+    BESIDE: ClassVar[Record] = slotted_frame
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fixtures(_Holder):
+    """Printed blocks."""
+
+    BESIDE: ClassVar[Record] = EndFixture
+    floor: Annotated[float | None, Asked("Height that the blocks stand on.", "mm")] = None
+    ends: Annotated[StripEnd | None, Asked("Which tabs; all unless given.")] = None
+
+
+HOLDERS: dict[HolderKind, Record] = {
+    "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": Stand,
+}  # fmt: skip
 """In the order in which kits hold them."""
 
-_NO_SIZES = ("thickness", "height", "floor", "margin")  # numbers of a holder that its maker does not take
+
+@dataclass(frozen=True)
+class MirrorPattern:
+    """A pattern."""
+
+    mirror: Annotated[Any, Asked("A mirror image.", written=mirror)]
 
 
-def _read_holders(top: Table, sheets: dict[str, Sheet], nesting: Nesting) -> Iterator[HolderSpec]:
+@dataclass(frozen=True)
+class RotatePattern:
+    """A pattern."""
+
+    rotate: Annotated[Any, Asked("Copies about an axis.", written=rotate)]
+
+
+@dataclass(frozen=True)
+class RepeatPattern:
+    """A pattern."""
+
+    repeat: Annotated[Any, Asked("Copies in a row.", written=repeat)]
+
+
+PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
+"""What the tables of patterns give the options of."""
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What is cut besides."""
+
+    coupon: Annotated[bool, Asked("A coupon of every sheet.")] = False
+    reference_bar: Annotated[
+        float | None, Asked("Length of a bar to check the scale of the machine with.", "mm", least=0)
+    ] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignKeys(SharedKeys):
+    """All keys of a design file."""
+
+    schema: Annotated[Literal[1], Asked("1: which version of these keys the file is written for.")]
+    name: Annotated[str | None, Asked("Name of the model, and of its files.")] = None
+    let: Annotated[dict[str, float] | None, Asked("Names for formulae: each may use those before it.")] = None
+    sheets: Annotated[dict[str, OwnSheet] | None, Asked("Sheets of your own, [sheets.NAME].")] = None
+    sheets_file: Annotated[str | None, Asked("A file with sheets of your own.")] = None
+    strips: Annotated[tuple[StripKeys, ...], Asked("One or several strips each.")] = ()
+    revolution: Annotated[RevolutionKeys | None, Asked("A surface about z, tiled by equal strips.")] = None
+    patterns: Annotated[
+        tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
+    ] = ()
+    interlock: Annotated[Any, Asked("Slots wherever two strips cross.", written=slots_at_crossings)] = None
+    base: Annotated[Any, Asked("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
+    rings: Annotated[Any, Asked("A plate for each end.", written=Rings | tuple[Rings, ...])] = None
+    frame: Annotated[
+        Any, Asked("Two rails with ribs between.", written=FrameOfPlates | tuple[FrameOfPlates, ...])
+    ] = None
+    fixtures: Annotated[Any, Asked("Printed blocks.", written=Fixtures | tuple[Fixtures, ...])] = None
+    stand: Annotated[
+        Any, Asked("The simplest of these that holds all tabs.", written=Stand | tuple[Stand, ...])
+    ] = None
+    nest: Annotated[Nesting | None, Asked("The sheets that parts are laid on.")] = None
+    cut: Annotated[Cutting | None, Asked("How cutting files are written.")] = None
+    extras: Annotated[Extras | None, Asked("What is cut besides.")] = None
+
+
+def read_kit(top: Table, reader: Reader) -> KitSpec:
+    """All that goes with the strips, from the whole design."""
+    known = {one.name: one for one in fields_of(DesignKeys)}
+
+    def given(key: str) -> dict[str, Any]:
+        return {key: reader.value(known[key].kind, top, key)} if top.has(key) else {}
+
+    nesting = given("nest").get("nest", Nesting())
+    extras = given("extras").get("extras", Extras())
+    return KitSpec(
+        nesting=nesting,
+        cutting=given("cut").get("cut", Cutting()),
+        holders=tuple(_read_holders(top, reader, nesting)),
+        coupon=extras.coupon,
+        reference_bar=extras.reference_bar,
+        **given("shop"),
+        **given("ignore_limits"),
+    )
+
+
+def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[HolderSpec]:
     """Base plates, rings, frames, fixtures: one table of each, or a list of them."""
     for kind in HOLDERS:
         if isinstance(top.raw(kind), list):
@@ -53,65 +188,28 @@ def _read_holders(top: Table, sheets: dict[str, Sheet], nesting: Nesting) -> Ite
         else:
             tables = [top.table(kind)] if top.has(kind) else []
         for number, table in enumerate(tables, start=1):
-            yield _read_holder(kind, table, number if len(tables) > 1 else 0, sheets, nesting)
+            yield _read_holder(kind, table, number if len(tables) > 1 else 0, reader, nesting)
 
 
-def _read_holder(
-    kind: HolderKind, table: Table, number: int, sheets: dict[str, Sheet], nesting: Nesting
-) -> HolderSpec:
+def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
     """One of them; those of a list have numbers in their names unless they bring their own."""
-    keys = MODEL_TABLES[kind]
-    table.only(*keys)
-    sizes = (key for key, (value, _) in keys.items() if value is NUMBER and key not in _NO_SIZES)
-    options: dict[str, Any] = {**table.numbers(*sizes)}
-    if "name" in keys and (number or table.has("name")):
-        options["name"] = table.text("name", f"{kind.removesuffix('s')}-{number}")
-    if table.has("ends"):
-        options["ends"] = (table.text("ends", choices=ENDS),)
-    if table.has("shape"):
-        options["shape"] = table.text("shape", choices=("hull", "rectangle", "ring"))
+    options = reader.given(HOLDERS[kind], table)
+    options.pop("thickness", None)  # the sheet is read with it
+    strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)
+    laid = {key: options.pop(key) for key in ("sheet_size", "margin") if key in options}
+    if number and kind in ("base", "rings"):
+        options.setdefault("name", f"{kind.removesuffix('s')}-{number}")
+    if "ends" in options:
+        options["ends"] = (options["ends"],)
     if kind == "base":
-        options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
-    if kind == "frame":
-        options["ribs"] = table.count("ribs", 3)
-    if table.has("floor"):
-        options["floor"] = Frame((0.0, 0.0, table.number("floor")))
+        options["frame"] = Frame((0.0, 0.0, options.pop("height", 0.0)))
+    if "floor" in options:
+        options["floor"] = Frame((0.0, 0.0, options["floor"]))
     return HolderSpec(
         kind,
-        find_sheet(table, "sheet", sheets) if "sheet" in keys else None,
+        sheet,
         options,
-        _read_nesting(table, nesting),
-        table.texts("strips", ("*",)),
+        replace(nesting, **laid),
+        (strips,) if isinstance(strips, str) else strips,
         table.where,
     )
-
-
-def _read_nesting(table: Table, usual: Nesting) -> Nesting:
-    """The sheets that pieces are laid on."""
-    width, height = table.vector("sheet_size", 2, usual.sheet_size)
-    return Nesting((width, height), table.number("margin", usual.margin))
-
-
-def _read_cutting(table: Table) -> Cutting:
-    """How cutting files are written."""
-    table.only(*MODEL_TABLES["cut"])
-    of_sheet = table.raw("kerf") == "sheet"
-    return Cutting(
-        kerf=None if of_sheet else table.number("kerf", 0.0),
-        curves=table.text("curves", "spline", ("spline", "arc", "polyline")),
-        tolerance=table.number("tolerance", 0.02),
-        version=table.text("version", "R2010", DXF_VERSIONS),
-        holding=_holding(table.table("holding")) if table.has("holding") else None,
-    )
-
-
-def _holding(table: Table) -> HoldingTabs:
-    table.only(*MODEL_TABLES["holding"])
-    usual = HoldingTabs()
-    with table.naming():
-        return HoldingTabs(
-            table.number("width", usual.width),
-            table.number("spacing", usual.spacing),
-            table.count("least", usual.least),
-            table.flag("inner"),
-        )

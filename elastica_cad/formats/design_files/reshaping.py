@@ -1,17 +1,23 @@
 """Four handles that curves are reshaped by: the corners of their box, or any four points."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
-from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
-from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.refusals import Length
+
+Point: TypeAlias = tuple[float, float]
+Handles: TypeAlias = tuple[Point, Point, Point, Point]
+
+_TO = "New place"
 
 CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 """Handles of the box around the drawn curves, by name."""
@@ -55,25 +61,45 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
     return four_point_map(before, after)
 
 
-def reshape_curve(curve: PlaneCurve, table: Table) -> PlaneCurve:
-    """The curve as a table of a design file reshapes it: corners by name, or `handles` and where they go, `to`.
+@dataclass(frozen=True)
+class Reshape:
+    """How a curve is pulled by handles: corners of its box by name, or `handles` and where they go, `to`.
 
     Raises
     ------
     InputError
-        Both kinds of handles, handles that make no map, or a curve sent through infinity; the place is named.
+        Both kinds of handles, or one without the other.
     """
-    table.only(*STRIP_TABLES["reshape"])
-    own = [key for key in ("handles", "to") if table.has(key)]
-    corners = {name: table.vector(name, 2) for name in CORNERS if table.has(name)}
-    if bool(own) == bool(corners) or len(own) == 1:
-        raise InputError(
-            "{where_} must hold corners of the curve's box with their new places ({corners}), or "
-            "four points as handles and four as to",
-            where_=table.where,
-            corners=", ".join(CORNERS),
-        )
-    with table.naming():
-        if corners:
-            return curve.transformed(map_corners([curve], corners))
-        return curve.transformed(four_point_map(*(table.points(key, 2, 4) for key in own)))
+
+    bottom_left: Annotated[Point | None, Asked(f"{_TO} of the lower left corner of its box.", "mm")] = None
+    bottom_right: Annotated[Point | None, Asked(f"{_TO} of the lower right corner.", "mm")] = None
+    top_right: Annotated[Point | None, Asked(f"{_TO} of the upper right corner.", "mm")] = None
+    top_left: Annotated[Point | None, Asked(f"{_TO} of the upper left corner.", "mm")] = None
+    handles: Annotated[Handles | None, Asked("In place of corners: four points.", "mm")] = None
+    to: Annotated[Handles | None, Asked("Where the handles go.", "mm")] = None
+
+    def __post_init__(self) -> None:
+        own = [one for one in (self.handles, self.to) if one is not None]
+        if bool(own) == bool(self.corners) or len(own) == 1:
+            raise InputError(
+                "reshape must hold corners of the curve's box with their new places ({corners}), or four points "
+                "as handles and four as to",
+                corners=", ".join(CORNERS),
+            )
+
+    @property
+    def corners(self) -> dict[str, Point]:
+        """New places of the corners that are named."""
+        return {name: place for name in CORNERS if (place := getattr(self, name)) is not None}
+
+    def of(self, curve: PlaneCurve) -> PlaneCurve:
+        """The curve as it is pulled.
+
+        Raises
+        ------
+        InputError
+            Handles that make no map, or a curve sent through infinity.
+        """
+        if self.handles is not None and self.to is not None:
+            return curve.transformed(four_point_map(self.handles, self.to))
+        return curve.transformed(map_corners([curve], self.corners))

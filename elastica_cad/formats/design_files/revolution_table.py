@@ -1,25 +1,88 @@
 """What a design file says about a surface of revolution: its meridian, and the strips and rings it is made of."""
 
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES
-from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop, read_tabs
-from elastica_cad.formats.design_files.strip_table import CurveReader, read_drawn_curve
+from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
+from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.revolution.meridian import Meridian, meridian, meridian_through
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, note
+
+Pair: TypeAlias = tuple[float, float]
 
 NEAR_MM = 1e-3
 """A meridian this near to its points passes them: no cut is as exact."""
 
+
+@dataclass(frozen=True)
+class RevolutionKeys:
+    """All keys of the table of a surface of revolution."""
+
+    sheet: Annotated[Sheet, Asked("Sheet of the strips.")]
+    points: Annotated[
+        tuple[Pair, ...], Asked("[distance from the axis, height] of places on the meridian.", "mm")
+    ] = ()
+    curve: Annotated[
+        PlaneCurve | None, Asked("In place of points: a profile that the meridian comes near to.")
+    ] = None
+    a: Annotated[
+        float | None, Asked("In place of points: moment at the origin over stiffness and distance.")
+    ] = None
+    b: Annotated[Pair | None, Asked("Change of that along the meridian.", "1/mm")] = None
+    start: Annotated[Pair | None, Asked("Where the meridian begins.", "mm")] = None
+    angle: Annotated[float | None, Asked("Angle of its tangent there.", "rad")] = None
+    length: Annotated[float | None, Asked("Length of the meridian.", "mm", least=0)] = None
+    ring: Annotated[float | None, Asked("It ends at this distance from the axis.", "mm", least=0)] = None
+    strips: Annotated[int, Asked("So many strips.", least=3)] = 16
+    thickness: Annotated[
+        float | None, Asked("Thickness of the sheet, where it is another than its own.", "mm", least=0)
+    ] = None
+    rings: Annotated[Sheet | None, Asked("Sheet of the rings at both ends.")] = None
+    gap: Annotated[float | None, Asked("Two rings at either end, so far apart.", "mm", least=0)] = None
+    ends: Annotated[
+        tuple[Tab, Tab] | None,
+        Asked("Tab of both ends, or the two of start and end.", written=Tab | tuple[Tab, Tab]),
+    ] = None
+    shop: Annotated[Shop, Asked("What the workshop can make.")] = DEFAULT_SHOP
+    ignore_limits: Annotated[bool, Asked("Make strips that cannot be cut or handled, and say so.")] = False
+
+    @property
+    def meridian(self) -> Meridian:
+        """The meridian, by the one way in which it is told.
+
+        Raises
+        ------
+        InputError
+            It is told in two ways or none, or cannot be.
+        """
+        ways = [way for way in ("points", "curve", "a") if getattr(self, way) not in (None, ())]
+        if len(ways) != 1:
+            raise InputError(
+                "revolution must hold one of points, curve, or {own_keys}: what the meridian is to be",
+                own_keys=", ".join(OWN_KEYS),
+            )
+        if self.curve is not None or self.points:
+            return meridian_through(self.curve or list(self.points), ring=self.ring)
+        given: Any = [getattr(self, key) for key in OWN_KEYS]
+        missing = [key for key in OWN_KEYS if getattr(self, key) is None]
+        if missing:
+            raise InputError("{key} is missing; give it a number or a formula in quotes", key=missing[0])
+        return meridian(*given, ring=self.ring)
+
+
 OWN_KEYS = ("a", "b", "start", "angle", "length")
+"""What says a meridian by its equation."""
+
+INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
+"""Keys that it has of the design, unless it has its own."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,13 +142,14 @@ class RevolutionEntry:
         if off <= NEAR_MM:
             return ()
         return (
-            f"the meridian is {off:.3g} mm off its points at most: no meridian that strips can tile is nearer",
+            note(
+                "the meridian is {far} off its points at most: no meridian that strips can tile is nearer",
+                far=Length(off),
+            ),
         )
 
 
-def read_revolution(
-    table: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader
-) -> RevolutionEntry:
+def read_revolution(table: Table, reader: Reader) -> RevolutionEntry:
     """What the table `revolution` asks for.
 
     Raises
@@ -93,34 +157,13 @@ def read_revolution(
     InputError
         Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
     """
-    table.only(*MODEL_TABLES["revolution"])
-    ring = table.maybe("ring")
-    ways = [way for way in ("points", "curve", "a") if table.has(way)]
-    if len(ways) != 1:
-        raise InputError(
-            "{where_} must hold one of points, curve, or {own_keys}: what the meridian is to be",
-            where_=table.where,
-            own_keys=", ".join(OWN_KEYS),
-        )
+    asked: RevolutionKeys = reader.record(RevolutionKeys, table)
     try:
         with table.naming():
-            if ways[0] == "a":
-                b, start = table.vector("b", 2), table.vector("start", 2)
-                numbers: Any = (table.number("angle"), table.number("length"))
-                line = meridian(table.number("a"), b, start, *numbers, ring=ring)
-            elif ways[0] == "points":
-                line = meridian_through(table.points("points", 2), ring=ring)
-            else:
-                line = meridian_through(read_drawn_curve(table, folder, read_curves), ring=ring)
+            line = asked.meridian
+            ends = None if asked.ends is None else pair_of_tabs(asked.ends)
     except NotConvergedError as problem:
         raise NotConvergedError("{where_}: {problem}", where_=table.where, problem=problem) from problem
     return RevolutionEntry(
-        line,
-        table.count("strips", 16),
-        find_sheet(table, "sheet", sheets),
-        read_tabs(table) if table.has("ends") else None,
-        find_sheet(table, "rings", sheets) if table.has("rings") else None,
-        table.maybe("gap"),
-        read_shop(table.table("shop")),
-        table.flag("ignore_limits"),
+        line, asked.strips, asked.sheet, ends, asked.rings, asked.gap, asked.shop, asked.ignore_limits
     )

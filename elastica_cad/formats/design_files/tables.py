@@ -7,6 +7,7 @@ from typing import Any
 from elastica_cad.errors import RENAMED, InputError, near_names, quoted
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.formulae import Formula, Value
+from elastica_cad.refusals import Refusal, note, sentences
 
 MOST = 10_000
 """Of anything that a file asks for a number of: strips, sections, repeats."""
@@ -54,6 +55,15 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
     return float(value)
 
 
+def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
+    """A table with the values of another in it, tables inside each other too."""
+    found = dict(table)
+    for key, value in others.items():
+        inner = found.get(key)
+        found[key] = merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
+    return found
+
+
 class Slips:
     """What is wrong with a file, gathered from its parts so that all of it is told at once."""
 
@@ -82,9 +92,10 @@ class Slips:
             told.append(sentence)
         told = told or [""]
         if (left := len(self._said) - len(told)) > 0:
-            told.append(f"{left} more; mend these first")
+            told.append(note("{left} more; mend these first", left=left))
         *others, last = told
-        return " Also: ".join((*(one if one.endswith((".", "?")) else f"{one}." for one in others), last))
+        ended = (one if one.endswith((".", "?")) else sentences([one], end=".") for one in others)
+        return sentences([*ended, last], " Also: ")
 
     def tell(self) -> None:
         """Raise InputError with all of them, if there are any."""
@@ -124,18 +135,28 @@ class Table:
         slips = Slips()
         for key in self.data:
             if RENAMED.get(key) in keys:
-                slips.add(f"{self.where}: {key!r} is now called {RENAMED[key]}")
+                slips.add(note(
+                    "{place}: {key!r} is now called {near}",
+                    place=self.where, key=key, near=RENAMED[key],
+                ))  # fmt: skip
             elif key not in keys:
                 meant = OTHER_WORDS.get(key.lower())
                 near = [meant] if meant in keys else near_names(key.lower(), keys, cutoff=0.5)
-                hint = f"did you mean {near[0]}?" if near else f"known keys are {', '.join(sorted(keys))}"
-                slips.add(f"{self.where}: unknown key {key[:LONGEST_KEY]!r}; {hint}")
+                hint = (
+                    note("did you mean {near}?", near=near[0])
+                    if near
+                    else note("known keys are {keys}", keys=", ".join(sorted(keys)))
+                )
+                slips.add(note(
+                    "{place}: unknown key {key!r}; {hint}",
+                    place=self.where, key=key[:LONGEST_KEY], hint=hint,
+                ))  # fmt: skip
         slips.tell()
         return self
 
     def place(self, key: str) -> str:
         """How messages call a value."""
-        return f"{self.where}: {key}"
+        return f"{self.where}: {key}" if self.where else key
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
@@ -144,8 +165,12 @@ class Table:
             yield
         except InputError as error:
             where = self.where if key is None else self.place(key)
-            text = str(error)
-            raise InputError(text if text.startswith(self.where) else f"{where}: {text}") from error
+            why = error.refusal
+            if where and not why.startswith(self.where or where):
+                why = Refusal(
+                    why.kind, "{place}: {why}", {"place": where, "why": why}, why.where, why.changes
+                )
+            raise InputError(why, kind=why.kind) from error
 
     def raw(self, key: str, default: Any = None) -> Any:
         """The value as parsed, here or in the defaults."""

@@ -1,13 +1,12 @@
 """A design file for strips along sections, written down so that it can be changed and made again."""
 
-import json
-import re
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from elastica_cad.errors import InputError
+from elastica_cad.formats.design_files.toml_text import toml_text
 from elastica_cad.forming.plane_sections.section_spec import (
     AlongPath,
     CornerSplit,
@@ -55,12 +54,8 @@ def compose_section_design(
     <BLANKLINE>
     """
     head = {"schema": 1, "name": name, **strips}
-    parts = [head, {"label": "S{i}"}, {**mesh, **_section_keys(sections)}]
-    titles = ["", "\n[[strips]]\n", "\n[strips.sections]\n"]
-    return "".join(
-        title + "".join(f"{_key(key)} = {_value(value)}\n" for key, value in part.items())
-        for title, part in zip(titles, parts, strict=True)
-    )
+    sections_of = {**mesh, **_section_keys(sections)}
+    return toml_text({**head, "strips": [{"label": "S{i}", "sections": sections_of}]})
 
 
 def _section_keys(spec: SectionSpec) -> dict[str, Any]:
@@ -89,7 +84,7 @@ def _section_keys(spec: SectionSpec) -> dict[str, Any]:
 def _split_keys(split: Split) -> dict[str, Any]:
     match split:
         case CornerSplit():
-            return {"corners": _degrees(split.turn)}
+            return {"corners": _degrees(split.corners)}
         case PointSplit():
             return {"points": np.asarray(split.points).tolist()}
         case PlaneSplit():
@@ -100,16 +95,3 @@ def _split_keys(split: Split) -> dict[str, Any]:
 def _degrees(angle: float) -> str:
     """An angle, rad, as people write it."""
     return f"{float(np.round(np.degrees(angle), ANGLE_DIGITS))!r} * degrees"
-
-
-def _key(key: str) -> str:
-    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
-
-
-def _value(value: Any) -> str:
-    """A value as TOML writes it: JSON's words for all but tables."""
-    if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_key(key)} = {_value(one)}" for key, one in value.items()) + " }"
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(_value(one) for one in value) + "]"
-    return json.dumps(value, ensure_ascii=False)

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from importlib import import_module
 from math import degrees, pi
 from threading import Lock
-from typing import Any
+from typing import Any, Literal, TypeAlias, get_args
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
@@ -25,7 +25,8 @@ from elastica_cad.formats.drawing_files.drawing_style import (
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, trim_segment
 
-DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
+DxfVersion: TypeAlias = Literal["R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018"]
+DXF_VERSIONS: tuple[DxfVersion, ...] = get_args(DxfVersion)
 
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
 _OPTIONS = Lock()

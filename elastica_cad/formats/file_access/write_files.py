@@ -54,6 +54,7 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
             "{path} exists already: choose another name, or allow it to be overwritten (--force, "
             "or force=True)",
             path=path,
+            kind="exists",
         )
     if target.exists() and not os.access(target, os.W_OK):
         raise InputError(

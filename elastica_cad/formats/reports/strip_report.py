@@ -16,6 +16,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.refusals import Length, note
 
 STATIONS = 201
 """At which the curvature of a blank is listed, uniform in arc length; an even one is told at both ends."""
@@ -51,15 +52,24 @@ def tell_blank(strip: Strip) -> str:
         return ""
     even = np.ptp(rest) == 0
     at = int(np.argmax(np.abs(rod.curvature if even else rest)))
-    radius = f"a radius of {1 / abs(rest[at]):.4g} mm"
-    place = f"at {rod.s[at]:.1f} mm"
-    where = f"{radius} all along" if even else f"{radius} {place}, its sharpest"
-    way = "the way" if rest[at] * rod.curvature[at] > 0 else "the other way than"
-    more = "" if even else "; `blank` in the report has its curvature along the strip"
-    return (
-        f"bend it beforehand to {where}, {way} it stands bent {place if even else 'there'}: its widths count on "
-        f"that{more}"
+    same = rest[at] * rod.curvature[at] > 0
+    ways = (
+        (
+            "bend it beforehand to a radius of {radius} all along, the way it stands bent {s} from its "
+            "start: its widths count on that",
+            "bend it beforehand to a radius of {radius} all along, the other way than it stands bent {s} "
+            "from its start: its widths count on that",
+        )
+        if even
+        else (
+            "bend it beforehand to a radius of {radius} {s} from its start, its sharpest, the way it stands "
+            "bent there: its widths count on that; `blank` in the report has its curvature along the strip",
+            "bend it beforehand to a radius of {radius} {s} from its start, its sharpest, the other way "
+            "than it stands bent there: its widths count on that; `blank` in the report has its curvature "
+            "along the strip",
+        )
     )
+    return note(ways[0 if same else 1], radius=Length(1 / abs(rest[at])), s=Length(rod.s[at]))
 
 
 def report_check(check: EquilibriumCheck) -> dict[str, Any]:

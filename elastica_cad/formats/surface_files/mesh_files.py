@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError, MissingDependencyError, how_to_insta
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, quiet_log, require_file
 from elastica_cad.forming.plane_sections.mesh_sections import Mesh, mesh_sections
 from elastica_cad.forming.plane_sections.section_spec import Surface
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
 
@@ -93,10 +93,11 @@ def _asking(size: float) -> str:
     likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
     hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
     unit = likely[-1] if likely else "m"
-    return (
-        f"measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its unit: "
-        f'give it, --unit {unit} or unit = "{unit}"{hint}, or mm where that is right'
-    )
+    return note(
+        "measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its "
+        'unit: give it, --unit {unit} or unit = "{unit}"{hint}, or mm where that is right',
+        size=size, unit=unit, hint=hint,
+    )  # fmt: skip
 
 
 LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6

@@ -16,6 +16,7 @@ from elastica_cad.geometry.curves.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import Length, note, sentences
 
 if TYPE_CHECKING:
     from elastica_cad.forming.nearest.nearest_task import Measure, SearchPoint
@@ -215,12 +216,12 @@ class NearestRod:
     def verdict(self) -> str:
         """How the search ended and how far the rod is from the drawn curve, without advice."""
         if self.found is None:
-            return f"{self.status.value} {self.message}"
-        far = f"The rod leaves the drawn curve by {self.deviation:.3g} mm at most."
-        return f"{self.status.value} {far}"
+            return sentences([note(self.status.value), self.message], " ")
+        far = note("The rod leaves the drawn curve by {far} at most.", far=Length(self.deviation))
+        return sentences([note(self.status.value), far], " ")
 
     def __str__(self) -> str:
-        return " ".join((self.verdict, *self.advice))
+        return sentences((self.verdict, *self.advice), " ")
 
 
 _MOST_CHANGES = 4  # things that bind, each solved again; more supports than that are no help either
@@ -259,9 +260,10 @@ def advise(near: NearestRod) -> Iterator[str]:
     if near.found is None:
         return
     if near.ties:
-        yield (
-            f"Rods of another shape are as near, but for 2 % ({len(near.ties)} of them): look at `ties`, and draw "
-            "the curve closer to the one you mean."
+        yield note(
+            "Rods of another shape are as near, but for 2 % ({count} of them): look at `ties`, and draw the "
+            "curve closer to the one you mean.",
+            count=len(near.ties),
         )
     if near.status is Status.NOT_MET:
         yield from _ways_out(near)
@@ -272,7 +274,7 @@ def advise(near: NearestRod) -> Iterator[str]:
 
 def _costs(near: NearestRod) -> Iterator[str]:
     """Sentences about the cost of limits and of what is kept."""
-    unit = f"mm of {'largest' if near.measure == 'max' else 'mean'} distance"
+    largest = near.measure == "max"
     for binding, change in _changes(near):
         free = near.relaxed(change.without.limits, change.without.keep)
         cost = near.distance - free.distance
@@ -280,21 +282,35 @@ def _costs(near: NearestRod) -> Iterator[str]:
             continue
         if not free.met or cost < 0:
             if binding.limit is not None and not change.kept:
-                yield (
-                    f"{_capitalize(change.without.words)} of {binding.limit:.4g} costs {binding.cost:.3g} {unit} "
-                    "per unit (its multiplier: true of small changes)."
-                )
+                yield note(
+                    "{limit} of {bound:.3g} costs {cost:.3g} of largest distance per unit (its multiplier: "
+                    "true of small changes)." if largest else
+                    "{limit} of {bound:.3g} costs {cost:.3g} of mean distance per unit (its multiplier: "
+                    "true of small changes).",
+                    limit=_capitalize(change.without.words), bound=binding.limit, cost=Length(binding.cost),
+                )  # fmt: skip
             continue
         if change.kept:
-            yield f"Free {change.without.words}: that saves {cost:.3g} {unit}."
+            yield note(
+                "Free {kept}: that saves {cost:.3g} of largest distance." if largest else
+                "Free {kept}: that saves {cost:.3g} of mean distance.",
+                kept=note(change.without.words), cost=Length(cost),
+            )  # fmt: skip
             continue
-        said = f"{_capitalize(change.without.words)} costs {cost:.3g} {unit}"
+        said = note(
+            "{limit} costs {cost:.3g} of largest distance" if largest else "{limit} costs {cost:.3g} of "
+            "mean distance",
+            limit=_capitalize(change.without.words), cost=Length(cost),
+        )  # fmt: skip
+        less = None
         if change.steps:
             step = change.steps[0]
             less = near.relaxed(step.limits, step.keep)
-            if less.met and less.distance < near.distance:
-                said += f"; {step.words} would cost {max(0.0, less.distance - free.distance):.3g} mm"
-        yield said + "."
+        if less is None or not (less.met and less.distance < near.distance):
+            yield note("{costs}.", costs=said)
+            continue
+        would = Length(max(0.0, less.distance - free.distance))
+        yield note("{costs}; {looser} would cost {cost}.", costs=said, looser=step.words, cost=would)
 
 
 def _ways_out(near: NearestRod) -> Iterator[str]:
@@ -310,15 +326,14 @@ def _ways_out(near: NearestRod) -> Iterator[str]:
         found = True
         tried = ((step, near.relaxed(step.limits, step.keep)) for step in change.steps)
         way, other = next((pair for pair in tried if pair[1].met), (change.without, free))
-        end = f"all limits are met, {other.deviation:.3g} mm from the drawn curve at most."
-        if change.kept:
-            yield f"Free {way.words}: {end}"
-        elif way is change.without:
-            yield f"Without {way.words} {end}"
-        else:
-            yield f"{_capitalize(change.without.words)} at {way.words}: {end}"
+        yield note(
+            "Free {way}: all limits are met, {far} from the drawn curve at most." if change.kept else
+            "Without {way} all limits are met, {far} from the drawn curve at most." if way is change.without else
+            "{limit} at {way}: all limits are met, {far} from the drawn curve at most.",
+            way=note(way.words), far=Length(other.deviation), limit=_capitalize(change.without.words),
+        )  # fmt: skip
     if not found:
-        yield "No single one of the limits that bind is to blame: relax several."
+        yield note("No single one of the limits that bind is to blame: relax several.")
 
 
 def _supports(near: NearestRod) -> Iterator[str]:
@@ -362,7 +377,11 @@ def _ratio(near: NearestRod) -> _Change | None:
     ratio = limits.largest_ratio
     name = "the ratio limit" if limits.ratio == ratio else "the ratio of the widths"
     steps = [
-        _Looser(f"{more:g} instead of {ratio:.3g}", replace(limits, ratio=more, width=None), keep)
+        _Looser(
+            note("{more:g} instead of {ratio:.3g}", more=more, ratio=ratio),
+            replace(limits, ratio=more, width=None),
+            keep,
+        )
         for more in _multiples(ratio, 1.2, 1.6, 2.5)
     ]
     return _Change(_Looser(name, replace(limits, ratio=None, width=None), keep), tuple(steps))
@@ -373,7 +392,11 @@ def _margin(near: NearestRod) -> _Change | None:
     if margin is None:
         return None
     steps = [
-        _Looser(f"{less:g} instead of {margin:.3g}", replace(limits, margin=less), keep)
+        _Looser(
+            note("{less:g} instead of {margin:.3g}", less=less, margin=margin),
+            replace(limits, margin=less),
+            keep,
+        )
         for less in (_multiples(margin, 0.8, 0.5, 0.2) if margin > 0 else ())
     ]
     return _Change(_Looser("the stability margin", replace(limits, margin=None), keep), tuple(steps))
@@ -386,7 +409,9 @@ def _curvature(near: NearestRod) -> _Change | None:
     name = "the curvature limit" if limits.curvature == most else "the sheet's strain limit"
     steps = [
         _Looser(
-            f"a least radius of {radius:g} instead of {1 / most:.3g} mm",
+            note(
+                "a least radius of {radius:g} instead of {most}", radius=Length(radius), most=Length(1 / most)
+            ),
             replace(limits, curvature=1 / radius, sheet=None, strain=None),
             keep,
         )
@@ -407,7 +432,7 @@ def _length(near: NearestRod) -> _Change | None:
     bound, factors = (low, (0.98, 0.9)) if short else (high, (1.02, 1.1))
     steps = [
         _Looser(
-            f"{more:g} instead of {bound:.4g} mm",
+            note("{more:.4g} instead of {bound:.4g}", more=Length(more), bound=Length(bound)),
             replace(limits, length=(more, high) if short else (low, more)),
             keep,
         )
@@ -423,7 +448,7 @@ def _tangent(near: NearestRod, index: int) -> _Change | None:
     if near.keep.symmetry:
         return _freed(near, "both ends' angles", tangents=False)
     kept = (False, end) if index == 0 else (start, False)
-    return _freed(near, f"the {_side(near, index)} end's angle", tangents=kept)
+    return _freed(near, note("the {side} end's angle", side=note(_side(near, index))), tangents=kept)
 
 
 def _all_of(near: NearestRod, words: str, **limits: Any) -> _Change:
@@ -453,16 +478,24 @@ def _missed(near: NearestRod, binding: Binding) -> str:
     """Sentence about a limit that is not met, with the value that the rod has."""
     if binding.name == "margin" and binding.limit is not None:
         found = stability(near.rod)
-        has = f"{found.margin:.3g} ({found.word})"
-        return f"The stability margin of {binding.limit:.3g} is missed: this rod has {has}."
+        return note(
+            "The stability margin of {limit:.3g} is missed: this rod has {margin:.3g} ({word}).",
+            limit=binding.limit, margin=found.margin, word=note(found.word),
+        )  # fmt: skip
     if binding.name == "curvature" and binding.limit is not None:
-        radius = 1 / float(np.abs(near.rod.curvature).max())
-        return f"The least radius of {1 / binding.limit:.3g} mm is missed: this rod has {radius:.3g} mm."
+        radius = Length(1 / float(np.abs(near.rod.curvature).max()))
+        least = Length(1 / binding.limit)
+        return note(
+            "The least radius of {least} is missed: this rod has {radius}.", least=least, radius=radius
+        )
+    missed = note(binding.name)
     if binding.name in _IN_LENGTHS:
-        return f"Missed: the {binding.name}, by {binding.broken * near.target.length:.3g} mm."
+        by = Length(binding.broken * near.target.length)
+        return note("Missed: the {missed}, by {by}.", missed=missed, by=by)
     if binding.name == "end tangent":
-        return f"Missed: the {binding.name}, by {np.degrees(binding.broken):.3g} degrees."
-    return f"Missed: the {binding.name}."
+        angle = np.degrees(binding.broken)
+        return note("Missed: the {missed}, by {angle:.3g} degrees.", missed=missed, angle=angle)
+    return note("Missed: the {missed}.", missed=missed)
 
 
 def _side(near: NearestRod, index: int) -> str:
@@ -486,4 +519,4 @@ def _multiples(value: float, *factors: float, digits: int = 3) -> tuple[float, .
 
 
 def _capitalize(sentence: str) -> str:
-    return sentence[:1].upper() + sentence[1:]
+    return note(sentence[:1].upper() + sentence[1:])

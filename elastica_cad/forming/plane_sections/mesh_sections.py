@@ -21,7 +21,7 @@ from elastica_cad.forming.plane_sections.section_lines import (
     place_in_words,
 )
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Listed, Point, note
 
 SHOWN_PLACES = 3
 """Largest number of places that a message lists."""
@@ -176,10 +176,13 @@ def _areas(points: FloatArray, rows: IntArray) -> FloatArray:
 def _complaint(points: FloatArray, rows: IntArray, total: int, one: str, many: str, then: str) -> list[str]:
     if not len(rows):
         return []
-    place = ", ".join(f"{v:g}" for v in points[rows[0]].mean(axis=0).round(6) + 0.0)
     return [
-        f"{len(rows)} of {total} triangles {one if len(rows) == 1 else many}{then} (the first at ({place}) mm)"
-    ]
+        note(
+            "{count} of {total} triangles {what}{then} (the first at {place:.6g})",
+            count=len(rows), total=total, what=one if len(rows) == 1 else many, then=then,
+            place=Point(points[rows[0]].mean(axis=0).round(6) + 0.0),
+        )
+    ]  # fmt: skip
 
 
 def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
@@ -189,24 +192,26 @@ def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
     )
     sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
-    found = []
+    found: list[str] = []
     border = edges[count == 1]
     if len(border):
-        found.append(
-            f"the mesh is open along {_edges(border)} (near {_places(points, border)} mm): sections end there"
-        )
+        found.append(note(
+            "the mesh is open along {edges} (near {places}): sections end there",
+            edges=_edges(border), places=_places(points, border),
+        ))  # fmt: skip
     crowded = edges[count > 2]
     if len(crowded):
-        found.append(
-            f"more than two faces meet at {_edges(crowded)} (near {_places(points, crowded)} mm): sections fall "
-            "apart there"
-        )
+        found.append(note(
+            "more than two faces meet at {edges} (near {places}): sections fall apart there",
+            edges=_edges(crowded), places=_places(points, crowded),
+        ))  # fmt: skip
     turned = edges[(count == 2) & (sense != 0)]
     if len(turned):
-        found.append(
-            f"faces are turned over against their neighbours along {_edges(turned)} (near "
-            f"{_places(points, turned)} mm): sections are the same"
-        )
+        found.append(note(
+            "faces are turned over against their neighbours along {edges} (near {places}): sections are the "
+            "same",
+            edges=_edges(turned), places=_places(points, turned),
+        ))  # fmt: skip
     return found
 
 
@@ -214,9 +219,8 @@ def _edges(edges: IntArray) -> str:
     return "1 edge" if len(edges) == 1 else f"{len(edges)} edges"
 
 
-def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> str:
-    middles = [points[edge].mean(axis=0) for edge in edges[:SHOWN_PLACES]]
-    return ", ".join("(" + ", ".join(f"{v:g}" for v in middle.round(6) + 0.0) + ")" for middle in middles)
+def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> Listed:
+    return Listed(Point(points[edge].mean(axis=0).round(6) + 0.0) for edge in edges[:SHOWN_PLACES])
 
 
 APART = 1e-10
@@ -258,7 +262,9 @@ def mesh_sections(
     """
     mesh = Mesh(vertices, faces)
     refuse_odd_planes(planes)
-    found = [_section(mesh, frame, half, f"section {i + 1}") for i, frame in enumerate(planes)]
+    found = [
+        _section(mesh, frame, half, note("section {number}", number=i + 1)) for i, frame in enumerate(planes)
+    ]
     if mesh.reports and found:
         found[0] = replace(found[0], reports=(*mesh.reports, *found[0].reports))
     return tuple(found)
@@ -283,10 +289,12 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
         if abs(one - two) > 1e-9 * mesh.size:
             chains = chains if one > two else other
             at = frame.point(local[height == 0][0, :2])
-            reports.append(
-                f"{name}: an edge or a face of the mesh lies in the plane, near {place_in_words(at)}; the section "
-                f"follows the longer of its two sides ({max(one, two):.6g} against {min(one, two):.6g} mm)"
-            )
+            reports.append(note(
+                "{name}: an edge or a face of the mesh lies in the plane, near {place}; the section follows "
+                "the longer of its two sides ({longer:.6g} against {shorter:.6g})",
+                name=name, place=place_in_words(at), longer=Length(max(one, two)),
+                shorter=Length(min(one, two)),
+            ))  # fmt: skip
     found = collect_section(
         name, frame, chains, half=half, apart=APART * mesh.size, missed=lambda: _missing(mesh, local, height)
     )
@@ -298,11 +306,14 @@ def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:
-        return f"misses the mesh by {min(abs(low), abs(high)):.4g} mm"
+        return note("misses the mesh by {far}", far=Length(min(abs(low), abs(high))))
     touched = used[height[used] == 0]
     if touched.size and (low == 0 or high == 0):
-        return f"touches the mesh near {place_in_words(mesh.vertices[touched[0]])} and cuts nothing: shift it"
-    return "misses the mesh"
+        return note(
+            "touches the mesh near {place} and cuts nothing: shift it",
+            place=place_in_words(mesh.vertices[touched[0]]),
+        )
+    return note("misses the mesh")
 
 
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:

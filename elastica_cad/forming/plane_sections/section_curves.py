@@ -16,7 +16,7 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Change, Length, Listed, Point, Span, note
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
 """Usual and largest number of points that are smoothed; they make one dense matrix."""
@@ -39,11 +39,11 @@ CORNER_RADIUS_SHARE = 0.01
 SHARP_TURN_RAD = np.radians(20.0)
 """A line that turns by more than this at one point has a corner there."""
 
-AT_CORNERS = "split it at its corners"
-"""Words of messages for this remedy; callers can replace them by the name of an option."""
+AT_CORNERS = Change("split_corners", True)
+"""Change of the request that a message suggests for a corner."""
 
-AT_TWO_PLACES = "split it at a spine or at two points"
-"""Words of messages for the remedy of a closed line."""
+AT_TWO_PLACES = Change("split", True)
+"""Change of the request that a message suggests for a closed line: split it at a spine or at two points."""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -72,8 +72,8 @@ class SectionCurve:
     @property
     def called(self) -> str:
         """Its name and where in space it begins."""
-        x, y, z = self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0
-        return f"{self.name}, from ({x:.4g}, {y:.4g}, {z:.4g}) mm"
+        begins = Point(self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0)
+        return note("{name}, from {begins}", name=self.name, begins=begins)
 
     def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
         """The weight of a sheet as the curve's plane feels it, where things fall along `direction` in space."""
@@ -150,14 +150,11 @@ def _curve(
 ) -> tuple[SectionCurve, list[str]]:
     small = CLOSED_SHARE * line.length
     if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
-        x, y, z = line.places[0]
         raise InputError(
-            "the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two "
-            "ends, so {at_two_places}",
-            x=x,
-            y=y,
-            z=z,
-            at_two_places=AT_TWO_PLACES,
+            "the section is closed (it passes {place}): a strip has two ends, so split it at a spine or at two "
+            "points",
+            place=Point(line.places[0]),
+            changes=[AT_TWO_PLACES],
         )
     drawn = _filled(line.points)
     points = smooth_polyline(line.points, wavelength) if wavelength > 0 else drawn
@@ -171,7 +168,7 @@ def _curve(
         try:
             curve = remove_false_inflections(curve, turn=false_turn)
         except NotConvergedError as error:
-            told.append(f"{line.name}: {error}: it is kept")
+            told.append(note("{name}: {why}: it is kept", name=line.name, why=error.refusal))
     if told and not wavelength:
         _refuse_corners(line, tolerance)
     removed = before - curve.inflections.size
@@ -181,7 +178,9 @@ def _curve(
     )
     worst = int(off.argmax())
     if off[worst] > tolerance:
-        place = f"{off[worst]:.3g} mm off the section at {_place(line, places[worst])}"
+        place = note(
+            "{far} off the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
+        )
         told.append(_departure(line, place, tolerance, wavelength, changed=curve is not fitted))
     return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), told
 
@@ -200,8 +199,7 @@ def _filled(points: FloatArray) -> FloatArray:
 
 
 def _place(line: SectionLine, point: FloatArray) -> str:
-    x, y, z = line.frame.point(point).round(6) + 0.0
-    return f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
+    return note("{place}", place=Point(line.frame.point(point).round(6) + 0.0))
 
 
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
@@ -210,9 +208,9 @@ def _refuse_corners(line: SectionLine, tolerance: float) -> None:
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
         raise InputError(
-            "{sharpest}; {at_corners}, export a finer mesh, or smooth it",
+            "{sharpest}; split it at its corners, export a finer mesh, or smooth it",
             sharpest=_sharpest(line, turned),
-            at_corners=AT_CORNERS,
+            changes=[AT_CORNERS],
         )
 
 
@@ -221,26 +219,37 @@ def _unfitted(line: SectionLine, tolerance: float) -> str:
     turned = inner_turns(line.points)
     if turned.max(initial=0.0) < SHARP_TURN_RAD:
         return ""
-    return (
-        f"no smooth curve stays within the tolerance of {tolerance:g} mm: {_sharpest(line, turned)}; "
-        f"{AT_CORNERS}, or smooth it"
-    )
+    return note(
+        "no smooth curve stays within the tolerance of {tolerance:g}: {sharpest}; split it at its corners, "
+        "or smooth it",
+        tolerance=Length(tolerance), sharpest=_sharpest(line, turned), changes=(AT_CORNERS,),
+    )  # fmt: skip
 
 
 def _sharpest(line: SectionLine, turned: FloatArray) -> str:
     worst = int(turned.argmax())
-    return f"the section turns by {np.degrees(turned[worst]):.3g} degrees at {_place(line, line.points[worst + 1])}"
+    return note(
+        "the section turns by {angle:.3g} degrees at {place}",
+        angle=np.degrees(turned[worst]),
+        place=_place(line, line.points[worst + 1]),
+    )
 
 
 def _departure(line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool) -> str:
     """Message that says where the curve is away from its section by more than the tolerance."""
     if wavelength > 0:
-        cause = f"smoothing took waves shorter than {wavelength:g} mm away; a shorter wavelength stays nearer"
+        cause = note(
+            "smoothing took waves shorter than {wavelength:g} away; a shorter wavelength stays nearer",
+            wavelength=Length(wavelength),
+        )
     elif changed:
-        cause = "bends between false inflections were smoothed away"
+        cause = note("bends between false inflections were smoothed away")
     else:
-        cause = "no smooth curve came nearer; smooth the section first, with a wavelength"
-    return f"{line.name}: the curve lies {place}, more than the tolerance of {tolerance:g} mm: {cause}"
+        cause = note("no smooth curve came nearer; smooth the section first, with a wavelength")
+    return note(
+        "{name}: the curve lies {off}, more than the tolerance of {tolerance:g}: {cause}",
+        name=line.name, off=place, tolerance=Length(tolerance), cause=cause,
+    )  # fmt: skip
 
 
 def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
@@ -251,8 +260,14 @@ def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
     if kappa * curve.length <= 1 / CORNER_RADIUS_SHARE:
         return []
     return [
-        f"{line.name} bends with a radius of {1 / kappa:.2g} mm at {_place(line, samples.position[worst])}, a "
-        f"corner to any strip: {AT_CORNERS}, or smooth it"
+        note(
+            "{name} bends with a radius of {radius:.2g} at {place}, a corner to any strip: split it at its "
+            "corners, or smooth it",
+            name=line.name,
+            radius=Length(1 / kappa),
+            place=_place(line, samples.position[worst]),
+            changes=(AT_CORNERS,),
+        )
     ]
 
 
@@ -371,13 +386,10 @@ def remove_false_inflections(
             continue
         if not len(_false_bends(simpler, turn)):
             return simpler
-    named = ", ".join(f"from {a:.4g} to {b:.4g}" for a, b in bends[:3])
-    more = f" and at {len(bends) - 3} more places" if len(bends) > 3 else ""
     raise NotConvergedError(
-        "{named} mm along the curve{more} it turns by less than {turn:.2g} degrees between "
-        "inflections; no smoothing that moves it by less than {most} takes that away",
-        named=named,
-        more=more,
+        "{stretches} from its start, the curve turns by less than {turn:.2g} degrees between inflections; "
+        "no smoothing that moves it by less than {most} takes that away",
+        stretches=Listed(Span((Length(a), Length(b))) for a, b in bends),
         turn=np.degrees(turn),
         most=Length(most),
     )

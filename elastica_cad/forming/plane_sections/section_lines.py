@@ -11,6 +11,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.refusals import Listed, Point, note
 
 IN_PLANE = 1e-12
 """Vertices nearer to a plane than this share of the surface's size lie in the plane."""
@@ -158,7 +159,11 @@ class PlaneSection:
             None, or several: choose from `lines`.
         """
         if len(self.lines) != 1:
-            reason = self.reports[0] if self.reports else f"{self.name} has {len(self.lines)} lines"
+            reason = (
+                self.reports[0]
+                if self.reports
+                else note("{name} has {count} lines", name=self.name, count=len(self.lines))
+            )
             raise InputError("{reason}: choose from its lines", reason=reason)
         return self.lines[0]
 
@@ -195,11 +200,27 @@ def collect_section(
     lines.sort(key=lambda line: -lengths_along(line)[-1])
     reports: tuple[str, ...] = ()
     if not lines:
-        reports = (f"{name} at {place_in_words(frame.origin)}: the plane {missed()}",)
+        reports = (
+            note(
+                "{name} at {place}: the plane {missed}",
+                name=name,
+                place=place_in_words(frame.origin),
+                missed=missed(),
+            ),
+        )
     elif len(lines) > 1:
-        starts = "; ".join(place_in_words(frame.point(line[0])) for line in lines[:3])
-        reports = (f"{name} falls into {len(lines)} lines, starting at {starts}",)
-    names = [name] if len(lines) == 1 else [f"{name}, line {k + 1}" for k in range(len(lines))]
+        starts = Listed(place_in_words(frame.point(line[0])) for line in lines[:3])
+        reports = (
+            note(
+                "{name} falls into {count} lines, starting at {starts}",
+                name=name,
+                count=len(lines),
+                starts=starts,
+            ),
+        )
+    names = [name]
+    if len(lines) != 1:
+        names = [note("{name}, line {number}", name=name, number=k + 1) for k in range(len(lines))]
     made = tuple(SectionLine(line, frame, called) for line, called in zip(lines, names, strict=True))
     return PlaneSection(name, frame, made, reports)
 
@@ -263,6 +284,6 @@ def _nearest(points: FloatArray, place: FloatArray) -> float:
     return i + float(u[i])
 
 
-def place_in_words(point: FloatArray) -> str:
-    """Coordinates (3,) as messages give them."""
-    return "(" + ", ".join(f"{v:.4g}" for v in np.asarray(point).round(9) + 0.0) + ") mm"
+def place_in_words(point: FloatArray) -> Point:
+    """A point (3,) as messages give it."""
+    return Point(np.asarray(point).round(9) + 0.0)

@@ -2,18 +2,20 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import ClassVar, Protocol, TypeAlias
+from typing import Annotated, ClassVar, Protocol, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, is_whole, require_flag
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.forming.plane_sections.mesh_sections import FARTHEST_MM
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve, section_curves
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.refusals import Length, Listed, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
 """Largest number of planes."""
@@ -235,11 +237,13 @@ class RadialCuts:
     """Half planes about an axis: at `angles`, rad from `zero`, or `count` of them all around."""
 
     half: ClassVar[bool] = True
-    count: int = 8
-    angles: tuple[float, ...] | None = None
-    point: Triple = (0.0, 0.0, 0.0)
-    axis: Triple = (0.0, 0.0, 1.0)
-    zero: Triple = (1.0, 0.0, 0.0)
+    count: Annotated[int, Asked("So many half planes all around.", least=1)] = 8
+    angles: Annotated[
+        tuple[float, ...] | None, Asked("Where the half planes lie, in place of count.", "rad")
+    ] = None
+    point: Annotated[Triple, Asked("A point on the axis.", "mm")] = (0.0, 0.0, 0.0)
+    axis: Annotated[Triple, Asked("Direction of the axis.")] = (0.0, 0.0, 1.0)
+    zero: Annotated[Triple, Asked("Where angles begin.")] = (1.0, 0.0, 0.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """Frames of the planes; they do not depend on the surface."""
@@ -255,11 +259,13 @@ class ParallelCuts:
     """Planes across `normal`: at `offsets` from the point, mm, or through `count` equal slices of the surface."""
 
     half: ClassVar[bool] = False
-    normal: Triple
-    count: int = 8
-    offsets: tuple[float, ...] | None = None
-    point: Triple = (0.0, 0.0, 0.0)
-    up: Triple = (0.0, 0.0, 1.0)
+    normal: Annotated[Triple, Asked("Across the planes.")]
+    count: Annotated[int, Asked("So many equal slices, in place of offsets.", least=1)] = 8
+    offsets: Annotated[tuple[float, ...] | None, Asked("Distances of the planes from the point.", "mm")] = (
+        None
+    )
+    point: Annotated[Triple, Asked("From where offsets are measured.", "mm")] = (0.0, 0.0, 0.0)
+    up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
         """The planes; slices are those of the surface."""
@@ -278,10 +284,10 @@ class AlongPath:
     """`count` planes across a path of points (n, 3), mm; `ends` puts the first and the last at its ends."""
 
     half: ClassVar[bool] = False
-    path: FloatArray
-    count: int = 8
-    ends: bool = False
-    up: Triple = (0.0, 0.0, 1.0)
+    path: Annotated[FloatArray, Asked("Points of the path.", "mm", written=tuple[Triple, ...])]
+    count: Annotated[int, Asked("So many planes.", least=1)] = 8
+    ends: Annotated[bool, Asked("The first and the last plane stand at the ends of the path.")] = False
+    up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """Frames of the planes; they do not depend on the surface."""
@@ -323,8 +329,8 @@ class PlaneSplit:
         A normal of zero.
     """
 
-    normal: Triple
-    point: Triple = (0.0, 0.0, 0.0)
+    normal: Annotated[Triple, Asked("Across the plane.")]
+    point: Annotated[Triple, Asked("A point of the plane.", "mm")] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         if not any(self.normal):
@@ -333,8 +339,11 @@ class PlaneSplit:
     @property
     def name(self) -> str:
         """The plane."""
-        through, across = (", ".join(f"{v:.4g}" for v in row) for row in (self.point, self.normal))
-        return f"the plane through ({through}) mm across ({across})"
+        return note(
+            "the plane through {place} across {normal}",
+            place=Point(self.point),
+            normal=Listed(map(float, self.normal)),
+        )
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_by`."""
@@ -345,18 +354,20 @@ class PlaneSplit:
 class PointSplit:
     """Split at the places nearest to points (k, 3) in space."""
 
-    points: FloatArray
+    points: Annotated[
+        FloatArray, Asked("Split at the places nearest to these points.", "mm", written=tuple[Triple, ...])
+    ]
 
     name: ClassVar[str] = "a point"
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_at`."""
-        return line.split_at(line.frame.local(self.points)[:, :2])
+        return line.split_at(line.frame.local(np.asarray(self.points))[:, :2])
 
 
 @dataclass(frozen=True)
 class CornerSplit:
-    """Where the line turns by more than `turn`, rad, at a corner.
+    """Where the line turns by more than `corners`, rad, at a corner.
 
     Raises
     ------
@@ -364,20 +375,22 @@ class CornerSplit:
         An angle that no corner has.
     """
 
-    turn: float
+    corners: Annotated[float, Asked("Split where the line turns by more than this.", "rad", least=0)]
 
     def __post_init__(self) -> None:
-        if not 0 < self.turn < np.pi:
-            raise InputError("corners is {turn:g}: corners turn by an angle between 0 and pi", turn=self.turn)
+        if not 0 < self.corners < np.pi:
+            raise InputError(
+                "corners is {turn:g}: corners turn by an angle between 0 and pi", turn=self.corners
+            )
 
     @property
     def name(self) -> str:
         """The angle."""
-        return f"a turn of more than {np.degrees(self.turn):.4g} degrees at a corner"
+        return note("a turn of more than {turn:.4g} degrees at a corner", turn=np.degrees(self.corners))
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_at_corners`."""
-        return line.split_at_corners(self.turn)
+        return line.split_at_corners(self.corners)
 
 
 @dataclass(frozen=True, eq=False)
@@ -419,16 +432,27 @@ class SectionSpec:
             [section for section, _ in divided], tolerance=self.tolerance, wavelength=self.wavelength
         )
         if not curves:
-            raise InputError("no plane gives a strip: {reasons}", reasons=_reasons(reports))
+            raise InputError(
+                "no plane gives a strip: {reasons}",
+                reasons=_reasons(reports),
+                changes=[change for one in reports if isinstance(one, Refusal) for change in one.all_changes],
+            )
         idle = [split.name for split in self.splits if not any(split.name in used for _, used in divided)]
-        return tuple(curves), (*reports, *(f"{name} splits no section" for name in idle))
+        return tuple(curves), (*reports, *(note("{name} splits no section", name=name) for name in idle))
 
     def _divide(self, section: PlaneSection) -> tuple[PlaneSection, frozenset[str]]:
         """The section with the lines that are wanted of it, split where asked; what split any of them."""
         used = set()
         lines, reports = section.lines, section.reports
         if self.longest and len(lines) > 1:
-            reports = (*reports, f"{section.name}: the longest line is kept, {lines[0].length:.4g} mm of it")
+            reports = (
+                *reports,
+                note(
+                    "{name}: the longest line is kept, {length} of it",
+                    name=section.name,
+                    length=Length(lines[0].length),
+                ),
+            )
             lines = lines[:1]
         for split in self.splits:
             pieces: list[SectionLine] = []
@@ -436,8 +460,7 @@ class SectionSpec:
                 try:
                     found = split.pieces(line)
                 except InputError as problem:
-                    text = str(problem)
-                    reports = (*reports, text if text.startswith(line.name) else f"{line.name}: {text}")
+                    reports = (*reports, problem.at(strip=line.name).refusal)
                     used.add(split.name)
                     continue
                 pieces += found
@@ -451,10 +474,11 @@ class SectionSpec:
 
 def _reasons(reports: Sequence[str]) -> str:
     """Why sections gave no strip, one after the other."""
-    reasons = [text for text in reports if text.startswith("section ")] or list(reports)
+    named = [one for one in reports if isinstance(one, Refusal) and ("name" in one.values or one.where)]
+    reasons: Sequence[str] = named or reports
     left = len(reasons) - NAMED_REASONS
-    more = f"; and {left} more like these" if left > 0 else ""
-    return "; ".join(reasons[:NAMED_REASONS]) + more if reasons else "none is given"
+    more = [note("and {count} more like these", count=left)] if left > 0 else []
+    return sentences([*reasons[:NAMED_REASONS], *more]) if reasons else note("none is given")
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:

@@ -20,7 +20,7 @@ from elastica_cad.geometry.polynomials.bernstein import (
     sums_in_pieces,
 )
 from elastica_cad.geometry.polynomials.splines import Spans
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 _STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; a curve slower than that stands still
 _STILL_SPAN = 1e-14  # of the largest speed of all; a span that is nowhere faster is a point
@@ -411,10 +411,14 @@ def refuse_standstill(
     place = shown(pieces.at(np.array([t]), 0)[0][0])
     twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
     size = float(np.ptp(control_points, axis=0).max())
-    where = f"the curve has no tangent at {place}, {_length_until(pieces, t):.4g} mm from its start"
+    where = note(
+        "the curve has no tangent at {place}, {s} from its start",
+        place=place,
+        s=Length(_length_until(pieces, t)),
+    )
     if not twins.size:
         raise InputError("{where_}: it has a cusp; move or delete a control point there", where_=where)
-    cause = f"control points {twins[0]} and {twins[0] + 1} coincide"
+    cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
             "undecided at this precision: {where_}, for {cause}, and the numbers in the file are "

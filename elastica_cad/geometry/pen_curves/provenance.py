@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.geometry.pen_curves.tangent_healing import Turn
+from elastica_cad.refusals import Point, note
 
 Drawn: TypeAlias = Literal["pen", "exact"]
 """How a curve was drawn: with Bezier pieces of a pen tool, or as a shape whose digits are exact."""
@@ -59,7 +60,10 @@ class Provenance:
         if self.place is not None:
             x, y, w = self.place @ (x, y, 1.0)
             x, y = x / w, y / w
-        return f"({_figure(x)}, {_figure(y)}) {self.unit}"
+        x, y = (round(float(v), 6) + 0.0 for v in (x, y))
+        if self.unit == "mm":
+            return note("{place:.6g}", place=Point((x, y)))
+        return note("({x:.6g}, {y:.6g}) {unit}", x=x, y=y, unit=self.unit)
 
     def transformed(self, matrix: FloatArray) -> "Provenance":
         """The record of the curve's image under a 3 x 3 map; of a projective one the digits say nothing."""
@@ -77,8 +81,3 @@ class Provenance:
             place=np.asarray(place),
             holes=tuple((float(x), float(y), float(size)) for x, y, size in holes),
         )
-
-
-def _figure(x: float) -> str:
-    """Six figures at most, and no trace of rounding instead of 0."""
-    return f"{round(float(x), 6) + 0.0:.6g}"

@@ -11,6 +11,7 @@ from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 from elastica_cad.geometry.polynomials.splines import Spans, bezier_spans, clamped_knots, finite
 from elastica_cad.geometry.running_sums import lengths_along, numbers_in_groups
+from elastica_cad.refusals import Length, Point, note
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
@@ -373,11 +374,12 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
 
 def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
     worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
-    return (
-        f"the points scatter by {typical:.2g} mm about a smooth curve, by {error[worst]:.2g} mm at "
-        f"({data[worst][0]:g}, {data[worst][1]:g}): that is more than the tolerance of {tolerance:g} mm; "
-        f"allow {1.5 * error[worst]:.1g} mm, give a smoothing, or remove stray points"
-    )
+    return note(
+        "the points scatter by {typical:.2g} about a smooth curve, by {worst:.2g} at {place}: that is more "
+        "than the tolerance of {tolerance:g}; allow {enough:.1g}, give a smoothing, or remove stray points",
+        typical=Length(typical), worst=Length(error[worst]), place=Point(data[worst]),
+        tolerance=Length(tolerance), enough=Length(1.5 * error[worst]),
+    )  # fmt: skip
 
 
 def _cleaned(points: ArrayLike) -> FloatArray:

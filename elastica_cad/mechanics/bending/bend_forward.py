@@ -23,7 +23,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod, resample
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 Keep = Literal["keep"]
 
@@ -143,7 +143,10 @@ def bend(
             "move the ends in smaller steps, or give a guess nearer to the answer",
             fraction=reached.fraction,
         )
-    warning = f"the rod snaps {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
+    warning = note(
+        "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
+        percent=100 * reached.fraction,
+    )
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
 
@@ -156,7 +159,12 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
     turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
     if turn < COARSE_DEG:
         return ()
-    return (f"the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",)
+    return (
+        note(
+            "the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",
+            turn=turn,
+        ),
+    )
 
 
 def bend_path(

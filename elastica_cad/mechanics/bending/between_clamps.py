@@ -17,7 +17,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 SPANS = 90  # of the drawn spline: a strip of even width then comes out even to 5e-4, its length to 1e-9
 DEGREE = 5  # of the drawn spline
@@ -63,13 +63,20 @@ class ElasticaBetween:
 
     def __str__(self) -> str:
         if self.side == 0:
-            return "the strip is straight"
-        left = self.side > 0
+            return note("the strip is straight")
         if _is_free(self.rod):
-            way = "to the left" if left else "to the right"
-            return f"the strip's free end goes {way}, with {self.inflections} inflections (mode {self.mode})"
-        way = "bulges to the left" if left else "bulges to the right"
-        return f"the strip {way} of its chord, with {self.inflections} inflections (mode {self.mode})"
+            said = (
+                "the strip's free end goes to the left, with {count} inflections (mode {mode})"
+                if self.side > 0
+                else "the strip's free end goes to the right, with {count} inflections (mode {mode})"
+            )
+        else:
+            said = (
+                "the strip bulges to the left of its chord, with {count} inflections (mode {mode})"
+                if self.side > 0
+                else "the strip bulges to the right of its chord, with {count} inflections (mode {mode})"
+            )
+        return note(said, count=self.inflections, mode=self.mode)
 
 
 def elastica_between(

@@ -1,11 +1,13 @@
 """Gravity as a rod feels it: one length and a direction."""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, is_number, numbers, require_positive
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 
 
@@ -31,8 +33,13 @@ class Gravity:
     [-6.78e-07, 9.04e-07]
     """
 
-    length: float
-    direction: tuple[float, float] = (0.0, -1.0)
+    length: Annotated[
+        float, Asked("Elasto-gravity length, in place of that of the sheet.", "mm", least=0, group="weight")
+    ]
+    direction: Annotated[
+        tuple[float, float],
+        Asked("The direction in which things fall, in the plane of the curve.", group="weight"),
+    ] = (0.0, -1.0)
 
     def __post_init__(self) -> None:
         if not (is_number(self.length) and self.length > 0):

@@ -143,7 +143,7 @@ class CurveOfRest(RestCurvature):
         return along(t, left=left)
 
 
-NaturalCurvature: TypeAlias = "float | RestCurvature"
+NaturalCurvature: TypeAlias = float | RestCurvature
 """Natural curvature: one value for the whole strip, 1/mm, or one that varies along it."""
 
 

@@ -1,11 +1,13 @@
 """Weight in physical units, for rods whose weight is not proportional to their stiffness."""
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, several
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.refusals import Length
@@ -17,8 +19,8 @@ STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
 class PointMass:
     """A mass hung on the rod: `mass` in g at arc length `at` in mm."""
 
-    at: float
-    mass: float
+    at: Annotated[float, Asked("Place along the strip.", "mm")]
+    mass: Annotated[float, Asked("Mass that hangs there.", "g", least=0)]
 
     def __post_init__(self) -> None:
         if not is_number(self.at):
@@ -44,10 +46,13 @@ class Weight:
         bending stiffness B is known; the rod it returns has it there, and `own` is False again.
     """
 
-    alpha: float | Profile = 0.0
-    beta: float | Profile = 0.0
-    masses: tuple[PointMass, ...] = ()
-    own: bool = False
+    alpha: Annotated[float | Profile, Asked("Weight per length.", "N/mm", least=0, written=float)] = 0.0
+    beta: Annotated[
+        float | Profile,
+        Asked("Weight per length that goes with the stiffness K.", "N/mm", least=0, written=float),
+    ] = 0.0
+    masses: Annotated[tuple[PointMass, ...], Asked("Masses hung on the strip.")] = ()
+    own: Annotated[bool, Asked("Add the own weight of the strip.")] = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))

@@ -9,6 +9,7 @@ from elastica_cad._values import alike, is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.section_limits import matched
 from elastica_cad.mechanics.material.stiffness_law import at_stations
+from elastica_cad.refusals import Length, note
 
 SECANTS = 12
 """Largest number of steps of the search for the width of a given bending stiffness."""
@@ -179,10 +180,12 @@ class AnticlasticWidths:
     def __str__(self) -> str:
         """The effect in a sentence."""
         i = self.station
-        return (
-            f"anticlastic bending changes the width by {100 * self.change:.2g} % at most: "
-            f"{self.width[i] - self.plain_width[i]:+.3g} mm of {self.plain_width[i]:.4g} mm at station {i}"
-        )
+        return note(
+            "anticlastic bending changes the width by {percent:.2g} % at most: {change:+.3g} of {width:.4g} "
+            "at station {station}",
+            percent=100 * self.change, change=Length(self.width[i] - self.plain_width[i]),
+            width=Length(self.plain_width[i]), station=i,
+        )  # fmt: skip
 
 
 def anticlastic_widths(

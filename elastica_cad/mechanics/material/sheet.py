@@ -6,17 +6,17 @@ from difflib import get_close_matches
 from functools import lru_cache
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
 from elastica_cad._notebook import html_table
 from elastica_cad._values import is_number, is_one_of, is_series, require_number
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet_library import (
-    KEYS,
     NOMINAL_KEY,
     UNITS,
     USUAL_RATIO,
@@ -30,9 +30,11 @@ from elastica_cad.mechanics.material.sheet_library import (
     library_files,
     read_figures,
     require_printable,
+    sheet_keys,
     toml_text,
     toml_value,
 )
+from elastica_cad.refusals import note
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
 
@@ -162,26 +164,52 @@ class Sheet:
     """
 
     name: str
-    thickness: float
-    youngs_modulus: float
-    density: float
-    max_strain: float
-    kerf: float = 0.0
-    poisson_ratio: float = USUAL_RATIO
-    grain: Grain = "none"
-    kind: str = ""
-    source: str = ""
-    thickness_range: Range | None = None
-    youngs_modulus_range: Range | None = None
-    density_range: Range | None = None
-    max_strain_range: Range | None = None
-    kerf_range: Range | None = None
-    least_width: float | None = None
-    least_ligament: float | None = None
-    least_bridge: float | None = None
-    stock: Range | None = None
-    shear_modulus: float | None = None
-    break_strain: float | None = None
+    thickness: Annotated[float, Asked("Thickness of the sheet.", "mm", least=0)]
+    youngs_modulus: Annotated[float, Asked("Young's modulus in bending along the strip.", "MPa", least=0)]
+    density: Annotated[float, Asked("Density.", "kg/m3", least=0)]
+    max_strain: Annotated[
+        float, Asked("Largest strain of the skin that is borne for long: 0.01 is 1 %.", least=0)
+    ]
+    kerf: Annotated[float, Asked("Width that the laser burns away.", "mm", least=0)] = 0.0
+    poisson_ratio: Annotated[float, Asked("Poisson's ratio, where it is known.", least=0)] = USUAL_RATIO
+    grain: Annotated[
+        Grain,
+        Asked(
+            "How the strip lies to the face grain: along, across or none; or 0 or 90 degrees.",
+            written=float | str,
+        ),
+    ] = "none"
+    kind: Annotated[str, Asked("Family of materials.")] = ""
+    source: Annotated[str, Asked("Where the numbers come from.")] = ""
+    thickness_range: Annotated[
+        Range | None, Asked("Least and largest thickness found in practice.", "mm", least=0)
+    ] = None
+    youngs_modulus_range: Annotated[
+        Range | None, Asked("Least and largest modulus found in practice.", "MPa", least=0)
+    ] = None
+    density_range: Annotated[
+        Range | None, Asked("Least and largest density found in practice.", "kg/m3", least=0)
+    ] = None
+    max_strain_range: Annotated[
+        Range | None, Asked("Least and largest of the strain that is borne.", least=0)
+    ] = None
+    kerf_range: Annotated[Range | None, Asked("Least and largest kerf found in practice.", "mm", least=0)] = (
+        None
+    )
+    least_width: Annotated[
+        float | None, Asked("Narrowest strip or tongue that can be cut.", "mm", least=0)
+    ] = None
+    least_ligament: Annotated[
+        float | None, Asked("Narrowest ligament of a perforated strip.", "mm", least=0)
+    ] = None
+    least_bridge: Annotated[
+        float | None, Asked("Narrowest bridge between the cuts of a plate.", "mm", least=0)
+    ] = None
+    stock: Annotated[Range | None, Asked("Sides of the largest sheet on sale.", "mm", least=0)] = None
+    shear_modulus: Annotated[
+        float | None, Asked("Shear modulus in the plane of the sheet.", "MPa", least=0)
+    ] = None
+    break_strain: Annotated[float | None, Asked("Strain of the skin at which it breaks.", least=0)] = None
     poisson_known: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -335,7 +363,11 @@ class Sheet:
             return own[name]
         known = [*own, *figures]
         near = get_close_matches(str(name).lower(), known, n=3, cutoff=0.4)
-        advice = f"did you mean {' or '.join(near)}?" if near else f"known sheets: {', '.join(known)}"
+        advice = (
+            note("did you mean {names}?", names=" or ".join(near))
+            if near
+            else note("known sheets: {names}", names=", ".join(known))
+        )
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
     def with_thickness(self, thickness: float) -> "Sheet":
@@ -434,7 +466,7 @@ class Sheet:
     def toml(self) -> str:
         """The sheet as an entry of a sheets file, as `load_sheets` reads it."""
         lines = [f"[sheets.{toml_text(self.name)}]"]
-        for key, (field_name, _) in KEYS.items():
+        for key, field_name in ((key, one.name) for key, one in sheet_keys().items()):
             value = getattr(self, field_name)
             if value is None or (field_name in ("kind", "source") and not value):
                 continue
@@ -472,7 +504,11 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
             continue
         for name, sheet in found.items():
             if name in built_in_figures() or name in own:
-                problems.append(f"{file}: the name {name!r} is taken: call that sheet otherwise")
+                problems.append(
+                    note(
+                        "{file}: the name {name!r} is taken: call that sheet otherwise", file=file, name=name
+                    )
+                )
             else:
                 own[name] = sheet
     return own, tuple(problems)
@@ -493,7 +529,11 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         return next(iter(found.values()))
     if wanted in found:
         return found[wanted]
-    several = f"there is no sheet {wanted!r}" if wanted else f"there are {len(found)} sheets"
+    several = (
+        note("there is no sheet {wanted!r}", wanted=wanted)
+        if wanted
+        else note("there are {count} sheets", count=len(found))
+    )
     choices = " or ".join(f"{path.name}:{one}" for one in found)
     raise InputError("{path}: {several}: name one, {choices}", path=path, several=several, choices=choices)
 

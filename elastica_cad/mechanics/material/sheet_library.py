@@ -4,14 +4,16 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
-from functools import lru_cache
+from functools import cache, lru_cache
 from math import isfinite
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from elastica_cad._values import require_path
+from elastica_cad.declared import Field, declared
 from elastica_cad.errors import InputError, quoted, toml_slip
+from elastica_cad.refusals import note
 
 SCHEMA = 1
 
@@ -26,30 +28,18 @@ UNITS = {
     "kerf": "mm",
 }
 
-# key in the file -> (field, kind)
-KEYS: dict[str, tuple[str, str]] = {
-    "thickness_mm": ("thickness", "number"),
-    "youngs_modulus_MPa": ("youngs_modulus", "number"),
-    "density_kg_m3": ("density", "number"),
-    "max_strain": ("max_strain", "number"),
-    "kerf_mm": ("kerf", "number"),
-    "poisson_ratio": ("poisson_ratio", "number"),
-    NOMINAL_KEY: ("poisson_ratio", "number"),
-    "grain": ("grain", "grain"),
-    "kind": ("kind", "text"),
-    "source": ("source", "text"),
-    "thickness_range_mm": ("thickness_range", "range"),
-    "youngs_modulus_range_MPa": ("youngs_modulus_range", "range"),
-    "density_range_kg_m3": ("density_range", "range"),
-    "max_strain_range": ("max_strain_range", "range"),
-    "kerf_range_mm": ("kerf_range", "range"),
-    "least_width_mm": ("least_width", "number"),
-    "least_ligament_mm": ("least_ligament", "number"),
-    "least_bridge_mm": ("least_bridge", "number"),
-    "stock_mm": ("stock", "range"),
-    "shear_modulus_MPa": ("shear_modulus", "number"),
-    "break_strain": ("break_strain", "number"),
-}
+SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
+"""Of keys in files, which say their unit."""
+
+
+@cache
+def sheet_keys() -> Mapping[str, Field]:
+    """What a table of a sheet may hold: the fields of `Sheet`, by keys that say their unit."""
+    from elastica_cad.mechanics.material.sheet import Sheet
+
+    known = {one.name + SUFFIXES.get(one.asked.unit, ""): one for one in declared(Sheet)}
+    return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
+
 
 # key -> (lowest, highest that any sheet has, what the unit is)
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
@@ -84,14 +74,19 @@ def plausible_number(value: object, key: str, where: str) -> float:
 
 def _advise_key(key: str) -> str:
     """Suggest the known key that is nearest to an unknown one."""
-    for known in KEYS:
-        stem = KEYS[known][0]
+    keys = sheet_keys()
+    for known, field in keys.items():
+        stem = field.name
         if key.lower() == known.lower() or (
             key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
         ):
             return f"; write {known}{PLAUSIBLE[known][2].join((' (', ')')) if known in PLAUSIBLE else ''}"
-    near = get_close_matches(key, KEYS, n=1, cutoff=0.5)
-    return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(KEYS)}"
+    near = get_close_matches(key, keys, n=1, cutoff=0.5)
+    return (
+        note("; did you mean {near}?", near=near[0])
+        if near
+        else note("; known keys are {keys}", keys=", ".join(keys))
+    )
 
 
 def require_printable(text: str, where: str) -> str:
@@ -389,18 +384,19 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             entry=quoted(entry),
         )
     values: dict[str, Any] = {}
+    keys = sheet_keys()
     for key, value in entry.items():
-        if key not in KEYS:
+        if key not in keys:
             raise InputError(
                 "{where_}: unknown key {key!r}{advise_key}",
                 where_=where,
                 key=key,
                 advise_key=_advise_key(key),
             )
-        field_name, kind = KEYS[key]
-        if kind == "grain" and not isinstance(value, str):
+        field_name, kind = keys[key].name, keys[key].kind.name
+        if kind == "either" and not isinstance(value, str):
             values[field_name] = finite_number(value, f"{where}: {key}")
-        elif kind in ("text", "grain"):
+        elif kind in ("text", "either"):
             if not isinstance(value, str):
                 raise InputError(
                     "{where_}: {key} is {value}; it must be text in quotes",
@@ -409,7 +405,7 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
                     value=quoted(value),
                 )
             values[field_name] = value
-        elif kind == "range":
+        elif kind == "list":
             if not isinstance(value, list) or len(value) != 2:
                 raise InputError(
                     "{where_}: {key} is {value}; it must be two numbers, [lowest, highest]",

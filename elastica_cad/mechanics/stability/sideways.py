@@ -15,6 +15,7 @@ from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
 from elastica_cad.mechanics.rod.discrete_rod import node_weights, tangents
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
+from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
 """Width, in thicknesses, that a rectangle loses in torsion (St Venant): G w h^3/3 (1 - 0.63 h/w)."""
@@ -245,9 +246,11 @@ class SidewaysStability:
 
     def __str__(self) -> str:
         """One sentence; the margin where it warns."""
-        if self.needs_guiding:
-            return f"sideways margin {self.margin:.3g} ({self.word}): {self.meaning}"
-        return f"sideways {self.word}: {self.meaning}"
+        return note(
+            "sideways margin {margin:.3g} ({word}): {meaning}" if self.needs_guiding else "sideways {word}: "
+            "{meaning}",
+            margin=self.margin, word=note(self.word), meaning=note(self.meaning),
+        )  # fmt: skip
 
     @property
     def meaning(self) -> str:
@@ -255,7 +258,8 @@ class SidewaysStability:
         if self._is_rod and self._between:
             return "its holes leave open whether it tips over sideways: guide it at the sides, or try it out"
         return {
-            "unstable": "it tips over sideways or twists out of its plane: guide it at the sides, or make it wider",
+            "unstable": "it tips over sideways or twists out of its plane: guide it at the sides, or make "
+            "it wider",
             "low": "it stays in its plane, but a push from the side may tip it: guide it at the sides",
             "ample": "it stays in its plane",
             "undecided": "too wide for its length and bend to be judged as a rod: try it out",

@@ -44,6 +44,7 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
 )
 from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.refusals import Length, Listed, Span, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -584,21 +585,25 @@ class ConditionedRows:
 
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:
         """Raise `NotRealizable` with the reason and the places."""
-        listed = ", ".join(f"{z.s:.4g}" for z in self.check.zeros)
         if family is None or (family.freedom == 0 and family.offset is None):
-            reason = (
+            reason = note(
                 "With this weight and these supports the moment cannot vanish in all places without "
-                f"curvature (at {listed} mm) at once: move the inflections (nearest_rod does), or hold more "
-                "at the ends."
+                "curvature (at {places}) at once: move the inflections (nearest_rod does), or hold "
+                "more at the ends.",
+                places=Listed(Length(z.s) for z in self.check.zeros),
             )
         else:
             wrong = find_violations(family)
-            where = f" near {stretches(wrong, self.check.length)} mm" if wrong.size else ""
-            reason = (
-                f"With this weight and these supports the moment would have to act against the "
-                f"curvature{where}, so no positive stiffness balances the curve: use a lighter or stiffer "
-                "sheet, support the strip there, or change the curve."
-            )
+            near = stretches(wrong, self.check.length)
+            reason = note(
+                "With this weight and these supports the moment would have to act against the curvature "
+                "near {stretches}, so no positive stiffness balances the curve: use a lighter or stiffer "
+                "sheet, support the strip there, or change the curve." if near else
+                "With this weight and these supports the moment would have to act against the curvature, so "
+                "no positive stiffness balances the curve: use a lighter or stiffer sheet, support the "
+                "strip there, or change the curve.",
+                stretches=near,
+            )  # fmt: skip
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))
 
 
@@ -631,10 +636,10 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
     return vt[rank:].T, x if residual.max(initial=0.0) <= 10 * RANK_SHARE else None
 
 
-def stretches(s: FloatArray, length: float) -> str:
+def stretches(s: FloatArray, length: float) -> Listed:
     """Places, those closer than a twentieth of the length put together."""
     s = np.sort(np.round(s, 6)) + 0.0  # no -0
-    groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1)
-    return ", ".join(
-        f"{g[0]:.4g}" if np.ptp(g) < length / 200 else f"{g[0]:.4g} to {g[-1]:.4g}" for g in groups
+    groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1) if s.size else ()
+    return Listed(
+        Length(g[0]) if np.ptp(g) < length / 200 else Span((Length(g[0]), Length(g[-1]))) for g in groups
     )

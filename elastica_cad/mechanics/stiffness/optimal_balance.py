@@ -31,7 +31,7 @@ from elastica_cad.mechanics.stiffness.moment_conditions import (
 )
 from elastica_cad.mechanics.stiffness.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 COMPLIANCE_STEP = 0.2
 """Step of log(1 / B) in the search for lighter rods."""
@@ -136,11 +136,11 @@ class WeightedPanels:
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:
     """Message for a curve of `length` mm whose weight is far too large for its stiffness."""
-    return (
-        "The weight is far too much for the stiffness (a gravity length of "
-        f"{gravity.length:.4g} mm on a curve of {length:.4g} mm): use a lighter or "
-        "stiffer sheet, or look at the units (200 gsm card: 96 mm)."
-    )
+    return note(
+        "The weight is far too much for the stiffness (a gravity length of {gravity_length} on a curve of "
+        "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
+        gravity_length=Length(gravity.length), length=Length(length),
+    )  # fmt: skip
 
 
 def _point_weights(panels: Panels, masses: Sequence[PointMass], supports: Supports) -> FloatArray:
@@ -462,7 +462,7 @@ def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
 
 
 def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
-    moves = f" (the stiffness still moves by {change:.2g})" if np.isfinite(change) else ""
+    moves = note(" (the stiffness still moves by {change:.2g})", change=change) if np.isfinite(change) else ""
     return NotConvergedError(
         "weight and {quantity} do not settle{moves}: the rod is too heavy for this curve; "
         "use a stiffer or lighter material, or support it",

@@ -235,8 +235,8 @@ def _by_short_steps(
         rod = solve(section=law, weight=Weight(masses=masses, own=True))
     except InputError as error:
         raise InputError(
-            "the laminate cannot be as soft in one place and as stiff in another as the curve needs under this "
-            "weight: use a thicker backing, or lighter sheets"
+            "the laminate cannot be as soft in one place and as stiff in another as the curve needs under "
+            "this weight: use a thicker backing, or lighter sheets"
         ) from error
     return replace(rod, section=None)
 
@@ -269,9 +269,9 @@ def _scale(
         ratio = section.thickness_ratio(base_width, stiffness, least_backing=least_backing)
         raise InputError(
             "the laminate cannot be as soft in one place and as stiff in another as the curve "
-            "needs: with the backing {rounded_up} times as thick as the base (now "
+            "needs: with the backing {least:g} times as thick as the base (now "
             "{thickness:.3g} times) or more it could",
-            rounded_up=rounded_up(1 / ratio, 3),
+            least=rounded_up(1 / ratio, 3),
             thickness=section.backing.thickness / section.base.thickness,
         )
     return found.scale

@@ -41,7 +41,8 @@ from elastica_cad.mechanics.stiffness.optimal_balance import (
 from elastica_cad.mechanics.stiffness.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE
 from elastica_cad.mechanics.theorem1.equilibrium_check import examine
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, InflectionLine, NotRealizable, figure
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, InflectionLine, NotRealizable
+from elastica_cad.refusals import Length, note
 
 TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
@@ -280,8 +281,8 @@ def optimal_rod(
         _check_section(section, weight, bending_stiffness, largest_stiffness, law)
     elif bending_stiffness is not None and largest_stiffness is not None:
         raise InputError(
-            "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: leave "
-            "one of them out"
+            "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: "
+            "leave one of them out"
         )
     require_tolerance(tolerance)
     check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
@@ -347,8 +348,8 @@ def _check_section(
 ) -> None:
     if isinstance(section, LeavesLaw):
         raise InputError(
-            "glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as "
-            "keep=Keep(), or call nearest_rod, and the nearest stack is found"
+            "glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such "
+            "as keep=Keep(), or call nearest_rod, and the nearest stack is found"
         )
     missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
     if missing:
@@ -360,8 +361,8 @@ def _check_section(
     settled = any(one is not None for one in (bending_stiffness, largest_stiffness, law))
     if settled or not alone:
         raise InputError(
-            "a section settles its own stiffness and weight: leave out bending_stiffness, largest_stiffness and "
-            "law, and give masses only, as Weight(masses=..., own=True)"
+            "a section settles its own stiffness and weight: leave out bending_stiffness, largest_stiffness "
+            "and law, and give masses only, as Weight(masses=..., own=True)"
         )
 
 
@@ -401,13 +402,14 @@ def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weigh
         hung = any(mass.mass > 0 and abs(mass.at - s) <= AT_END_SHARE * check.length for mass in masses)
         if support.x or support.y or support.angle or hung:
             continue
-        reason = (
-            f"The {name} (at {figure(s)} mm) is free and carries the weight of the strip only, so moment and "
-            "force run out together: the curvature would have to vanish there with its slope, and grow just as "
-            "this sheet's weight asks (kappa = cos(angle) u^2 / (2 l^3) at the distance u, l being the "
-            "gravity's length), which no drawn curve does. nearest_rod finds the nearest curve that hangs so; "
-            "bend(Rod.straight(...)) shows how a given strip hangs; or hang a mass on this end."
-        )
+        reason = note(
+            "The {end} (at {s}) is free and carries the weight of the strip only, so moment and force run "
+            "out together: the curvature would have to vanish there with its slope, and grow just as this "
+            "sheet's weight asks (kappa = cos(angle) u^2 / (2 l^3) at the distance u, l being the gravity's "
+            "length), which no drawn curve does. nearest_rod finds the nearest curve that hangs so; "
+            "bend(Rod.straight(...)) shows how a given strip hangs; or hang a mass on this end.",
+            end=note(name), s=Length(s),
+        )  # fmt: skip
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
 
@@ -481,11 +483,17 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     warnings = list(check.warnings)
     if check.moved > TOLD_MOVE_MM and problem.gravity is None:
         warnings.append(
-            f"The curve was moved by at most {check.moved:.3g} mm to bring its inflections onto one line."
+            note(
+                "The curve was moved by at most {moved} to bring its inflections onto one line.",
+                moved=Length(check.moved),
+            )
         )
     elif check.moved > TOLD_MOVE_MM:
         warnings.append(
-            f"The curve was moved by at most {check.moved:.3g} mm to take the last bend out of its ends."
+            note(
+                "The curve was moved by at most {moved} to take the last bend out of its ends.",
+                moved=Length(check.moved),
+            )
         )
     if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._counts import counted
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
@@ -15,7 +16,7 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet import Grain, Range, Sheet
 from elastica_cad.mechanics.material.sheet_library import USUAL_RATIO
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Listed, note, sentences
 
 _NODES = 201
 """Number of nodes of the bent cantilever."""
@@ -112,19 +113,21 @@ class Calibration:
             shear_modulus=shear_modulus,
             grain=grain,
             kind=kind,
-            source=f"cantilever test, {len(self.readings)} reading{'s' if len(self.readings) > 1 else ''}, "
-            f"elasto-gravity length {self.elasto_gravity_length:.2f} +- {self.uncertainty:.2f} mm",
+            source=f"cantilever test, {counted(len(self.readings), 'reading')}, elasto-gravity length "
+            f"{self.elasto_gravity_length:.2f} +- {self.uncertainty:.2f} mm",
             youngs_modulus_range=limits,
         )
 
     def __str__(self) -> str:
         """The numbers, with their uncertainty."""
-        lines = [f"elasto-gravity length {self.elasto_gravity_length:.2f} +- {self.uncertainty:.2f} mm"]
+        length, off = self.elasto_gravity_length, Length(self.uncertainty)
+        lines = [note("elasto-gravity length {length:.2f} +- {off:.2f}", length=length, off=off)]
         if len(self.readings) > 1:
-            lines.append("readings " + ", ".join(f"{value:.2f}" for value in self.readings) + " mm")
+            lines.append(note("readings {readings:.2f}", readings=Listed(map(Length, self.readings))))
         if self.youngs_modulus is not None and self.youngs_modulus_uncertainty is not None:
-            lines.append(f"E {self.youngs_modulus:.0f} +- {self.youngs_modulus_uncertainty:.0f} MPa")
-        return "\n".join(lines)
+            modulus, apart = self.youngs_modulus, self.youngs_modulus_uncertainty
+            lines.append(note("E {modulus:.0f} +- {off:.0f} MPa", modulus=modulus, off=apart))
+        return sentences(lines, "\n")
 
 
 def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:

@@ -13,6 +13,7 @@ from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
 from elastica_cad.mechanics.studies.tolerance_study import feels_modulus
+from elastica_cad.refusals import Length, note, sentences
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,19 +79,26 @@ class Creep:
 
     def __str__(self) -> str:
         """One or two sentences."""
-        kind = "exactly, for a linear homogeneous sheet" if self.exact else "about, by the effective modulus"
-        said = (
-            f"In the long run ({kind}), with a creep factor of {self.factor:g}: it sags by {self.sag:.3g} mm, "
-            f"keeps {100 * self.force_share:.0f} % of its stiffness, and let go it keeps "
-            f"{100 * self.kept_share:.0f} % of its bend at first."
-        )
+        said = note(
+            "In the long run (exactly, for a linear homogeneous sheet), with a creep factor of {factor:g}: "
+            "it sags by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of "
+            "its bend at first."
+            if self.exact else
+            "In the long run (about, by the effective modulus), with a creep factor of {factor:g}: it sags "
+            "by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of its bend "
+            "at first.",
+            factor=self.factor, sag=Length(self.sag), force=100 * self.force_share, bend=100 * self.kept_share,
+        )  # fmt: skip
         after = self.stability
         if not self.stays:
-            said += (
-                " Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
+            snaps = note(
+                "Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
             )
-        elif after.margin < SAFE_MARGIN <= stability(self.rod).margin:
-            said += f" Its margin falls to {after.margin:.3g} (low)."
+            return sentences([said, snaps], " ")
+        if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
+            return sentences(
+                [said, note("Its margin falls to {margin:.3g} (low).", margin=after.margin)], " "
+            )
         return said
 
 

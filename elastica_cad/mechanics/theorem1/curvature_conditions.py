@@ -25,8 +25,8 @@ from elastica_cad.mechanics.loads.rest_curvature import (
     require_natural_curvature,
 )
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, figure, listed, places, shown_on
-from elastica_cad.refusals import Length
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, lengths, shown_on
+from elastica_cad.refusals import Length, Listed, note
 
 
 def require_bendable(curve: PlaneCurve) -> None:
@@ -53,14 +53,16 @@ def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
     if drawn is not None and all(corner.t in maybe for corner in corners):
         turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
-        return _tell_undecided(drawn, turn, places(c.s for c in corners))
-    at = f" ({drawn.shown(curve.evaluate(np.array(corners[0].t)))})" if drawn is not None else ""
+        return _tell_undecided(drawn, turn, [c.s for c in corners])
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
-    return (
-        f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
-        "bends without "
-        f"kinks; round it, or draw two curves{_tell_smooth(curve)}"
-    )
+    shown = None if drawn is None else drawn.shown(curve.evaluate(np.array(corners[0].t)))
+    return note(
+        "the curve has a corner at {places}, of {angle:.3g} degrees: a strip bends without kinks; round it, "
+        "or draw two curves{smooth}" if shown is None else
+        "the curve has a corner at {places} ({shown}), of {angle:.3g} degrees: a strip bends without kinks; "
+        "round it, or draw two curves{smooth}",
+        places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_tell_smooth(curve),
+    )  # fmt: skip
 
 
 def _tell_seam(curve: PlaneCurve) -> str:
@@ -69,23 +71,22 @@ def _tell_seam(curve: PlaneCurve) -> str:
     start = curve.evaluate(np.array(curve.domain[0]))
     for turn in () if drawn is None else drawn.undecided:
         if turn.t == curve.domain[0]:
-            return _tell_undecided(drawn, turn, places((0.0,)))
-    return (
-        f"the curve is closed with a corner of {np.degrees(abs(curve.seam_turn)):.3g} degrees at "
-        f"{shown_on(curve, start)}: a strip bends without kinks; round it, or leave a gap between its "
-        f"ends{_tell_smooth(curve)}"
-    )
+            return _tell_undecided(drawn, turn, [0.0])
+    return note(
+        "the curve is closed with a corner of {angle:.3g} degrees at {shown}: a strip bends without kinks; "
+        "round it, or leave a gap between its ends{smooth}",
+        angle=np.degrees(abs(curve.seam_turn)), shown=shown_on(curve, start), smooth=_tell_smooth(curve),
+    )  # fmt: skip
 
 
-def _tell_undecided(drawn: Provenance | None, turn: Turn, where: str) -> str:
-    shown = drawn or Provenance()
-    return (
-        f"undecided at this precision: the curve turns by {np.degrees(turn.angle):.2g} degrees at "
-        f"{shown.shown(turn.point)}, {where} along it, and the digits "
-        f"of the file alone can turn its handle of {turn.handle:.3g} mm by "
-        f"{np.degrees(turn.bound):.2g}: save it "
-        "with more decimals, or make the node smooth with longer handles"
-    )
+def _tell_undecided(drawn: Provenance | None, turn: Turn, s: Iterable[float]) -> str:
+    return note(
+        "undecided at this precision: the curve turns by {angle:.2g} degrees at {shown}, {places} from its "
+        "start, and the digits of the file alone can turn its handle of {handle} by {bound:.2g}: save it "
+        "with more decimals, or make the node smooth with longer handles",
+        angle=np.degrees(turn.angle), shown=(drawn or Provenance()).shown(turn.point), places=lengths(s),
+        handle=Length(turn.handle), bound=np.degrees(turn.bound),
+    )  # fmt: skip
 
 
 def _taken_out(curve: PlaneCurve) -> tuple[Change, ...]:
@@ -95,10 +96,12 @@ def _taken_out(curve: PlaneCurve) -> tuple[Change, ...]:
 
 
 def _tell_smooth(curve: PlaneCurve) -> str:
-    return "".join(
-        f", or take it out within {one.value:g} mm (smooth = {one.value:g}, --smooth {one.value:g})"
-        for one in _taken_out(curve)
-    )
+    slight = _taken_out(curve)
+    if not slight:
+        return ""
+    mm = slight[0].value
+    within = ", or take it out within {size:g} (smooth = {mm:g}, --smooth {mm:g})"
+    return note(within, size=Length(mm), mm=mm)
 
 
 PLACES = 721
@@ -270,11 +273,11 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
     if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
         return excess, ()
     place = flattest_place(curve)
-    told = (
-        "The curve is closed and begins where it is not bent, so places are counted from "
-        f"{shown_on(curve, curve.at(np.array([place])).position[0])}, "
-        f"{figure(place)} mm after its start."
-    )
+    told = note(
+        "The curve is closed and begins where it is not bent, so places are counted from {shown}, {s} after "
+        "its start.",
+        shown=shown_on(curve, curve.at(np.array([place])).position[0]), s=Length(place), severity="warning",
+    )  # fmt: skip
     return replace(excess, curve=begin_at(curve, place)), (told,)
 
 
@@ -369,11 +372,14 @@ def _tell_pinned_ends(
             continue
         kappa = float(curve.curvature_at(np.array(t)))
         natural = float(excess.rest_at(np.array(t)))
-        over = f" less the natural {natural:.4g}" if natural else ""
-        yield (
-            f"The {name} (at {s:.4g} mm) is free to turn, so the curve must have no curvature there; it has "
-            f"{kappa:.4g} 1/mm{over}: clamp this end, or let the curvature run out to zero."
-        )
+        yield note(
+            "The {end} (at {s}) is free to turn, so the curve must have no curvature there; it has "
+            "{curvature:.3g} 1/mm less the natural {natural:.3g}: clamp this end, or let the curvature run "
+            "out to zero." if natural else
+            "The {end} (at {s}) is free to turn, so the curve must have no curvature there; it has "
+            "{curvature:.3g} 1/mm: clamp this end, or let the curvature run out to zero.",
+            end=note(name), s=Length(s), curvature=kappa, natural=natural,
+        )  # fmt: skip
 
 
 def _tell_straight_parts(
@@ -384,16 +390,19 @@ def _tell_straight_parts(
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
                   if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
-        what = "has exactly the natural curvature" if excess.is_bent_beforehand else "is straight"
-        opening = (
-            f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
-            "the stiffness would have to go to 0 at the joint"
-        )
+        opening = note(
+            "The piece from {start} to {end} has exactly the natural curvature and joined to a bent one, so "
+            "the stiffness would have to go to 0 at the joint" if excess.is_bent_beforehand else
+            "The piece from {start} to {end} is straight and joined to a bent one, so the stiffness would "
+            "have to go to 0 at the joint",
+            start=Length(round(flat.s, 6)), end=Length(flat.s_end),
+        )  # fmt: skip
         if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints):
-            yield f"{opening}, whatever supports the strip there: bend the piece a little."
+            yield note("{why}, whatever supports the strip there: bend the piece a little.", why=opening)
         else:
-            yield (
-                f"{opening}: support the strip {places(s for s, _, _ in joints)}, or bend the piece a little."
+            at = lengths(s for s, _, _ in joints)
+            yield note(
+                "{why}: support the strip at {places}, or bend the piece a little.", why=opening, places=at
             )
 
 
@@ -409,20 +418,22 @@ def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool)
 def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
     """Jumps of the curvature through zero."""
     if jumps:
-        yield (
-            f"The bending is reversed by a jump of the curvature {places(jumps)}, where the stiffness would "
-            "have to go to 0: support the strip there, or let the curvature pass through zero smoothly "
-            "(smooth = 0.1, or --smooth 0.1, does that within 0.1 mm)."
+        yield note(
+            "The bending is reversed by a jump of the curvature at {places}, where the stiffness would have "
+            "to go to 0: support the strip there, or let the curvature pass through zero smoothly (smooth = "
+            "0.1, or --smooth 0.1, does that within 0.1 mm).",
+            places=lengths(jumps),
         )
 
 
 def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
     """Places where the curvature touches zero."""
     if touches:
-        yield (
-            f"The curvature runs out to zero {places(touches)} without a clear change of sign, where the "
-            "stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a "
-            "little more there, or reverse its bending at a clear rate."
+        yield note(
+            "The curvature runs out to zero at {places} without a clear change of sign, where the stiffness "
+            "would have to be infinite or zero, whatever supports the strip: bend the curve a little more "
+            "there, or reverse its bending at a clear rate.",
+            places=lengths(touches),
         )
 
 
@@ -447,20 +458,19 @@ def _warn_of_widths(
     ]
     kinks = [b.s for b in breaks if b.continuity == 2 and _is_seen(curve, b)]
     if steps:
-        yield (
-            f"The width of the strip steps {places(steps)}, where the curvature jumps: smooth = 0.1, or "
-            "--smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
-        )
+        yield note(
+            "The width of the strip steps at {places}, where the curvature jumps: smooth = 0.1, or --smooth "
+            "0.1, makes it a fair curve of degree 4 within 0.1 mm.",
+            places=lengths(steps), severity="warning",
+        )  # fmt: skip
     if kinks:
-        advice = (
-            "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm"
-            if curve.degree < 4
-            else "do not repeat the knot there"
-        )
-        yield (
-            f"The width of the strip has a kink {places(kinks)}, where the slope of the curvature jumps: "
-            f"{advice}."
-        )
+        yield note(
+            "The width of the strip has a kink at {places}, where the slope of the curvature jumps: smooth "
+            "= 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm." if curve.degree < 4 else
+            "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
+            "repeat the knot there.",
+            places=lengths(kinks),
+        )  # fmt: skip
 
 
 def _is_seen(curve: PlaneCurve, place: Break) -> bool:
@@ -480,7 +490,10 @@ def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
     pairs = curve.self_intersections()
     if not pairs.size:
         return ()
-    where = listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
+    both = Listed(Listed(map(Length, pair)) for pair in pairs)
     return (
-        f"The curve crosses itself (at {where} mm): two parts of the strip must pass side by side there.",
-    )
+        note(
+            "The curve crosses itself (at {places}): two parts of the strip must pass side by side there.",
+            places=both, severity="warning",
+        ),
+    )  # fmt: skip

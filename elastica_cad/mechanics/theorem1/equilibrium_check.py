@@ -30,11 +30,9 @@ from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE, e
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck,
     InflectionLine,
-    count,
-    figure,
-    listed,
-    places,
+    lengths,
 )
+from elastica_cad.refusals import Length, Listed, note
 
 
 def check_equilibrium(
@@ -192,6 +190,11 @@ _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
 
 _AT_ZERO_SHARE = 1e-4  # nearer to a zero of the curvature, in lengths, K is a quotient of two small numbers
+_LINES = {
+    "": ("one line", "The line through its inflections"),
+    "vertical": ("one vertical line", "The vertical line that the supports ask for"),
+    "horizontal": ("one horizontal line", "The horizontal line that the supports ask for"),
+}
 _TURNS = 67  # of a line about the only inflection, tried
 
 
@@ -229,10 +232,10 @@ def _check_line(
     """The verdict on a curve whose curvature was examined and has zeros: is there a line for its moment?"""
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
-        reason = (
+        reason = note(
             "No force can act between its ends, so the moment is constant and the curve must bend one way "
-            f"only; it has {count(check.zeros)}, {places(z.s for z in check.zeros)}: hold both ends in x "
-            "or in y."
+            "only; its bending changes at {places}: hold both ends in x or in y.",
+            places=lengths(z.s for z in check.zeros),
         )
         return _refused(check, reason)
     normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
@@ -249,11 +252,11 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
     if found.line is not None:
         return _off_the_border(checked, natural_curvature, (np.pi - found.spread) / 2)
     near = tuple(s for s in found.places if abs(s - zero.s) > AT_END_SHARE * check.length)
-    reason = (
-        f"Every line through the inflection at {zero.s:.4g} mm meets the curve again or touches it there "
-        f"(the curve is in the way {places(near, 'near')}): wind the curve less, or support the strip "
-        "between."
-    )
+    reason = note(
+        "Every line through the inflection at {s} meets the curve again or touches it there (the curve is "
+        "in the way near {places}): wind the curve less, or support the strip between.",
+        s=Length(zero.s), places=lengths(near),
+    )  # fmt: skip
     return _refused(replace(checked, crossings=near), reason)
 
 
@@ -284,21 +287,17 @@ def _with_line(
     crossings = tuple(m.s for m in meetings if m.kind == "crossing")
     tangents = tuple(m.s for m in meetings if m.kind == "tangent")
     touches = tuple(m.s for m in meetings if m.kind == "touch")
-    name = (
-        "the line through its inflections"
-        if normal is None
-        else f"the {_kind_of(normal)}line that the supports ask for"
+    meetings_of = (
+        ("crosses the curve at {places}", crossings),
+        ("touches the curve at {places}", touches),
+        ("is tangent to the curve in the inflection at {places}", tangents),
     )
-    parts = [
-        *([f"crosses the curve {places(crossings)}"] if crossings else []),
-        *([f"touches the curve {places(touches)}"] if touches else []),
-        *([f"is tangent to the curve in the inflection {places(tangents)}"] if tangents else []),
-    ]
-    reason = (
-        f"{name[0].upper()}{name[1:]} {' and '.join(parts)}, where the moment would vanish or change sign "
-        "and the curvature does not: move the curve off the line there, or support the strip between there "
-        "and the inflections beside it."
-    )
+    reason = note(
+        "{line} {meets}, where the moment would vanish or change sign and the curvature does not: move the "
+        "curve off the line there, or support the strip between there and the inflections beside it.",
+        line=note(_LINES[_kind_of(normal)][1]),
+        meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
+    )  # fmt: skip
     return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
 
 
@@ -331,21 +330,27 @@ def _off_the_border(
     at = _widest_place(ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare)
     if at is None:
         return check
-    reason = (
-        f"The curve is on the border of what a strip can take: near {figure(at)} mm the stiffness would have to be "
-        f"more than {_WIDEST_RATIO:g} times that of other places. Move the curve farther from the line through its "
-        "inflections, or bend it more clearly there."
-    )
+    reason = note(
+        "The curve is on the border of what a strip can take: near {s} the stiffness would have to be more "
+        "than {ratio:.0f} times that of other places. Move the curve farther from the line through its "
+        "inflections, or bend it more clearly there.",
+        s=Length(round(at, 6)), ratio=_WIDEST_RATIO,
+    )  # fmt: skip
     return _refused(check, reason)
 
 
 def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
-    small = f" (at most {allowed:.2g} mm is put right without asking)" if allowed else ""
-    return (
-        f"Its inflections do not lie on one {_kind_of(normal)}line: those "
-        f"{places(s for s, _ in check.off_line)} are {listed(f'{abs(d):.3g}' for _, d in check.off_line)} "
-        f"mm off the nearest one{small}. Move them onto one line, or support the strip between them."
+    small = (
+        note(" (at most {allowed:.2g} is put right without asking)", allowed=Length(allowed))
+        if allowed
+        else ""
     )
+    return note(
+        "Its inflections do not lie on {one_line}: those at {places} are {off} off the nearest one{small}. "
+        "Move them onto one line, or support the strip between them.",
+        one_line=note(_LINES[_kind_of(normal)][0]), places=lengths(s for s, _ in check.off_line),
+        off=Listed(Length(abs(d)) for _, d in check.off_line), small=small,
+    )  # fmt: skip
 
 
 def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
@@ -466,7 +471,7 @@ def _positions(check: EquilibriumCheck) -> FloatArray:
 def _kind_of(normal: FloatArray | None) -> str:
     if normal is None:
         return ""
-    return "vertical " if normal[0] else "horizontal "
+    return "vertical" if normal[0] else "horizontal"
 
 
 MOST_STEPS = 12

@@ -1,6 +1,6 @@
 """Verdicts on a curve, and on two for one strip, as records, the line of Theorem 1, and their words."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -11,6 +11,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.refusals import Length, Listed, note, sentences
 
 
 @dataclass(frozen=True)
@@ -118,36 +120,43 @@ class EquilibriumCheck:
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        opening = self._tell_blank() if self.bent_beforehand else self._tell_flat()
-        return " ".join([opening, *self.reasons, *self.warnings])
+        return sentences([self.verdict, *self.reasons, *self.warnings], " ")
+
+    @property
+    def verdict(self) -> str:
+        """Can a strip take it, in a sentence, without reasons."""
+        return self._tell_blank() if self.bent_beforehand else self._tell_flat()
 
     def _tell_flat(self) -> str:
         if not self.realizable:
-            return f"A flat strip cannot take this curve of {figure(self.length)} mm."
-        if self.any_stiffness:
-            return f"A strip of any width takes this curve of {figure(self.length)} mm: it is not bent."
-        if not self.inflections:
-            return f"A flat strip can take this curve of {figure(self.length)} mm; it has no inflections."
-        return (
-            f"A flat strip can take this curve of {figure(self.length)} mm; it has "
-            f"{count(self.inflections)}, {places(self.inflections)}."
-        )
+            said = "A flat strip cannot take this curve of {length}."
+        elif self.any_stiffness:
+            said = "A strip of any width takes this curve of {length}: it is not bent."
+        elif not self.inflections:
+            said = "A flat strip can take this curve of {length}; it has no inflections."
+        elif len(self.inflections) == 1:
+            said = "A flat strip can take this curve of {length}; it has 1 inflection, at {places}."
+        else:
+            said = "A flat strip can take this curve of {length}; it has {count} inflections, at {places}."
+        return self._said(said)
 
     def _tell_blank(self) -> str:
         """Its inflections cannot be seen in the curve: there it is bent as the blank was."""
         if not self.realizable:
-            return f"A strip bent beforehand as asked cannot take this curve of {figure(self.length)} mm."
+            return self._said("A strip bent beforehand as asked cannot take this curve of {length}.")
         if self.any_stiffness:
-            return f"A strip bent beforehand as asked has this curve of {figure(self.length)} mm already."
-        if not self.inflections:
-            return (
-                f"A strip bent beforehand as asked can take this curve of {figure(self.length)} mm; its bending "
-                "does not change sign."
-            )
-        return (
-            f"A strip bent beforehand as asked can take this curve of {figure(self.length)} mm; its bending "
-            f"changes sign {places(self.inflections)}."
+            return self._said("A strip bent beforehand as asked has this curve of {length} already.")
+        return self._said(
+            "A strip bent beforehand as asked can take this curve of {length}; its bending changes sign at "
+            "{places}."
+            if self.inflections
+            else "A strip bent beforehand as asked can take this curve of {length}; its bending does not "
+            "change sign."
         )
+
+    def _said(self, text: str) -> str:
+        places = lengths(self.inflections)
+        return note(text, length=Length(self.length), count=len(places), places=places)
 
     def _repr_html_(self) -> str:
         return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
@@ -245,13 +254,13 @@ class PairCheck:
 
     def _tell(self) -> str:
         if not self.realizable:
-            return f"No strip rests in both curves of {figure(self.length)} mm."
+            return note("No strip rests in both curves of {length}.", length=Length(self.length))
         if self.any_stiffness:
             return "Both curves have the same shape: a strip of that shape rests in them without being bent."
         held = "in the same clamps" if self.bistable else "each in its own clamps"
-        alike = places(z.s for z in self.zeros)
-        bent = f"they are bent alike {alike}" if self.zeros else "they are bent alike nowhere"
-        return f"One strip can rest in both curves of {figure(self.length)} mm, {held}; {bent}."
+        alike = "they are bent alike at {places}" if self.zeros else "they are bent alike nowhere"
+        text = f"One strip can rest in both curves of {{length}}, {held}; {alike}."
+        return note(text, length=Length(self.length), places=lengths(z.s for z in self.zeros))
 
     def _repr_html_(self) -> str:
         return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
@@ -282,30 +291,12 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
         super().__init__(str(check), changes=nearest)
 
 
-def count(zeros: Sequence[object]) -> str:
-    """For example "2 inflections"."""
-    return f"{len(zeros)} inflection{'s' if len(zeros) > 1 else ''}"
-
-
-def places(s: Iterable[float], word: str = "at") -> str:
-    """For example "at 12 and 34.5 mm"."""
-    return f"{word} {listed(figure(x) for x in s)} mm"
-
-
-def figure(x: float) -> str:
-    """Four figures, and no traces of rounding instead of 0; no power of ten where it is large."""
-    return f"{round(x, 6):.4g}" if abs(x) < 1e4 else f"{x:.0f}"
-
-
-def listed(items: Iterable[str], most: int = 6) -> str:
-    """Texts joined by commas and "and"; no more than `most` of them."""
-    texts = list(items)
-    if len(texts) > most:
-        return ", ".join(texts[:most]) + f" and {len(texts) - most} more"
-    return " and ".join([", ".join(texts[:-1]), texts[-1]]) if len(texts) > 1 else "".join(texts)
+def lengths(s: Iterable[float]) -> Listed:
+    """Places along the curve, without traces of rounding: "12 and 34.5 mm"."""
+    return Listed(Length(round(x, 6)) for x in s)
 
 
 def shown_on(curve: PlaneCurve, point: FloatArray) -> str:
     """A point (2,) as the program shows it in which the curve was drawn."""
     drawn = curve.provenance
-    return f"({point[0]:.4g}, {point[1]:.4g})" if drawn is None else drawn.shown(point)
+    return (drawn or Provenance()).shown(point)

@@ -36,8 +36,8 @@ from elastica_cad.mechanics.theorem1.curvature_conditions import (
     faint_places,
     require_bendable,
 )
-from elastica_cad.mechanics.theorem1.verdict import PairCheck, PairZero, figure, places
-from elastica_cad.refusals import Length
+from elastica_cad.mechanics.theorem1.verdict import PairCheck, PairZero, lengths
+from elastica_cad.refusals import Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
 """Two curves whose lengths differ by more of themselves are made equal first: see `matched_pair`."""
@@ -125,11 +125,14 @@ def examine_pair(
     answer = paired.least_ratio()
     if answer is None:
         against = find_violations(paired.family)
-        where = f" near {stretches(against, check.length)} mm" if against.size else ""
-        reason = (
-            f"The moments of the two states, equal where the curves are bent alike{_at(zeros)}, would have to act "
-            f"against their curvatures{where}, so no positive stiffness balances both: change one of the curves "
-            "there, or bring the two closer to each other."
+        reason = note(
+            "The moments of the two states, equal where the curves are bent alike, would have to act against their "
+            "curvatures near {places}, so no positive stiffness balances both: change one of the curves there, or "
+            "bring the two closer to each other."
+            if against.size
+            else "The moments of the two states, equal where the curves are bent alike, would have to act against "
+            "their curvatures, so no positive stiffness balances both: bring the two curves closer to each other.",
+            places=stretches(against, check.length),
         )
         return _refused(replace(check, against=tuple(against.tolist())), reason), None, None
     return check, paired, answer
@@ -243,40 +246,43 @@ def _refused(check: PairCheck, *reasons: str) -> PairCheck:
     return replace(check, realizable=False, reasons=reasons)
 
 
-def _at(zeros: Sequence[PairZero]) -> str:
-    return f" ({places(z.s for z in zeros)})" if zeros else ""
-
-
 def _tell_flats(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
     for start, end in flats:
-        yield (
-            f"Both curves are bent alike from {figure(start)} to {figure(end)} mm: there the moments would be "
-            "equal too, and beside it they part so slowly that the strip would have no width; bend one of the "
-            "curves a little more there, or draw it alike throughout."
+        yield note(
+            "Both curves are bent alike from {start} to {end}: there the moments would be equal too, and beside it "
+            "they part so slowly that the strip would have no width; bend one of the curves a little more there, "
+            "or draw it alike throughout.",
+            start=Length(start),
+            end=Length(end),
         )
 
 
 def _tell_unmet(unmet: Sequence[PairZero]) -> Iterable[str]:
     what = {
-        0: "which of the two curves is bent further left changes by a jump, and moments do not jump; smooth the "
-        "curvature there, as a spline does",
-        2: "the curvatures touch each other where both curves are straight (a zero of order 2), and the moments "
-        "would touch to order 4; bend both curves there, or neither like the other",
-        3: "the curvatures cross without a slope (a zero of order 3), and the moments would cross to order 5; let "
-        "one curve change its bend faster there",
+        0: "At {places} which of the two curves is bent further left changes by a jump, and moments do not jump; "
+        "smooth the curvature there, as a spline does.",
+        2: "At {places} the curvatures touch each other where both curves are straight (a zero of order 2), and "
+        "the moments would touch to order 4; bend both curves there, or neither like the other.",
+        3: "At {places} the curvatures cross without a slope (a zero of order 3), and the moments would cross to "
+        "order 5; let one curve change its bend faster there.",
     }
     for order, words in what.items():
         at = [z.s for z in unmet if z.order == order]
         if at:
-            yield f"{places(at, 'At')} {words}."
+            yield note(words, places=lengths(at))
 
 
 def _tell_too_many(check: PairCheck, paired: "PairedPanels") -> str:
-    alike = "congruent or mirrored curves meet two" if paired.rank < NUMBERS - 1 else "two curves meet four"
-    return (
-        f"Both curves are bent alike {places(z.s for z in check.zeros)}, so the moments of the two states would "
-        f"have to be equal in all of these places; {alike} as a rule, and these meet none beyond "
-        f"{figure(paired.beyond[0].s)} mm: let the curvatures of the two curves cross in fewer places."
+    return note(
+        "Both curves are bent alike at {places}, so the moments of the two states would have to be equal in all of "
+        "these places; congruent or mirrored curves meet two as a rule, and these meet none beyond {beyond}: let "
+        "the curvatures of the two curves cross in fewer places."
+        if paired.rank < NUMBERS - 1
+        else "Both curves are bent alike at {places}, so the moments of the two states would have to be equal in "
+        "all of these places; two curves meet four as a rule, and these meet none beyond {beyond}: let the "
+        "curvatures of the two curves cross in fewer places.",
+        places=lengths(z.s for z in check.zeros),
+        beyond=Length(paired.beyond[0].s),
     )
 
 

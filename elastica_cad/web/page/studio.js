@@ -14,9 +14,8 @@ const SNAPS = [0, 1, 5, 10];
 const SPACE_MS = 60; // between two pictures of the bent strip while it is dragged
 const REST_MS = 250; // after the last change, until the whole model is made
 
-export function mount(root, channel, hello, { linked = null, address = false, onchange = () => {} } = {}) {
-  const kept = History.kept("elastica-studio", linked ?? hello.design);
-  const history = kept ?? new History("elastica-studio", EMPTY);
+export function mount(root, channel, hello, { linked = null, address = false, kept = "elastica-studio", onchange = () => {} } = {}) {
+  const history = History.kept(kept, linked ?? hello.design) ?? new History(kept, EMPTY);
   const chosen = localStored("elastica-language") ?? navigator.language.slice(0, 2);
   const studio = new Studio(root, channel, hello, history, { address, onchange });
   studio.build(LANGUAGES[chosen] ? chosen : "en");

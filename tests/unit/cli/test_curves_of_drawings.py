@@ -104,7 +104,7 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
             "-o",
             out,
         )
-        done = elastica(*words, *(() if smooth is None else ("--smooth", smooth)))
+        done = elastica(*words, *(() if smooth is None else ("--set", f"smooth={smooth}")))
         assert done.exit_code == 0, done.stderr
         report = json.loads((out / "drawn-arch.json").read_text())
         ratios[smooth] = report["ratio"]
@@ -123,9 +123,10 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
 
 @pytest.mark.parametrize(("words", "sentence"), [
     (("--max-width", "1e200"), "--max-width is 1e+200"),
-    (("--max-width", "30", "--smooth", "-1"), "smooth is -1"),
-    (("--max-width", "30", "--smooth", "nan"), "nan or infinite"), (("--max-width", "inf"), "nan or infinite"),
-    (("--max-width", "30", "--samples", "9" * 20), "at most 1e+09"),
+    (("--max-width", "30", "--set", "smooth=-1"), "smooth is -1"),
+    (("--max-width", "30", "--set", "smooth=nan"), "smooth is nan: give a finite number"),
+    (("--max-width", "inf"), "nan or infinite"),
+    (("--max-width", "30", "--set", "samples=" + "9" * 20), "at most 1e+09"),
 ])  # fmt: skip
 def test_numbers_at_the_edge_are_refused_in_a_sentence(drawing, words, sentence):
     done = elastica("strip", drawing, "--curve", "arch", "--sheet", "birch-plywood-0.8", *words)

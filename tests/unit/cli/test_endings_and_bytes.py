@@ -64,7 +64,9 @@ def test_the_same_bytes_in_every_run(tmp_path):
     assert typed("new", "arch", "-q", cwd=tmp_path).returncode == 0
     found = []
     for seed in ("1", "2"):
-        strip = typed("strip", "bow.txt", *STRIP, "--paper", "A4", "--force", "-q", cwd=tmp_path, seed=seed)
+        strip = typed(
+            "strip", "bow.txt", *STRIP, "--set", "files.paper=A4", "--force", "-q", cwd=tmp_path, seed=seed
+        )
         kit = typed("model", "arch.toml", "-o", "out/kit", "--force", "-q", cwd=tmp_path, seed=seed)
         assert (strip.returncode, kit.returncode) == (0, 0), strip.stderr + kit.stderr
         files = (path for path in (tmp_path / "out").rglob("*") if path.is_file())

@@ -126,14 +126,14 @@ def test_lengths_may_be_inches(folder, words):
 def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
     """A slot meant 2 inches along, of 0.05 inch, came out at 2 mm and 0.05 mm wide without a word."""
     words = ("strip", "bow.txt", *SHEET, "--max-width", "1", "--units", "inch", "--json")
-    slot = ("--slot", "at = 60, width = 1.27", "--max-curvature", "0.2")
+    slot = ("--set", "slots = [{ at = 60, width = 1.27 }]", "--natural-curvature", "0")
     told = json.loads(typed(*words, *slot, "-o", "a", cwd=folder).stdout)
     assert [text for text in told["notes"] if "whatever --units says" in text] == [
-        'Note: --slot: lengths are mm, as in design files; 5 inches are "5*inch", whatever --units says',
-        "Note: --max-curvature: in 1/mm, of which 1/inch is 0.03937, whatever --units says",
+        'Note: --set: lengths are mm, as in design files; 5 inches are "5*inch", whatever --units says',
+        "Note: --natural-curvature: in 1/mm, of which 1/inch is 0.03937, whatever --units says",
     ]
-    inches = ("--slot", 'at = "60/25.4*inch", width = "0.05*inch"')
-    assert typed(*words, *inches, "-o", "b", cwd=folder).exit_code == 0
+    inches = ("--set", 'slots = [{ at = "60/25.4*inch", width = "0.05*inch" }]')
+    assert typed(*words, *inches, "-o", "", cwd=folder).exit_code == 0
     plain = typed(*words[:4], "--max-width", "25.4", *slot[:2], "-o", "c", "--json", cwd=folder)
     assert not any("whatever --units says" in text for text in json.loads(plain.stdout)["notes"])
     assert (folder / "b" / "bow.svg").read_text() == (folder / "c" / "bow.svg").read_text()

@@ -293,7 +293,7 @@ def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
     """Open cuts on the outer layer."""
     import ezdxf
 
-    for given, width in (((), 0.4), (("--holding", 1.5), 1.5)):
+    for given, width in (((), 0.4), (("--set", "cut.holding.width=1.5"), 1.5)):
         out = tmp_path / f"out{width}"
         result = run("model", crossed, "-o", out, "--no-step", "--no-pictures", "--no-effects", *given)
         assert result.exit_code == 0, result.output
@@ -303,11 +303,11 @@ def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
         assert not any(cut.dxftype() == "LWPOLYLINE" and cut.closed for cut in cuts)
     sizes = ("--sheet", "birch-plywood-0.8", "--max-width", 24)
     whole = run("strip", drawn, *sizes, "-o", tmp_path / "whole")
-    held = run("strip", drawn, *sizes, "--holding", 0.5, "-o", tmp_path / "held")
+    held = run("strip", drawn, *sizes, "--set", "cut.holding.width=0.5", "-o", tmp_path / "held")
     assert (whole.exit_code, held.exit_code) == (0, 0), held.output
     first, second = ((tmp_path / name / f"{drawn.stem}.svg").read_text() for name in ("whole", "held"))
     assert first.count("Z") > second.count("Z") == 0
-    assert run("strip", drawn, *sizes, "--holding", -1, "-o", tmp_path).exit_code == 2
+    assert run("strip", drawn, *sizes, "--set", "cut.holding.width=-1", "-o", tmp_path).exit_code == 2
 
 
 @pytest.mark.campaign

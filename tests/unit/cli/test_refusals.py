@@ -132,10 +132,10 @@ SUGGESTED = [
     ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 12 -o out", 2, "--max-width 15."),
     ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 4000 -o out", 2, "--max-width"),
     ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--thickness 0.8"),
-    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--smooth 0.2"),
-    ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--split-corners"),
+    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--set smooth=0.2"),
+    ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--set curve.split_corners=true"),
     ("check slight.svg", 2, "--smooth 0.2 -o out"),
-    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 1.2 -o out --units inch", 2, "--smooth 0.2mm"),
+    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 1.2 -o out --units inch", 2, "--set smooth=0.2"),
 ]
 
 
@@ -210,13 +210,15 @@ def test_a_mistyped_command_is_told_the_near_one():
 
 @pytest.mark.campaign
 def test_pieces_between_corners_carry_the_number_of_the_joint(desk, tmp_path):
-    words = "strip corner.svg --split-corners --sheet card-200gsm --max-width 12 --json"
+    words = "strip corner.svg --set curve.split_corners=true --sheet card-200gsm --max-width 12 --json"
     made = typed([*words.split(), "-o", str(tmp_path)], desk)
     assert made.exit_code == 0, made.stderr
     first, last = json.loads(made.stdout)["strips"]
     assert (first["joints"], last["joints"]) == (["", "J1"], ["J1", ""])
     assert first["length"] == pytest.approx(last["length"], rel=1e-6)
-    plain = typed([*words.split(), "--label", "", "--curves", "polyline", "-o", str(tmp_path / "bare")], desk)
+    plain = typed(
+        [*words.split(), "--label", "", "--set", "cut.curves=polyline", "-o", str(tmp_path / "bare")], desk
+    )
     assert plain.exit_code == 0
     engraved = [(tmp_path / "bare" / f"corner-{k}.dxf").read_text().count("ENGRAVE") for k in (1, 2)]
     assert engraved[0] == engraved[1] > 2  # strokes of J and 1, at the end of one, at the start of the other
@@ -376,7 +378,7 @@ def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
         ("check", "Missing argument 'CURVE': give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or"),
         ("model", "Missing argument 'DESIGN': give a design file; `elastica new pavilion` writes one"),
         ("sections", "Missing argument 'MESH': give the file of a mesh (OBJ, STL, PLY) or of a STEP body."),
-        ("strip arch.dxf", "Missing option '--sheet': give --sheet NAME|FILE. Material: a name of"),
+        ("strip arch.dxf", "Missing option '--sheet': give --sheet NAME. Material: the name of a sheet"),
         ("batten --sheet pom-1", "Missing option '--length': give --length MM. Of the batten."),
     ],
 )  # fmt: skip
@@ -389,10 +391,10 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
 @pytest.mark.parametrize(
     ("words", "options"),
     [
-        ("--smooth -1", "(--smooth)"),
-        ("--nearest --samples 99", "(--nearest, --samples)"),
-        ("--hang 20 5", "(--gravity, --hang)"),
-        ("--nearest --width-range 10 15 --max-width 20", "(--max-width, --width-range)"),
+        ("--set smooth=-1", "(--set smooth)"),
+        ("--nearest --set samples=99", "(--nearest, --set samples)"),
+        ("--set loads=[{at=20,mass=5}]", "(--gravity, --set loads)"),
+        ("--nearest --set limits.width=[10,15] --max-width 20", "(--max-width, --set limits.width)"),
     ],
 )
 def test_the_options_that_set_a_refused_field_are_named(words, options, tmp_path):

@@ -61,12 +61,12 @@ def test_the_bent_strip_is_written_for_screens(drawn, tmp_path):
     import trimesh
 
     asked = ("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40)
-    result = elastica(*asked, "--glb", "-o", tmp_path / "up")
+    result = elastica(*asked, "--set", "files.glb=true", "-o", tmp_path / "up")
     assert result.exit_code == 0, result.stderr
     assert "bow.glb" in result.stdout
     assert json.loads((tmp_path / "up" / "bow.json").read_text())["files"]["glb"] == "bow.glb"
-    lying = ("--x-axis", 0, 1, 0, "--y-axis", 1, 0, 0, "--origin", 0, 0, 500)
-    assert elastica(*asked, *lying, "--glb", "-o", tmp_path / "lying").exit_code == 0
+    lying = ("--set", "x_axis=[0,1,0]", "--set", "y_axis=[1,0,0]", "--set", "origin=[0,0,500]")
+    assert elastica(*asked, *lying, "--set", "files.glb=true", "-o", tmp_path / "lying").exit_code == 0
     (curve,) = ec.read_curves(drawn)
     x, y = np.subtract(*curve.bounds[::-1])
     up, flat = (trimesh.load(tmp_path / folder / "bow.glb") for folder in ("up", "lying"))
@@ -142,7 +142,7 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     loose = elastica(*arguments, "--ignore-limits")
     assert loose.exit_code == 0
     assert "Warning: strain" in loose.stderr
-    assert elastica(*arguments, "--ignore-limits", "--force", "--strict").exit_code == 1
+    assert elastica(*arguments, "--ignore-limits", "--force", "--set", "files.strict=true").exit_code == 1
 
 
 @pytest.mark.campaign
@@ -151,8 +151,18 @@ def test_the_layer_that_is_strained_most_is_told_and_is_strict(tmp_path):
     arch = np.array([(0, 0), (30, 120), (150, 190), (270, 120), (300, 0)]) * 1.36
     path = tmp_path / "arch.json"
     path.write_text(curves_json([ec.PlaneCurve.spline(arch, degree=3)]))
-    style = ("--style", "laminated", "--outer-width", 28, "--backing", "birch-plywood-1.5")
-    made = elastica("strip", path, "--sheet", "birch-plywood-0.8", *style, "--strict", "-o", tmp_path / "out")
+    style = ("--style", "laminated", "--outer-width", 28, "--set", "style.backing=birch-plywood-1.5")
+    made = elastica(
+        "strip",
+        path,
+        "--sheet",
+        "birch-plywood-0.8",
+        *style,
+        "--set",
+        "files.strict=true",
+        "-o",
+        tmp_path / "out",
+    )
     assert made.exit_code == 1
     told = re.search(r"^largest strain (\S+) % at \S+ mm \((\S+) bears (\S+) %\)$", made.stdout, re.MULTILINE)
     assert told[2] == "birch-plywood-1.5"
@@ -263,14 +273,14 @@ def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
         ),
         (("strip", drawn, *good, "--kerf", "50"), "wider than the cut of any tool"),
         (("strip", drawn, *good, "--curve", "7"), "7"),
-        (("strip", drawn, *good, "--dxf-version", "R99"), "R99"),
-        (("strip", drawn, *good, "--tolerance", "0"), "tolerance"),
+        (("strip", drawn, *good, "--set", "cut.version=R99"), "R99"),
+        (("strip", drawn, *good, "--set", "cut.tolerance=0"), "tolerance"),
         (
-            ("strip", drawn, *good, "--tolerance", "1e-12", "--curves", "polyline"),
+            ("strip", drawn, *good, "--set", "cut.tolerance=1e-12", "--set", "cut.curves=polyline"),
             "no machine cuts so finely",
         ),
         (("strip", drawn, *good, "--keep-length"), "add --nearest"),
-        (("strip", drawn, *good, "--nearest", "--samples", "99"), "samples are of"),
+        (("strip", drawn, *good, "--nearest", "--set", "samples=99"), "samples are of"),
     ]
     for arguments, words in cases:
         result = elastica(*arguments)
@@ -302,7 +312,16 @@ def test_output_folder_that_is_a_file(drawn, tmp_path):
 def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
     path = tmp_path / "arch.json"
     path.write_text(curves_json([ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])]))
-    asked = ("strip", path, "--sheet", "birch-plywood-0.8", "--max-width", 30, "--slot", "at = 70, width = 1")
+    asked = (
+        "strip",
+        path,
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        30,
+        "--set",
+        "slots = [{ at = 70, width = 1 }]",
+    )
     told = elastica(*asked, "-o", tmp_path / "plain").stdout
     left = float(re.search(r"--compensate makes up for that in the widths: ([\d.]+) mm are left", told)[1])
     made_up = elastica(*asked, "--compensate", "-o", tmp_path / "made up").stdout
@@ -345,7 +364,7 @@ def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, 
     path = tmp_path / "arch.json"
     path.write_text(curves_json([curve]))
     law = f"{law}, limits = [1, 3]"
-    done = elastica("strip", path, "--sheet", "pom-1", "--law", law, "-o", tmp_path / "out")
+    done = elastica("strip", path, "--sheet", "pom-1", "--set", f"law = {{ {law} }}", "-o", tmp_path / "out")
     assert done.exit_code == 0, done.stderr
     assert re.search(words, done.stdout), done.stdout
     sizes = json.loads((tmp_path / "out/arch.json").read_text())["stations"][quantity]
@@ -392,20 +411,16 @@ def test_a_pen_curve_between_pins(tmp_path):
     ("options", "message"),
     [
         (
-            ("--keep-strain", "--max-strain", 0.05),
-            "--keep-strain and --max-strain both say a largest strain: leave",
+            ("--keep-strain", "--set", "limits.strain=0.05"),
+            "--keep-strain and --set limits.strain say the same: leave one of them out",
         ),
         (
-            ("--keep-line", "--inflection-line", 0, 0, 1, 1),
-            "--keep-line and --inflection-line both say on which",
+            ("--keep-tangents", "--set", "keep.tangents=[false,true]"),
+            "--keep-tangents and --set keep.tangents say the same",
         ),
         (
-            ("--keep-tangents", "--keep-tangent", "end"),
-            "--keep-tangents and --keep-tangent both say which tangents",
-        ),
-        (
-            ("--width-range", 10, 15),
-            "outside the limit width of 10 to 15 mm: .* out \\(--max-width, --width-range\\)",
+            ("--set", "limits.width=[10,15]"),
+            "outside the limit width of 10 to 15 mm: .* out \\(--max-width, --set limits.width\\)",
         ),
     ],
 )

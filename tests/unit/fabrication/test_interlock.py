@@ -355,7 +355,7 @@ def test_strips_that_run_through_each_other_are_told_and_neighbours_that_touch_a
 
 def test_shallow_angles_are_told():
     model = Model([flat(label="A"), turned(np.radians(10), label="B")]).interlock()
-    assert "A and B cross at 10.0 degrees at 50.0 mm of A" in model.reports[0]
+    assert "A and B cross at 10 degrees at 50 mm of A" in model.reports[0]
 
 
 @pytest.mark.parametrize(

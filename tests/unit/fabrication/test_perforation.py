@@ -204,8 +204,8 @@ def test_steps_of_the_outline_become_steps_of_the_holes():
 @pytest.mark.parametrize(
     ("style", "max_width", "words"),
     [
-        (Perforated(width=30.0, columns=2, hole_ratio=0.99), 2.0, ["0.5 mm", "285.7 mm", "raise max_width"]),
-        (Perforated(width=30.0, hole_ratio=0.3), None, ["30.0 %", "285.7 mm", "hole_ratio of 0.3"]),
+        (Perforated(width=30.0, columns=2, hole_ratio=0.99), 2.0, ["0.5 mm", "286 mm", "raise max_width"]),
+        (Perforated(width=30.0, hole_ratio=0.3), None, ["30 %", "286 mm", "hole_ratio of 0.3"]),
         (Perforated(width=lambda s: 30 - 0.09 * s), None, ["285.7 mm", "6 ligaments", "fewer columns"]),
         (Perforated(width=30.0, rows=200), 20.0, ["200 rows", "fewer rows"]),
         (Perforated(width=lambda s: 8 + 0.2 * s, columns=2), None, ["hole"]),

@@ -1,7 +1,5 @@
 """Strips that are slotted together and collide beside their slots are told: by points of one body in the other."""
 
-import re
-
 import numpy as np
 import pytest
 
@@ -9,11 +7,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.collisions import missing_slots
 from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.kit.kit_contents import kit_of
-
-TOLD = re.compile(
-    r"A at ([0-9.]+) mm also runs ([0-9.]+) mm deep into B at ([0-9.]+) mm, beside the slots that join them, "
-    r"near \((-?[0-9.]+), (-?[0-9.]+), (-?[0-9.]+)\) mm: turn or shift one of them, or make them narrower there"
-)
 
 COLLIDING = (12, 32, 44, 62, 71, 76, 96, 98, 118)
 """Edges in faces, ends in faces, faces in faces, edges across edges."""
@@ -25,13 +18,13 @@ APART = (5, 6, 8, 10, 15, 17, 29, 37)
 def test_what_is_told_is_in_both(seed, slotted_pairs):
     model = slotted_pairs.pair(seed)
     (told,) = missing_slots(model.placed, model.joints)
-    numbers = [float(x) for x in TOLD.fullmatch(told).groups()]
-    for placed, s in zip(model.placed, (numbers[0], numbers[2]), strict=True):
-        around = numbers[3:] + np.random.default_rng(1).uniform(-0.15, 0.15, (4000, 3))
+    place = np.array(told.values["place"])
+    for placed, s in zip(model.placed, (told.values["s"], told.values["r"]), strict=True):
+        around = place + np.random.default_rng(1).uniform(-0.15, 0.15, (4000, 3))
         inside = slotted_pairs.depths(placed, around) > 0
         assert inside.any()
         middle = placed.frame.point(placed.strip.rod.curve.at(np.array([s])).position)[0]
-        assert abs((middle - numbers[3:]) @ placed.frame.x_axis) < 5
+        assert abs((middle - place) @ placed.frame.x_axis) < 5
     both = np.all([slotted_pairs.depths(placed, around) > 0 for placed in model.placed], axis=0)
     assert both.any()
 
@@ -40,7 +33,7 @@ def test_what_is_told_is_in_both(seed, slotted_pairs):
 def test_how_deep_they_run(seed, slotted_pairs):
     model = slotted_pairs.pair(seed)
     a, b = model.placed
-    depth = float(TOLD.fullmatch(missing_slots(model.placed, model.joints)[0]).group(2))
+    depth = missing_slots(model.placed, model.joints)[0].values["depth"]
     assert depth == pytest.approx(max(slotted_pairs.shared(a, b), slotted_pairs.shared(b, a)), rel=0.12)
 
 
@@ -67,7 +60,7 @@ def test_kits_tell(slotted_pairs):
         for text in kit_of(model, KitSpec(ignore_limits=True), effects=False).notes
         if "also runs" in text
     )
-    assert TOLD.fullmatch(told)
+    assert told.values["depth"] > 0
 
 
 def test_faces_that_bend_away_from_each_other_ask_for_no_width(slotted_pairs):

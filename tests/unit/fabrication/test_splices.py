@@ -113,7 +113,7 @@ def test_plates_move_a_strip_as_finite_elements_have_it():
 
 @pytest.mark.campaign
 def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
-    """`elastica strip --lap`: one figure in the sentence and the report; --compensate makes up for it."""
+    """`elastica strip --set shop.lap`: one figure in the sentence and the report; --compensate makes up for it."""
     (tmp_path / "arch.csv").write_text("0,0\n200,700\n1000,1050\n2100,800\n2600,0\n")
     command = [
         "strip",
@@ -123,11 +123,10 @@ def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
         "--max-width",
         "200",
         "--nearest",
-        "--lap",
-        "120",
-        "--stock",
-        "2000",
-        "1500",
+        "--set",
+        "shop.lap=120",
+        "--set",
+        "shop.stock=[2000,1500]",
         "-o",
         str(tmp_path / "out"),
         "--force",
@@ -214,14 +213,14 @@ def test_layers_of_a_laminate_are_staggered():
         assert sum(piece.area for piece in cut) == pytest.approx(layer.area)
         assert plate.size[0] == pytest.approx(16.0)
         assert {piece.sheet for piece in pieces} == {layer.sheet}
-    assert f"cut in pieces: A at {base:.1f} mm and A-backing at {backing:.1f} mm, joined" in str(joined)
+    assert f"cut in pieces: A at {base:.0f} mm and A-backing at {backing:.0f} mm, joined" in str(joined)
     assert [drawing.name for drawing in joined.drawings] == ["A", "A-backing"]
 
 
 def test_a_layer_that_fits_its_stock_stays_whole():
     joined = splice(laminated(), 2200.0, 16.0, backing_stock=4000.0)
     assert joined.backing_joints == ()
-    assert str(joined).startswith(f"cut in pieces: A at {joined.joints[0]:.1f} mm, joined by plates")
+    assert str(joined).startswith(f"cut in pieces: A at {joined.joints[0]:.0f} mm, joined by plates")
     assert [piece.name for piece in joined.layer_pieces["A-backing"]] == ["A-backing-1"]
 
 
@@ -263,16 +262,31 @@ def test_tapered_strips_are_refused_with_the_reason():
 def test_the_door_takes_laps_for_every_style(style, tmp_path, check_drawing_file):
     """As typed: the refusal's own command makes the strip, and each sheet's file holds its pieces."""
     ec.write_curves([ARCH], tmp_path / "arch.dxf")
-    words = ["strip", str(tmp_path / "arch.dxf"), "--stock", "2500", "1250", "-o", str(tmp_path / "out")]
+    words = [
+        "strip",
+        str(tmp_path / "arch.dxf"),
+        "--set",
+        "shop.stock=[2500,1250]",
+        "-o",
+        str(tmp_path / "out"),
+    ]
     words += ["--style", style, "--outer-width", "60", "--sheet"]
     words += {
-        "perforated": ["birch-plywood-4", "--columns", "1", "--least-ligament", "4"],
-        "laminated": ["birch-plywood-0.8", "--backing", "birch-plywood-1.5"],
+        "perforated": [
+            "birch-plywood-4",
+            "--set",
+            "style.columns=1",
+            "--set",
+            "style.least_ligament=4",
+            "--set",
+            "shop.least_ligament=4",
+        ],
+        "laminated": ["birch-plywood-0.8", "--set", "style.backing=birch-plywood-1.5"],
     }[style]
     refused = CliRunner().invoke(elastica, words)
     lap = {"perforated": "80", "laminated": "30"}[style]
-    assert f"--lap {lap}` keeps the drawn curve" in refused.stderr
-    made = CliRunner().invoke(elastica, [*words, "--lap", lap])
+    assert f"--set shop.lap={lap}` keeps the drawn curve" in refused.stderr
+    made = CliRunner().invoke(elastica, [*words, "--set", f"shop.lap={lap}"])
     assert made.exit_code == 0, made.output
     files = ["arch.dxf", "arch-backing.dxf"] if style == "laminated" else ["arch.dxf"]
     for file in files:
@@ -300,16 +314,16 @@ def test_only_where_it_is_needed(arch):
 
 @pytest.mark.campaign
 def test_the_commands_cut_and_nest_pieces(tmp_path, check_drawing_file):
-    """The refusal tells the command with --lap; a kit nests the pieces on sheets of the stock."""
+    """The refusal tells the command with shop.lap; a kit nests the pieces on sheets of the stock."""
     ec.write_curves([ARCH], tmp_path / "arch.dxf")
     words = ["strip", str(tmp_path / "arch.dxf"), "--sheet", "birch-plywood-4", "--max-width", "120"]
-    words += ["--stock", "2500", "1250", "-o", str(tmp_path / "out")]
+    words += ["--set", "shop.stock=[2500,1250]", "-o", str(tmp_path / "out")]
     run = CliRunner().invoke
     refused = run(elastica, words)
     assert refused.exit_code == 2
-    assert "--lap 80` keeps the drawn curve" in refused.stderr
+    assert "--set shop.lap=80` keeps the drawn curve" in refused.stderr
     assert "cut in 2 pieces" in refused.stderr
-    made = run(elastica, [*words, "--lap", "80"])
+    made = run(elastica, [*words, "--set", "shop.lap=80"])
     assert made.exit_code == 0, made.output
     curves = check_drawing_file(tmp_path / "out" / "arch.dxf")
     assert sum(curve.layer == CUT_OUTER for curve in curves) == 3

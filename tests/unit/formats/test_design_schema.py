@@ -15,10 +15,11 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, TABLES, design_schema
+from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema, tables
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 ROOT = Path(__file__).resolve().parents[3]
+TABLES = tables()
 TAPLO = Path(sysconfig.get_path("scripts")) / "taplo"
 
 HEAD = 'schema = 1\nsheet = "card-200gsm"\nmax_width = 20\n'
@@ -45,6 +46,7 @@ ends.holes = [{ at = 5, diameter = 2, across = 0 }]
 smooth = 0
 shop = { least_width = 1, least_ligament = 0.5, least_bridge = 1, stock = [900, 600], lap = 40 }
 compensate = false
+straight_ends = false
 creep = 0.1
 ignore_limits = true
 [let]

@@ -81,7 +81,7 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
     [
         ("strips = 20", "revolution must hold one of points, curve, or a, b"),
         (f"{POINTS}\na = 3", "must hold one of points"),
-        ("a = 3", r"revolution: b is None: it must be 2 numbers"),
+        ("a = 3", r"revolution: b is missing"),
         ("points = 3", "points must be a list of points"),
         ("points = [[1, 2], [3, 4]]", "revolution: a meridian is sought through three points"),
         ("points = [[70, 0], [-125, 55], [90, 115]]", "revolution: point 2 at"),

@@ -115,7 +115,7 @@ class TestRealizable:
         check = check_equilibrium(loop)
         assert check.realizable
         ((first, second),) = loop.self_intersections()
-        assert f"crosses itself (at {first:.4g} and {second:.4g} mm)" in str(check)
+        assert f"crosses itself (at {first:.3g} and {second:.3g} mm)" in str(check)
 
     def test_report_is_plain_json(self):
         for curve in (ARC, ONE, chain((100, 1), (-60, 1))):

@@ -65,8 +65,8 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
         raise InputError(
             translate(
                 "Elastica",
-                "The selected lines are pieces of a polyline, as FreeCAD reads it from a file: draw a B-spline "
-                "through their ends (workbench Draft) and select that.",
+                "The selected lines are pieces of a polyline, as FreeCAD reads it from a file: draw a "
+                "B-spline through their ends (workbench Draft) and select that.",
             )
         )
     return found
@@ -90,13 +90,16 @@ def _sketch_in(body: Any) -> Any:
     found = [one for one in ours if not users[one]] or ours
     if not found:
         raise InputError(
-            f"{body.Label} holds no sketch for a strip: draw a spline in a sketch of its own, or select the edge "
-            "that the strip is to follow"
+            "{body} holds no sketch for a strip: draw a spline in a sketch of its own, or select "
+            "the edge that the strip is to follow",
+            body=body.Label,
         )
     if len(found) > 1:
         names = ", ".join(one.Label for one in found)
         raise InputError(
-            f"{body.Label} holds several sketches ({names}): select the one that the strip is to follow"
+            "{body} holds several sketches ({names}): select the one that the strip is to follow",
+            body=body.Label,
+            names=names,
         )
     return found[0]
 

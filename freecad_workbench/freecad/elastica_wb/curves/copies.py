@@ -99,7 +99,8 @@ def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
         return
     if _size(obj) != SAME:
         raise InputError(
-            f"{obj.Label} is scaled, and a strip of another size bends otherwise: set its Scale to 1"
+            "{object} is scaled, and a strip of another size bends otherwise: set its Scale to 1",
+            object=obj.Label,
         )
     for part, where in parts:
         yield from _copies(part, place * where)

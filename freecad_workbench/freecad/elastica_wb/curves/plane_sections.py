@@ -26,6 +26,7 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve, sec
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine, collect_section
 from elastica_cad.forming.plane_sections.section_spec import parallel_planes, planes_along, radial_planes
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import Length, Refusal, note
 
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
@@ -85,7 +86,10 @@ class Family:
             places = low + (high - low) * (np.arange(self.count) + 0.5) / self.count
             up = (0.0, 1.0, 0.0) if self.axis == "Z" else (0.0, 0.0, 1.0)
             frames = parallel_planes((0.0, 0.0, 0.0), axis, places, up=up)
-            return [(f"{self.axis} = {v:.4g} mm", frame) for v, frame in zip(places, frames, strict=True)]
+            return [
+                (note("{axis} = {place}", axis=self.axis, place=Length(v)), frame)
+                for v, frame in zip(places, frames, strict=True)
+            ]
         if self.half:
             whole = self.sweep >= 360
             turns = np.linspace(0.0, self.sweep, self.count, endpoint=not whole)
@@ -100,7 +104,9 @@ class Family:
         frames = planes_along(self.path, self.count, up=up)
         length = float(np.linalg.norm(np.diff(self.path, axis=0), axis=1).sum())
         places = length * (np.arange(self.count) + 0.5) / self.count
-        return [(f"{v:.4g} mm along the path", frame) for v, frame in zip(places, frames, strict=True)]
+        return [
+            (note("{s} along the path", s=Length(v)), frame) for v, frame in zip(places, frames, strict=True)
+        ]
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
@@ -138,7 +144,9 @@ def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
     chains = Part.sortEdges(edges) if edges else []
     if len(chains) != 1:
         raise InputError(
-            f"{source.Label} has {len(chains)} chains of edges: choose the edges of one as the path"
+            "{source} has {count} chains of edges: choose the edges of one as the path",
+            source=source.Label,
+            count=len(chains),
         )
     return np.array([tuple(p) for p in Part.Wire(chains[0]).discretize(Number=PATH_POINTS)])
 
@@ -307,10 +315,18 @@ def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
 
 def _called(section: PlaneSection, label: str, place: str) -> PlaneSection:
     """The section under a name that says of what it is and where."""
-    old, name = section.name, f"{label}, {section.name} ({place})"
-    lines = tuple(replace(line, name=line.name.replace(old, name, 1)) for line in section.lines)
+    name = note("{source}, {section} ({place})", source=label, section=section.name, place=place)
+    lines = tuple(
+        replace(
+            line, name=name if len(section.lines) == 1 else note("{name}, line {number}", name=name, number=k)
+        )
+        for k, line in enumerate(section.lines, start=1)
+    )
     reports = tuple(
-        report.replace(old, name, 1) if report.startswith(old) else f"{label}: {report}"
+        note(report.text, **{**report.values, "name": name})
+        if "name" in report.values
+        else report.at(strip=label)
         for report in section.reports
+        if isinstance(report, Refusal)
     )
     return replace(section, name=name, lines=lines, reports=reports)

@@ -16,6 +16,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
 """Poles that a hand can still drag; more are hidden, as FreeCAD 1.1's solver moves curves of so many circles."""
@@ -66,10 +67,12 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
         g for i, g in enumerate(everything) if not isinstance(g, Part.Point) and not sketch.getConstruction(i)
     ]
     if not drawn:
-        raise InputError(f"{sketch.Label} {_why_empty(sketch)}: draw a spline in it")
+        raise InputError(
+            "{sketch} {why}: draw a spline in it", sketch=sketch.Label, why=note(_why_empty(sketch))
+        )
     curve, frame = plane_curve(drawn)
     if abs(frame.z_axis[2] - 1) > 1e-12:
-        raise InputError(f"{sketch.Label} is not plane")
+        raise InputError("{sketch} is not plane", sketch=sketch.Label)
     return curve
 
 
@@ -132,7 +135,9 @@ def edge_called(source: Any, name: str) -> Any:
             raise IndexError(name)
     except (ValueError, IndexError, Part.OCCError) as error:
         called = name.lstrip("?")  # FreeCAD 1.x marks so what it does not find again
-        raise InputError(f"{source.Label} has no {called} any more: choose the curve anew") from error
+        raise InputError(
+            "{source} has no {part} any more: choose the curve anew", source=source.Label, part=called
+        ) from error
     return element
 
 
@@ -161,11 +166,13 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
         raise InputError(lost)
     shape = _shape(source)
     if shape.isNull():
-        raise InputError(f"{source.Label} has no shape: choose a sketch, an edge or a wire")
+        raise InputError("{source} has no shape: choose a sketch, an edge or a wire", source=source.Label)
     if names:
         return [edge for name in names for edge in edge_called(source, name).Edges]
     if shape.Faces and not is_outline(shape):
-        raise InputError(f"{source.Label} has many edges: choose the ones that the strip is to follow")
+        raise InputError(
+            "{source} has many edges: choose the ones that the strip is to follow", source=source.Label
+        )
     return list(shape.Edges)
 
 

@@ -19,7 +19,7 @@ from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_fea
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sentences import translated
+from freecad.elastica_wb.host.words import translated
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
 from elastica_cad.errors import InputError

@@ -27,7 +27,7 @@ from freecad.elastica_wb.features.strip_request import nearest_spec_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_draw
 
@@ -37,6 +37,7 @@ from elastica_cad.forming.plane_sections.section_curves import AT_TWO_PLACES, Se
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.refusals import Listed, note, sentences
 
 MOVES = ("StartX", "StartY", "EndX", "EndY", "StartAngle", "EndAngle")
 ORANGE = (0.9, 0.4, 0.0)
@@ -55,13 +56,13 @@ class NearestFeature(Feature):
         near = find_nearest_to_draw(nearest_spec_of(obj, drawn))
         obj.Shape = spline_geometry(near.curve).toShape()
         obj.Placement = drawn.placement
-        held = [
-            f"{translate('Elastica', b.name)} ({b.limit:.3g})" if b.limit else translate("Elastica", b.name)
+        held = Listed(
+            note("{limit} ({value:.3g})", limit=note(b.name), value=b.limit) if b.limit else note(b.name)
             for b in near.binding[:3]
-        ]
+        )
         said = [
-            near.status.value,
-            *([f"{translate('Elastica', 'Held away by')}: {', '.join(held)}."] if held else []),
+            note(near.status.value),
+            *([note("Held away by: {limits}.", limits=held)] if held else []),
         ]
         put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=[worded(line) for line in said])
 
@@ -128,13 +129,15 @@ class SectionFeature(Feature):
         """Cut, and smooth what is cut."""
         made, remarks = _sections(obj)
         curves = [curve for _, found in made for curve in found]
-        if not curves and remarks and all(AT_TWO_PLACES in remark for remark in remarks):
+        if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
-                "every section is a closed line, and a strip has two ends: choose under Closed lines how they are "
-                "divided"
+                "every section is a closed line, and a strip has two ends: choose under Closed lines how "
+                "they are divided"
             )
         if not curves:
-            raise InputError("; ".join(remarks) or "the planes miss the object: move them, or take more")
+            raise InputError(
+                sentences(remarks) if remarks else "the planes miss the object: move them, or take more"
+            )
         shapes = [spline_geometry(found.curve, found.frame).toShape() for found in curves]
         whole = Part.Compound(shapes)
         whole.Placement = container(obj).inverse()
@@ -206,7 +209,7 @@ def draw_into(obj: Any) -> None:
     """A nearest curve in place of the one that its sketch holds; the feature goes."""
     sketch, near = obj.Curve[0], _near(obj)
     if not is_sketch(sketch):
-        raise InputError(f"{sketch.Label} is no sketch: nothing can be drawn into it")
+        raise InputError("{object} is no sketch: nothing can be drawn into it", object=sketch.Label)
     obj.Document.removeObject(obj.Name)
     curve_into(sketch, near.curve)
 

@@ -14,7 +14,7 @@ from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError

@@ -40,7 +40,9 @@ class FlatFeature(Feature):
         strip = _slotted(obj)
         layer = LAYERS.index(obj.Layer)
         if layer >= len(strip.layers):
-            raise InputError(f"{obj.Strip.Label} is not laminated: it has no backing; choose the layer Base")
+            raise InputError(
+                "{strip} is not laminated: it has no backing; choose the layer Base", strip=obj.Strip.Label
+            )
         obj.Shape = flat_shape(strip, layer)
 
 
@@ -68,7 +70,11 @@ def _slotted(obj: Any) -> Strip:
     if obj.Model is None:
         return shown_strip(obj.Strip)
     if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
-        raise InputError(f"{obj.Strip.Label} does not belong to {obj.Model.Label}: choose its model, or none")
+        raise InputError(
+            "{strip} does not belong to {model}: choose its model, or none",
+            strip=obj.Strip.Label,
+            model=obj.Model.Label,
+        )
     return model_of(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
 
 

@@ -20,8 +20,7 @@ from freecad.elastica_wb.host.progress import begun, in_background
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.host.sentences import report_warning
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import report_warning, worded
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 from freecad.elastica_wb.solving.strip_cache import bent_shape, growing_cache
 
@@ -118,7 +117,7 @@ def model_of(obj: Any) -> Model:
     """
     other = next((one for one in obj.Strips if not is_strip(one)), None)
     if other is not None:
-        raise InputError(f"{other.Label} is no strip: a model is made of strips")
+        raise InputError("{object} is no strip: a model is made of strips", object=other.Label)
     options: tuple[tuple[str, Any], ...] = ()
     if obj.Interlock:
         above = tuple(obj.Above) if obj.Above.Length > 0 else None
@@ -204,7 +203,7 @@ def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
     """The strips that an object shows, each with the place of its curve in the document."""
     shown = list(shown_strips(obj))
     if not any(is_strip(one) or is_model(one) for one, *_ in shown):
-        raise InputError(f"{obj.Label} is no strip: a model is made of strips")
+        raise InputError("{object} is no strip: a model is made of strips", object=obj.Label)
     for one, place, is_image in shown:
         if is_strip(one):
             world = drawn_curve(one.Curve, one).world if one is obj else place

@@ -14,7 +14,7 @@ from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sentences import report_warning
+from freecad.elastica_wb.host.words import report_warning
 from freecad.elastica_wb.shapes.part_shapes import is_bounded, make_wire
 
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
@@ -63,8 +63,8 @@ def tell_left_out(obj: Any) -> None:
     """Write which features go on after what is cut, and are not in the nest: it is not made from them."""
     words = translate(
         "Elastica",
-        "{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, "
-        "holes), or draw it into the cutting files",
+        "{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, "
+        "tabs, holes), or draw it into the cutting files",
     )
     try:
         found = {one.Label: later_features(one) for one in counted(obj.Sources)}

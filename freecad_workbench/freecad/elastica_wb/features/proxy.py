@@ -27,9 +27,9 @@ from freecad.elastica_wb.host.refusal import (
     why_not_computed,
     why_not_made,
 )
-from freecad.elastica_wb.host.sentences import report_error
 from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list, text_of
 from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.host.words import report_error
 
 from elastica_cad.errors import ElasticaError, InputError
 

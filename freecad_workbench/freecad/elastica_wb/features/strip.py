@@ -16,10 +16,9 @@ from freecad.elastica_wb.features.strip_request import spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES
-from freecad.elastica_wb.host.sentences import capital
 from freecad.elastica_wb.host.sheet_store import sheet_called
-from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.host.words import capital, worded
 from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
 from freecad.elastica_wb.solving.strip_cache import (
     bent_shape,
@@ -35,6 +34,7 @@ from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.refusals import Length, note, sentences
 
 BODY = "PartDesign::Body"
 
@@ -117,8 +117,10 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
         strip = next(filter(is_strip, repeated(standing[0])), None)
         if strip is not None:
             raise InputError(
-                f"{standing[0].Label} makes its copies of {strip.Label} part of one body, and leaves out those "
-                "that do not touch it: delete it, and repeat the strip by an array of the workbench Draft"
+                "{pattern} makes its copies of {strip} part of one body, and leaves out those that do "
+                "not touch it: delete it, and repeat the strip by an array of the workbench Draft",
+                pattern=standing[0].Label,
+                strip=strip.Label,
             )
         yield standing
 
@@ -166,7 +168,11 @@ def tell_held(obj: Any) -> None:
         found = strip.sideways
         put(obj, SidewaysMargin=found.margin if found.decided else 0.0, Sideways=worded(str(found)))
         held = held_shape(strip)
-        said = "it takes no shape near its design: hold it nearer to its curve" if held is None else str(held)
+        said = (
+            note("it takes no shape near its design: hold it nearer to its curve")
+            if held is None
+            else str(held)
+        )
     except ElasticaError as error:
         held, said = None, str(error)
     put(obj, HeldDeviation=0.0 if held is None else held.deviation, Held=worded(said))
@@ -203,21 +209,26 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     bent = is_bent_beforehand(strip)
     notes = [*([tell_blank(strip)] if bent else []), *filter(None, [strip.backing_side]), *strip.warnings]
     if found is not None and not found.stable:
-        where = (
-            "" if found.conjugate_point is None else f" (conjugate point at {found.conjugate_point:.4g} mm)"
-        )
-        notes.append(f"it does not stay in this shape: the stability margin is {found.margin:.3g}{where}")
-    taken = "A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve."
+        notes.append(note(
+            "it does not stay in this shape: the stability margin is {margin:.3g}"
+            if found.conjugate_point is None else
+            "it does not stay in this shape: the stability margin is {margin:.3g} (conjugate point {s} from "
+            "its start)",
+            margin=found.margin, s=Length(found.conjugate_point or 0.0),
+        ))  # fmt: skip
+    taken = note("A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve.")
     if strip.strain_verdict.refused:
         breaks = "A strip bent beforehand would break on this curve."
-        taken = breaks if bent else "A flat strip would break on this curve."
+        taken = note(breaks if bent else "A flat strip would break on this curve.")
     elif changed is not None:
-        taken = f"A flat strip takes a curve {changed:.3g} mm from this one."
-        if bent:
-            taken = f"A strip bent beforehand takes a curve {changed:.3g} mm from this one."
+        taken = note(
+            "A strip bent beforehand takes a curve {far} from this one." if bent else
+            "A flat strip takes a curve {far} from this one.",
+            far=Length(changed),
+        )  # fmt: skip
     put(
         obj,
-        Verdict=worded(" ".join([taken, *(["There are remarks."] if notes else [])])),
+        Verdict=worded(sentences([taken, note("There are remarks.") if notes else ""], " ")),
         Reasons=[capital(worded(note)) for note in notes],
         Ratio=rod.ratio,
         Margin=0.0 if found is None else found.margin,

@@ -4,7 +4,6 @@
 """What the properties of a strip ask for, as the core's request."""
 
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
@@ -14,32 +13,30 @@ from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.shop import LEAST_LIGAMENT_MM, Shop
+from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import PLAIN, Style
 from elastica_cad.fabrication.strip_checks import AskedGravity
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.one_line import parse_line, parse_lines
-from elastica_cad.formats.design_files.rod_records import (
-    BLANK_LINE,
-    read_keep_out,
-    read_loads,
-    read_mass,
-    read_rest_curvature,
-    read_stiffness_bounds,
-)
-from elastica_cad.formats.design_files.strip_records import LAW_LINE, read_law, read_slot, read_tab
-from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
+from elastica_cad.formats.design_files.records import Reader, blank, read_line
+from elastica_cad.forming.limits import BOTH_ENDS, Box, HalfPlane, Keep, Limits, bounds_along_strip
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.refusals import Length, note
 
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
 MOST_SAMPLES = 20000  # a second's work
+LAW_LINE, BLANK_LINE = (
+    'kind = "thickness", limits = [3, 8], width = 20',
+    "stations = [0, 300], curvatures = [0, 0.01]",
+)
 MASS_LINE, WEIGHT_LINE = "at = 90, mass = 3", "alpha = 1, own = true"
 KEEP_OUT_LINE, BOUNDS_LINE = "point = [0, 0], normal = [0, 1]", "lower = 1, upper = [2, 3, 2]"
 TAB_LINE = "length = 12, chamfer = 2"
@@ -60,7 +57,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     width = obj.MaxWidth.Value if obj.Style == "Plain" else obj.MaterialWidth.Value
     law = None
     if obj.Law.strip():
-        law = parse_line(obj.Law, "Law", partial(read_law, sheet=sheet), example=LAW_LINE)
+        law = read_line(obj.Law, "Law", BoundedLaw, Reader(sheet=sheet), example=LAW_LINE)
     return StripSpec(
         drawn.curve,
         sheet,
@@ -77,7 +74,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         samples=None if nearest else obj.Samples or None,
         ends=_ends(obj),
         joint=obj.Joint.Value or None,
-        slots=parse_lines(obj.Slots, "Slots", read_slot),
+        slots=_lines(obj.Slots, "Slots", Slot),
         label=obj.EngravedText,
         smooth=obj.Smooth.Value or None,
         shop=_shop(obj),
@@ -103,13 +100,22 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
     lengths = {name: getattr(obj, name).Value for name in LENGTHS}
     for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
         if value > LONGEST_MM:
-            raise InputError(f"{name} is {value:.4g} mm, more than a kilometre: is its unit right?")
+            raise InputError(
+                "{name} is {size}, more than a kilometre: is its unit right?",
+                name=note(name),
+                size=Length(value),
+            )
     if 0 < lengths["Thickness"] < THINNEST_MM:
         raise InputError(
-            f"the thickness of the sheet is {lengths['Thickness']:.4g} mm, less than any foil's: is its unit right?"
+            "the thickness of the sheet is {thickness}, less than any foil's: is its unit right?",
+            thickness=Length(lengths["Thickness"]),
         )
     if obj.Samples > MOST_SAMPLES:
-        raise InputError(f"{obj.Samples} samples are asked for: {MOST_SAMPLES} are the most, 0 chooses")
+        raise InputError(
+            "{samples} samples are asked for: {most} are the most, 0 chooses",
+            samples=obj.Samples,
+            most=MOST_SAMPLES,
+        )
 
 
 def _sheet(obj: Any) -> Sheet:
@@ -162,15 +168,15 @@ def _gravity(obj: Any, drawn: DrawnCurve) -> AskedGravity:
 
 def _natural_curvature(obj: Any) -> NaturalCurvature:
     if obj.Blank.strip():
-        return parse_line(obj.Blank, "Blank", read_rest_curvature, example=BLANK_LINE)
+        return read_line(obj.Blank, "Blank", blank, example=BLANK_LINE)
     curvature: float = obj.NaturalCurvature
     return curvature
 
 
 def _loads(obj: Any) -> tuple[PointMass, ...] | Weight:
     if obj.WeightLaw:
-        return parse_line(f"loads = {{{obj.WeightLaw}}}", "WeightLaw", read_loads, example=WEIGHT_LINE)
-    return parse_lines(obj.Loads, "Loads", read_mass, example=MASS_LINE)
+        return read_line(obj.WeightLaw, "WeightLaw", Weight, example=WEIGHT_LINE)
+    return _lines(obj.Loads, "Loads", PointMass, example=MASS_LINE)
 
 
 def _limits(obj: Any, sheet: Sheet) -> Limits:
@@ -183,8 +189,8 @@ def _limits(obj: Any, sheet: Sheet) -> Limits:
         strain=obj.StrainLimit / 100 or None if obj.LimitStrain else None,
         length=_range(obj, "Length"),
         width=_range(obj, "Width"),
-        keep_out=parse_lines(obj.KeepOut, "KeepOut", read_keep_out, example=KEEP_OUT_LINE),
-        stiffness_bounds=parse_line(bounds, "StiffnessBounds", read_stiffness_bounds, example=BOUNDS_LINE)
+        keep_out=_walls(obj.KeepOut),
+        stiffness_bounds=read_line(bounds, "StiffnessBounds", bounds_along_strip, example=BOUNDS_LINE)
         if bounds
         else None,
     )
@@ -197,8 +203,11 @@ def _range(obj: Any, kind: str) -> tuple[float, float] | None:
         return None
     if not 0 < least <= most:
         raise InputError(
-            f"Least{kind} is {least:g} mm and Most{kind} is {most:g} mm: give both, the least above 0 and not "
-            "above the most"
+            "Least{name} is {least:g} and Most{name} is {most:g}: give both, the least above 0 "
+            "and not above the most",
+            name=kind,
+            least=Length(least),
+            most=Length(most),
         )
     return least, most
 
@@ -220,9 +229,7 @@ def _ends(obj: Any) -> tuple[Tab, Tab]:
     for side in ("Start", "End"):
         keys = getattr(obj, f"{side}TabKeys")
         length = getattr(obj, f"{side}Tab").Value
-        tabs.append(
-            parse_line(keys, f"{side}TabKeys", read_tab, example=TAB_LINE) if keys else _tab(obj, length)
-        )
+        tabs.append(read_line(keys, f"{side}TabKeys", Tab, example=TAB_LINE) if keys else _tab(obj, length))
     return tabs[0], tabs[1]
 
 
@@ -230,3 +237,16 @@ def _tab(obj: Any, length: float) -> Tab:
     hole = obj.TabHole.Value
     holes = (Hole(length / 2, hole),) if hole and length else ()
     return Tab(length, corner_radius=obj.TabRadius.Value if length else 0.0, holes=holes)
+
+
+def _lines(lines: list[str], where: str, record: Any, *, example: str = "") -> tuple[Any, ...]:
+    """The records of all lines that are not empty."""
+    return tuple(read_line(line, where, record, example=example) for line in lines if line.strip())
+
+
+def _walls(lines: list[str]) -> tuple[HalfPlane | Box, ...]:
+    kept = (line for line in lines if line.strip())
+    return tuple(
+        read_line(line, "KeepOut", Box if "lower" in line else HalfPlane, example=KEEP_OUT_LINE)
+        for line in kept
+    )

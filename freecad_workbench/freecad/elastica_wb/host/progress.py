@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import FreeCAD as App
 
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.refusals import note
 
 Step = Callable[[int], bool]
 """Told how much is done; says whether to go on."""
@@ -89,7 +90,9 @@ def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> A
                 time.sleep(PULSE_S)
                 if not step(0):
                     future.cancel()
-                    raise NotConvergedError(f"{title}: stopped; change the curve or the limits to try again")
+                    raise NotConvergedError(
+                        "{title}: stopped; change the curve or the limits to try again", title=title
+                    )
     return future.result()
 
 
@@ -102,7 +105,7 @@ def go_on(step: Step | None, done: int, stopped: str) -> None:
         The user said stop; with what that leaves.
     """
     if step is not None and not step(done):
-        raise NotConvergedError(f"stopped: {stopped}")
+        raise NotConvergedError("stopped: {why}", why=note(stopped))
 
 
 def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) -> list[Answer]:

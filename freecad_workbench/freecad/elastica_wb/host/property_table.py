@@ -82,13 +82,20 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
         given = obj.evalExpression(formula)
     except Exception as error:  # FreeCAD has a class for every way to fail
         raise InputError(
-            f"the formula of {name} cannot be computed ({formula}): mend it, or take it away"
+            "the formula of {name} cannot be computed ({formula}): mend it, or take it away",
+            name=name,
+            formula=formula,
         ) from error
     if not _is_choice(given, choices):
         called, a_name = f"{obj.Name}.{name}", f"<<{choices[0]}>>"
         raise InputError(
-            f"{called} has the formula {formula}, which gives {given}: it takes 0 to {len(choices) - 1}, or a name "
-            f"such as {a_name}; mend the formula, or take it away"
+            "{property} has the formula {formula}, which gives {given}: it takes 0 to {most}, or a "
+            "name such as {name}; mend the formula, or take it away",
+            property=called,
+            formula=formula,
+            given=given,
+            most=len(choices) - 1,
+            name=a_name,
         )
 
 

@@ -19,9 +19,10 @@ from typing import Any
 
 import Part
 from FreeCAD import Base
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
+from elastica_cad.refusals import note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
 """What `execute` answers in words; anything else is a mistake of ours and shows where it was made."""
@@ -93,11 +94,11 @@ def explained(error: Exception) -> ElasticaError:
         return error
     if isinstance(error, ImportError):
         return MissingDependencyError(
-            f"{error.name} is not installed in this FreeCAD: strips need numpy and scipy"
+            "{name} is not installed in this FreeCAD: strips need numpy and scipy", name=error.name
         )
     return InputError(
-        f"FreeCAD's kernel cannot make this shape ({str(error).strip() or type(error).__name__}): change the "
-        "curve, the widths or the holes"
+        "FreeCAD's kernel cannot make this shape ({why}): change the curve, the widths or the holes",
+        why=str(error).strip() or type(error).__name__,
     )
 
 
@@ -122,7 +123,10 @@ def why_not_computed(obj: Any) -> str:
     if found is None:
         return ""
     reason = " ".join(found[1].split())
-    return worded(f"the formula of {found[2]} cannot be computed ({reason}): mend it, or take it away")
+    return worded(note(
+        "the formula of {property} cannot be computed ({reason}): mend it, or take it away",
+        property=found[2], reason=reason,
+    ))  # fmt: skip
 
 
 def is_ours(obj: Any) -> bool:
@@ -139,13 +143,15 @@ def told_of_broken_link(obj: Any) -> str:
     """What is wrong with it, and what to do."""
     lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
-        return (
-            f"{obj.Label} links to {lost[1]} in {lost[2]}, which is missing: put that file back or open it, and "
-            "recompute the document"
-        )
-    return (
-        f"{obj.Label} links to what was deleted: choose another object in its property LinkedObject, or delete "
-        "the link"
+        return note(
+            "{object} links to {lost} in {file}, which is missing: put that file back or open it, and "
+            "recompute the document",
+            object=obj.Label, lost=lost[1], file=lost[2],
+        )  # fmt: skip
+    return note(
+        "{object} links to what was deleted: choose another object in its property "
+        "LinkedObject, or delete the link",
+        object=obj.Label,
     )
 
 
@@ -156,8 +162,12 @@ def _why_not_made_by_others(obj: Any) -> str:
         return told_of_broken_link(obj)
     file = getattr(obj, "FileName", "")
     if isinstance(file, str) and file and not os.path.exists(file):
-        return (
-            f"{obj.Label} reads {file}, which is missing: put that file back, or name another in its property "
-            "FileName, and recompute the document"
+        return note(
+            "{object} reads {file}, which is missing: put that file back, or name another in its "
+            "property FileName, and recompute the document",
+            object=obj.Label,
+            file=file,
         )
-    return f"{obj.Label} cannot be made ({' '.join(said.split())}): mend it first"
+    return note(
+        "{object} cannot be made ({why}): mend it first", object=obj.Label, why=" ".join(said.split())
+    )

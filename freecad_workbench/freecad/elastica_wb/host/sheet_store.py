@@ -8,7 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import FreeCAD as App
-from freecad.elastica_wb.host.sentences import report_warning
+from freecad.elastica_wb.host.words import report_warning
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.write_files import reason, write_atomically
@@ -64,7 +64,9 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
             return
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"{path} can't be changed: {reason(error)}; allow it to be written") from error
+        raise InputError(
+            "{path} can't be changed: {reason}; allow it to be written", path=path, reason=reason(error)
+        ) from error
     write_atomically(path, text.encode(), force=True)
 
 
@@ -86,7 +88,8 @@ def sheet_called(name: str, kept: str = "") -> Sheet:
     if kept:
         return sheet_from_text(name, kept)
     raise InputError(
-        f"there is no sheet called {name!r} here: choose another one, or add it to the sheet library"
+        "there is no sheet called {name!r} here: choose another one, or add it to the sheet library",
+        name=name,
     )
 
 
@@ -107,5 +110,5 @@ def sheet_from_text(name: str, text: str) -> Sheet:
         return sheets_from_table(tomllib.loads(text)["sheets"], where="this document")[name]
     except (tomllib.TOMLDecodeError, RecursionError, KeyError) as error:
         raise InputError(
-            f"the sheet {name!r} kept in this document cannot be read: choose another one"
+            "the sheet {name!r} kept in this document cannot be read: choose another one", name=name
         ) from error

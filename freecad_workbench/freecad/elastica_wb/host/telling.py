@@ -10,8 +10,7 @@ from typing import Any
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sentences import report, report_error, report_warning
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import report, report_error, report_warning, worded
 
 from elastica_cad._printable import printable
 

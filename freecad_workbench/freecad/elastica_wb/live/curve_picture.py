@@ -18,6 +18,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.refusals import Length
 
 TEETH = 161  # of the comb: as smooth as a screen shows it
 COMB_HEIGHT = 0.2  # of the curve's extent
@@ -37,7 +38,7 @@ class Picture:
         The inflection line inside the neighbourhood of the curve.
     on_line, off_line : (k, 2) arrays
         Inflections on the line and off it.
-    distances : tuple of ((x, y), text)
+    distances : tuple of ((x, y), mm)
         How far those off it are.
     crossings : (k, 2) array
         Where the line meets the curve and must not.
@@ -51,7 +52,7 @@ class Picture:
     line: FloatArray | None
     on_line: FloatArray
     off_line: FloatArray
-    distances: tuple[tuple[tuple[float, float], str], ...]
+    distances: tuple[tuple[tuple[float, float], Length], ...]
     crossings: FloatArray
     realizable: bool | None
     answer: Answer
@@ -83,9 +84,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
     bad = [s for s in places if s not in good]
     off = _at(curve, bad)
-    texts = tuple(
-        ((float(x), float(y)), f"{abs(places[s]):.3g} mm") for s, (x, y) in zip(bad, off, strict=True)
-    )
+    texts = tuple(((float(x), float(y)), Length(abs(places[s]))) for s, (x, y) in zip(bad, off, strict=True))
     return Picture(
         comb=comb,
         line=None if check.line is None else _inside(check, samples.position),

@@ -7,13 +7,14 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.curve_picture import Picture
 from freecad.elastica_wb.live.verdict import Verdict
 from freecad.elastica_wb.preview.handles import plane_node
 from pivy import coin
 
 from elastica_cad._types import FloatArray
+from elastica_cad.refusals import Length, note
 
 LIFT_MM = 0.02  # above the sketch's own lines
 DASHED = 0xF0F0
@@ -111,15 +112,15 @@ class Overlay:
         shape.markerIndex.setValue(marker)
         return _Points(self.root, color, None, shape)
 
-    def _write(self, texts: Iterable[tuple[tuple[float, float], str]]) -> None:
+    def _write(self, texts: Iterable[tuple[tuple[float, float], Length]]) -> None:
         self._texts.removeAllChildren()
-        for (x, y), words in texts:
+        for (x, y), far in texts:
             part, color, place = coin.SoSeparator(), coin.SoBaseColor(), coin.SoTranslation()
             color.rgb = COLORS[Verdict.BREAKS]
             place.translation = (x, y, LIFT_MM)
             text, font = coin.SoText2(), coin.SoFont()
             font.size = 14.0
-            text.string = f"  {worded(words)}"
+            text.string = f"  {worded(note('{far}', far=far))}"
             for node in (color, place, font, text):
                 part.addChild(node)
             self._texts.addChild(part)

@@ -18,7 +18,7 @@ from freecad.elastica_wb.host.qt import QtCore
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live import sketches
 from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
 from freecad.elastica_wb.live.overlay import Overlay
@@ -33,6 +33,7 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.refusals import Length, note, sentences
 
 FREE_RATIO = 10.0  # of a strip without limits of its own: about what can be cut
 REST_MS = 40  # without a move, after which the slower answers are computed
@@ -198,8 +199,8 @@ class Session:
         elif self._asked.exception() is None and self._asked.result().met:
             self.near = near = self._asked.result()
             self.overlay.show_nearest(near.rod.position)
-            told = f"The nearest curve is {near.deviation:.3g} mm away."
-            self._say(replace(self.card.answer, sentence=f"{self.card.answer.sentence}\n{told}"))
+            told = note("The nearest curve is {far} away.", far=Length(near.deviation))
+            self._say(replace(self.card.answer, sentence=sentences([self.card.answer.sentence, told], "\n")))
             self.card.offer(nearest=True)
 
     def _forget_nearest(self) -> None:

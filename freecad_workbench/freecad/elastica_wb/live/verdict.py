@@ -10,13 +10,13 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
 from freecad.elastica_wb.solving.strip_cache import sharpest_bend
 
-from elastica_cad._counts import told_range
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.material.section_limits import StrainVerdict, judge_strain
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.refusals import Length, Span, note
 
 SLENDER = 2.0  # times its width a strip must be long before it bends as a rod does
 
@@ -72,31 +72,28 @@ def refusal_answer(error: ElasticaError) -> Answer:
 def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     """One sentence for the status bar."""
     if isinstance(answer, Strip):
-        wide = f"{told_range(*answer.width.extremes, '.3g')} mm"
-        used = answer.strain_verdict.percent
-        if is_bent_beforehand(answer):
-            return (
-                f"A strip bent beforehand takes this curve: {wide} wide, stiffness ratio "
-                f"{answer.rod.ratio:.3g}, strain {used} % of what the sheet bears."
-            )
-        return (
-            f"A flat strip takes this curve: {wide} wide, stiffness ratio "
-            f"{answer.rod.ratio:.3g}, strain {used} % of what the sheet bears."
-        )
+        return note(
+            "A strip bent beforehand takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain "
+            "{used} % of what the sheet bears." if is_bent_beforehand(answer) else
+            "A flat strip takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % of "
+            "what the sheet bears.",
+            width=Span.of(*answer.width.extremes), ratio=answer.rod.ratio, used=answer.strain_verdict.percent,
+        )  # fmt: skip
     if isinstance(answer, NotRealizable):
         return answer.check.reasons[0]
     if isinstance(answer, ElasticaError):
         return str(answer)
-    return answer.reasons[0] if answer.reasons else str(answer).split(". ")[0].rstrip(".") + "."
+    return answer.reasons[0] if answer.reasons else answer.verdict
 
 
 def _too_wide(length: float, width: float | None) -> Answer | None:
     if width is None or length >= SLENDER * width:
         return None
-    words = (
-        f"The strip would be {width:.3g} mm wide and {length:.3g} mm long: a strip bends as computed where it is "
-        f"{SLENDER:.0f} times as long as wide; draw a longer curve, or make the strip narrower."
-    )
+    words = note(
+        "The strip would be {width} wide and {length} long: a strip bends as computed where it is "
+        "{times:.0f} times as long as wide; draw a longer curve, or make the strip narrower.",
+        width=Length(width), length=Length(length), times=SLENDER,
+    )  # fmt: skip
     return Answer(Verdict.BREAKS, translate("Elastica", "too short for its width"), words)
 
 
@@ -106,16 +103,13 @@ def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Ans
     judged = judge_strain(sheet, bend * sheet.thickness / 2, place)
     if judged.allowed:
         return None
-    radius, least = f"{1 / bend:.4g}", f"{judged.used / bend:.4g}"
-    words = (
-        f"It would break at {place:.3g} mm: its radius there is {radius} mm, the sheet bears "
-        f"{least} mm; use a thinner sheet or a gentler curve."
-    )
-    if not judged.refused:
-        words = (
-            f"It is strained beyond its limit at {place:.3g} mm: its radius there is {radius} mm, the sheet bears "
-            f"{least} mm; {judged.outcome}; use a thinner sheet or a gentler curve."
-        )
+    words = note(
+        "It would break {s} from the start: its radius there is {radius}, the sheet bears {least}; use a "
+        "thinner sheet or a gentler curve." if judged.refused else
+        "It is strained beyond its limit {s} from the start: its radius there is {radius}, the sheet bears "
+        "{least}; {outcome}; use a thinner sheet or a gentler curve.",
+        s=Length(place), radius=Length(1 / bend), least=Length(judged.used / bend), outcome=note(judged.outcome),
+    )  # fmt: skip
     return Answer(Verdict.BREAKS, _strained(judged), words)
 
 

@@ -18,6 +18,7 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import strip_sideways
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.refusals import Length, note, sentences
 
 
 class BendPanel(Panel):
@@ -99,14 +100,16 @@ class BendPanel(Panel):
     def _show(self, rod: Rod) -> None:
         self._draw(rod)
         found = stability(rod)
-        stays = "stays" if found.stable else "does not stay"
-        moved_by = f"It moves by {largest_move(self.rest, rod):.2f} mm at most"
-        words = f"{moved_by} and {stays}; its stability margin is {found.margin:.3g}."
+        words = note(
+            "It moves by {far:.2f} at most and stays; its stability margin is {margin:.3g}." if found.stable else
+            "It moves by {far:.2f} at most and does not stay; its stability margin is {margin:.3g}.",
+            far=Length(largest_move(self.rest, rod)), margin=found.margin,
+        )  # fmt: skip
         fresh = [warning for warning in rod.warnings if warning not in self.rest.warnings]
         tips = strip_sideways(rod, self.strip.layout)
         if tips.needs_guiding:
             fresh.append(str(tips))
-        self.tell(" ".join([words, *fresh]))
+        self.tell(sentences([words, *fresh], " "))
 
     def _draw(self, rod: Rod) -> None:
         if self.preview is None:

@@ -11,8 +11,8 @@ from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sentences import decimal_point
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
+from freecad.elastica_wb.host.words import decimal_point
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.file_dialogs import ask_file, save_drawing
 from freecad.elastica_wb.recording import recorded
@@ -23,6 +23,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
+from elastica_cad.refusals import Length, note, sentences
 
 
 class CouponPanel(Panel):
@@ -45,7 +46,8 @@ class CouponPanel(Panel):
     def changed(self) -> None:
         """The overhang to use, and what the readings say."""
         sheet = sheet_called(self.form.sheet.currentText())
-        words = [f"{translate('Elastica', 'Longest overhang of the coupon')}: {coupon_overhang(sheet):g} mm"]
+        longest = Length(coupon_overhang(sheet))
+        words: list[str] = [note("Longest overhang of the coupon: {longest:g}", longest=longest)]
         self.calibration = None
         if self.form.readings.text().strip():
             overhangs, droops = readings_of(self.form.readings.text())
@@ -57,7 +59,7 @@ class CouponPanel(Panel):
                 reading_error=self.value("error"),
             )
             words.append(str(self.calibration))
-        self.tell("\n".join(words))
+        self.tell(sentences(words, "\n"))
 
     def _pressed(self, button: Callable[[], None], *_: Any) -> None:
         """What a button cannot do is told as what boxes cannot."""
@@ -133,7 +135,8 @@ def readings_of(text: str) -> tuple[list[float], list[float]]:
             overhang, droop = (float(number.replace(",", ".")) for number in part.split("="))
         except ValueError as error:
             raise InputError(
-                f"{part.strip()!r} is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31"
+                "{reading!r} is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31",
+                reading=part.strip(),
             ) from error
         pairs.append((overhang, droop))
     return [o for o, _ in pairs], [d for _, d in pairs]

@@ -4,7 +4,6 @@
 """The panel of the export: which files, how written, where to."""
 
 import os
-import re
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -24,8 +23,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.formats.drawing_files.drawing_style import CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
-
-EXISTS = re.compile(r"(.*) exists already: ")
+from elastica_cad.refusals import Length, note, sentences
 
 
 class ExportPanel(Panel):
@@ -67,7 +65,7 @@ class ExportPanel(Panel):
             )
             for name in ("version", "label_1_DXFversion"):
                 getattr(form, name).hide()
-        self.tell("\n".join(words))
+        self.tell(sentences(words, "\n"))
 
     def browse(self, *_: Any) -> None:
         """Choose the folder."""
@@ -85,13 +83,12 @@ class ExportPanel(Panel):
         try:
             self._write()
         except InputError as error:
-            found = EXISTS.match(str(error))
-            if found is None:
+            if error.refusal.kind != "exists":
                 raise
-            words = translate(
-                "Elastica", "exists already: choose another folder, or tick the box that overwrites"
-            )
-            raise InputError(f"{found[1]} {words}") from error
+            raise InputError(
+                "{path} exists already: choose another folder, or tick the box that overwrites",
+                path=error.refusal.values["path"],
+            ) from error
 
     def _write(self) -> None:
         kinds = [kind for kind in KINDS if getattr(self.form, kind).isChecked()]
@@ -133,4 +130,8 @@ def _usual_folder(document: Any) -> str:
 
 def _listed(piece: Piece) -> str:
     """A line of the cut list."""
-    return f"{piece.count} x {piece.name}: {piece.size[0]:.5g} x {piece.size[1]:.5g} mm, {piece.sheet.name}"
+    long, short = map(Length, piece.size)
+    return note(
+        "{count} x {piece}: {long:.5g} x {short:.5g}, {sheet}",
+        count=piece.count, piece=piece.name, long=long, short=short, sheet=piece.sheet.name,
+    )  # fmt: skip

@@ -29,33 +29,37 @@ from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Tol
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
+from elastica_cad.refusals import Length, note
 
 
 def _strip_numbers(obj: Any) -> Told:
     return (
-        (translate("Elastica", "Length"), f"{obj.Length.Value:.2f} mm"),
-        (translate("Elastica", "Narrowest place"), f"{obj.NarrowestWidth.Value:.2f} mm"),
-        (translate("Elastica", "Stiffness ratio"), f"{obj.Ratio:.3g}"),
-        (translate("Elastica", "Largest strain"), f"{obj.LargestStrain:.2f} % ({obj.StrainUse} %)"),
-        (translate("Elastica", "Stability margin"), f"{obj.Margin:.3g}"),
+        (translate("Elastica", "Length"), Length(obj.Length.Value)),
+        (translate("Elastica", "Narrowest place"), Length(obj.NarrowestWidth.Value)),
+        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio)),
+        (
+            translate("Elastica", "Largest strain"),
+            note("{strain:.2f} % ({used} %)", strain=obj.LargestStrain, used=obj.StrainUse),
+        ),
+        (translate("Elastica", "Stability margin"), note("{margin:.3g}", margin=obj.Margin)),
         (translate("Elastica", "Sideways margin"), _sideways_margin(obj)),
         (translate("Elastica", "Held deviation"), _held_deviation(obj)),
-        (translate("Elastica", "Mass"), f"{obj.Mass:.3g} g"),
+        (translate("Elastica", "Mass"), note("{mass:.3g} g", mass=obj.Mass)),
     )
 
 
-def _held_deviation(obj: Any) -> str:
+def _held_deviation(obj: Any) -> object:
     """How far it strays; not yet known, or none where it takes no shape and the footnote says why."""
     if not obj.Held:
         return "..."
-    return f"{obj.HeldDeviation.Value:.2g} mm" if obj.HeldDeviation.Value else "-"
+    return Length(obj.HeldDeviation.Value) if obj.HeldDeviation.Value else "-"
 
 
 def _sideways_margin(obj: Any) -> str:
     """Its margin out of the plane; not yet known, or none where it is undecided and the footnote says why."""
     if not obj.Sideways:
         return "..."
-    return f"{obj.SidewaysMargin:.3g}" if obj.SidewaysMargin else "-"
+    return note("{margin:.3g}", margin=obj.SidewaysMargin) if obj.SidewaysMargin else "-"
 
 
 def _strip_footnote(obj: Any) -> str:
@@ -272,8 +276,8 @@ NEAREST = Layout(
     {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
     "Curve",
     lambda obj: (
-        (translate("Elastica", "Largest distance"), f"{obj.Deviation.Value:.3g} mm"),
-        (translate("Elastica", "Stiffness ratio"), f"{obj.Ratio:.3g}"),
+        (translate("Elastica", "Largest distance"), Length(obj.Deviation.Value)),
+        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio)),
     ),
     (
         (QT_TRANSLATE_NOOP("Elastica", "Draw it into the sketch"), draw_into),

@@ -16,8 +16,7 @@ from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sentences import report_error
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import report_error, worded
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import (
     field_for,
@@ -29,7 +28,9 @@ from freecad.elastica_wb.panels.widgets.fields import (
 )
 from freecad.elastica_wb.recording import record_value, recorded
 
-Told = tuple[tuple[str, str], ...]
+from elastica_cad.refusals import note
+
+Told = tuple[tuple[str, object], ...]
 
 
 @dataclass(frozen=True)
@@ -225,8 +226,11 @@ class PropertyPanel(Panel):
                 widget.setVisible(counts)
         failed = bool(why_not_made(obj))
         told = () if failed else layout.told(obj)
-        rows = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{value}</b></td></tr>" for name, value in told)
-        self.form.numbers.setText(worded(f"<table>{rows}</table>") if rows else "")
+        rows = "".join(
+            f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{worded(note('{value}', value=value))}</b></td></tr>"
+            for name, value in told
+        )
+        self.form.numbers.setText(f"<table>{rows}</table>" if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(
             failed and getattr(obj, "Follow", "") == "Exactly" and could_follow_another(obj)

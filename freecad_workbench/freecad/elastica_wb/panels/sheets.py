@@ -14,6 +14,7 @@ from freecad.elastica_wb.panels.widgets.fields import set_value
 
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, note
 
 NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "poisson_ratio", "shear_modulus")
 
@@ -46,10 +47,12 @@ class SheetsPanel(Panel):
         for field in NUMBERS:
             set_value(getattr(self.form, field), getattr(sheet, field) or 0.0)
         self.filled = {field: self.value(field) for field in NUMBERS}
-        self.tell(
-            f"{translate('Elastica', 'least radius')} {sheet.least_radius:.4g} mm, "
-            f"{translate('Elastica', 'elasto-gravity length')} {sheet.elasto_gravity_length:.4g} mm"
-        )
+        self.tell(note(
+            "{radius_name} {radius}, {length_name} {length}",
+            radius_name=translate("Elastica", "least radius"), radius=Length(sheet.least_radius),
+            length_name=translate("Elastica", "elasto-gravity length"),
+            length=Length(sheet.elasto_gravity_length),
+        ))  # fmt: skip
 
     def keep(self, *_: Any) -> None:
         """Keep the numbers as a sheet of the user's own."""

@@ -9,12 +9,13 @@ from typing import Any
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.user_units import shown_unit, worded
+from freecad.elastica_wb.host.words import shown_unit, worded
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.bar_chart import bar_chart
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.studies.tolerance_study import ToleranceStudy, tolerance_study
+from elastica_cad.refusals import note
 
 
 class TolerancePanel(Panel):
@@ -53,11 +54,17 @@ class TolerancePanel(Panel):
             (translate("Elastica", "deviation") + f", {unit.name}", "95 %", translate("Elastica", "worst"))
         ]
         table += [
-            (name, f"{effect.percentile_95 / unit.size:.3f}", f"{effect.worst / unit.size:.3f}")
+            (
+                name,
+                *(
+                    worded(note("{far:.3f}", far=far / unit.size))
+                    for far in (effect.percentile_95, effect.worst)
+                ),
+            )
             for name, effect in zip(names, effects, strict=True)
         ]
         rows = "".join(f"<tr><td>{'&nbsp;&nbsp;</td><td align=right>'.join(row)}</td></tr>" for row in table)
-        self.form.table.setText(worded(f"<table>{rows}</table>"))
+        self.form.table.setText(f"<table>{rows}</table>")
         bars = zip(names, effects, strict=True)
         self.form.plot.setPixmap(bar_chart([(name, e.percentile_95, e.worst) for name, e in bars]))
         self.tell("")

@@ -87,7 +87,9 @@ def _read(brep: BinaryBrep) -> Part.Shape:
             os.unlink(name)
     except OSError as error:
         raise InputError(
-            f"the shape cannot pass through a temporary file ({error}): make that folder writable, with room in it"
+            "the shape cannot pass through a temporary file ({why}): make that folder writable, "
+            "with room in it",
+            why=error,
         ) from error
     return shape
 

@@ -6,7 +6,7 @@
 from collections.abc import Iterable
 
 import numpy as np
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.reports.strip_report import tell_blank

@@ -104,7 +104,8 @@ def solve_strip(spec: StripSpec) -> Strip:
         return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
     except ImportError as error:
         raise MissingDependencyError(
-            f"{error.name or 'a library'} is not installed in this FreeCAD: strips need numpy and scipy"
+            "{name} is not installed in this FreeCAD: strips need numpy and scipy",
+            name=error.name or "a library",
         ) from error
 
 

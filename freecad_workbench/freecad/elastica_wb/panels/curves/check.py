@@ -17,6 +17,7 @@ from freecad.elastica_wb.solving.strip_cache import solve_strip
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import sentences
 
 
 class CheckPanel(Panel):
@@ -45,6 +46,6 @@ class CheckPanel(Panel):
                 words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
             except ElasticaError as error:
                 words.append(str(error))
-        self.tell("\n\n".join(words))
+        self.tell(sentences(words, "\n\n"))
         if is_sketch(source) and not edges:
             live.start(source)

@@ -29,6 +29,7 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import sentences
 
 FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
 
@@ -78,9 +79,9 @@ class ProjectivePanel(Panel):
         self._typed()
         self.pull()
         try:
-            self.tell(f"{strip_answer(solve_strip(self._spec())).sentence}{self._warning()}")
+            self.tell(sentences([strip_answer(solve_strip(self._spec())).sentence, self._warning()], ""))
         except ElasticaError as error:
-            self.tell(f"{sentence_of(error)}{self._warning()}")
+            self.tell(sentences([sentence_of(error), self._warning()], ""))
 
     def pull(self) -> None:
         """The curve as the handles pull it, and whether it can be bent."""
@@ -92,7 +93,7 @@ class ProjectivePanel(Panel):
         answer = quick_answer(
             self.curve, self.curve.sample(TEETH), self._spec(), check_equilibrium(self.curve)
         )
-        self.tell(f"{answer.sentence}{self._warning()}")
+        self.tell(sentences([answer.sentence, self._warning()], ""))
 
     def finished(self) -> None:
         """Write the curve into the sketch."""

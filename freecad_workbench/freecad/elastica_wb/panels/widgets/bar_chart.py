@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from freecad.elastica_wb.host.qt import QtCore, QtGui
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
+
+from elastica_cad.refusals import Length, note
 
 ROW, LEFT, WIDTH = 24, 105, 300  # px: height of a bar's row, room for names, whole picture
 
@@ -29,6 +31,6 @@ def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
                 QtCore.QRect(LEFT, y + 2, round(room * value / largest), 14), QtGui.QColor(color)
             )
         end = QtCore.QPoint(LEFT + round(room * worst / largest) + 6, y + 14)
-        painter.drawText(end, worded(f"{worst:.2f} mm"))
+        painter.drawText(end, worded(note("{worst:.2f}", worst=Length(worst))))
     painter.end()
     return picture

@@ -10,7 +10,7 @@ from typing import Any
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, surface_of
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.overlay import COLORS
 from freecad.elastica_wb.live.verdict import Verdict
 from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, hex_of

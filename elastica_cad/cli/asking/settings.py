@@ -1,0 +1,307 @@
+"""Keys of requests by their path, such as `limits.ratio`: what `--set` gives and `elastica help` tells."""
+
+import re
+import tomllib
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Any, ClassVar, Literal, TypeVar
+
+import click
+
+from elastica_cad.declared import REQUIRED, Asked, Field, Kind, Record
+from elastica_cad.errors import InputError, near_names, quoted
+from elastica_cad.formats.design_files.design_schema import told
+from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.design_files.model_tables import DesignKeys
+from elastica_cad.formats.design_files.records import fields_of, title, word_of, written
+from elastica_cad.formats.design_files.strip_table import StripKeys
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
+"""In which options of a strip are listed."""
+
+
+@dataclass(frozen=True)
+class CurveKeys:
+    """Which curve of the file, and in which pieces."""
+
+    layer: Annotated[str | None, Asked("Only curves on this layer of the drawing.", group="curve")] = None
+    split_corners: Annotated[
+        bool, Asked("Cut curves at their corners; every piece is a strip of its own.", group="curve")
+    ] = False
+
+
+@dataclass(frozen=True)
+class FileKeys:
+    """Which files are written beside the cut pattern and the report."""
+
+    paper: Annotated[
+        Literal["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"] | None,
+        Asked(
+            "Write NAME.pdf too: full size on this paper, tiles with marks to join them by.", group="files"
+        ),
+    ] = None
+    glb: Annotated[
+        bool,
+        Asked("Write NAME.glb too: the bent strip for browsers and phones (needs build123d).", group="files"),
+    ] = False
+    strict: Annotated[
+        bool, Asked("Exit with 1 when the strain is beyond what the sheet bears.", group="files")
+    ] = False
+
+
+_CUTTING = Cutting()
+
+
+@dataclass(frozen=True)
+class CommandKeys(StripKeys):
+    """What `elastica strip` is asked for: the keys of a strip in a design file, and which files it writes."""
+
+    WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
+    curve: Annotated[CurveKeys, Asked("Which curve of the file.", group="curve")] = CurveKeys()
+    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files", common=True)] = _CUTTING
+    files: Annotated[FileKeys, Asked("Which files are written.", group="files")] = FileKeys()
+
+
+@cache
+def paths_of(record: Record) -> Mapping[str, Field]:
+    """All keys below a record by their paths; those of tables in a list follow the name of the list.
+
+    Examples
+    --------
+    >>> paths_of(CommandKeys)["limits.ratio"].asked.least, "slots.at" in paths_of(CommandKeys)
+    (1, True)
+    """
+    found: dict[str, Field] = {}
+    for path, field in _walked(record):
+        found.setdefault(path, field)
+    return found
+
+
+def _walked(record: Record) -> Iterator[tuple[str, Field]]:
+    without = getattr(record, "WITHOUT", ())
+    for one in fields_of(record):
+        if one.name in without:
+            continue
+        yield one.name, one
+        for inner in _tables(written(one.kind)):
+            if word := word_of(inner):
+                yield (
+                    f"{one.name}.kind",
+                    Field("kind", Kind("choice", choices=_words(one.kind)), one.asked, word),
+                )
+            for path, field in _walked(inner):
+                yield f"{one.name}.{path}", field
+
+
+def _tables(kind: Kind) -> list[Record]:
+    found = [inner for one in kind.of for inner in _tables(written(one))]
+    return [*found, *([kind.record] if kind.record is not None else [])]
+
+
+def _words(kind: Kind) -> tuple[str, ...]:
+    """The words of the kinds that a table may have."""
+    return tuple(word for one in written(kind).alternatives if one.record and (word := word_of(one.record)))
+
+
+def put(table: dict[str, Any], path: str, value: Any) -> None:
+    """Set the value at a path of nested tables.
+
+    Raises
+    ------
+    InputError
+        On the way there stands something that is no table.
+    """
+    *way, last = path.split(".")
+    for key in way:
+        inner = table.setdefault(key, {})
+        if not isinstance(inner, dict):
+            raise InputError(
+                "{key} is {inner}, and {path} asks for a table: give one of them",
+                key=key,
+                inner=quoted(inner),
+                path=path,
+            )
+        table = inner
+    table[last] = value
+
+
+def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
+    """The table that `KEY=VALUE` texts give: values are TOML, a bare word is a text.
+
+    Raises
+    ------
+    InputError
+        A text without "=", or an unknown key, with the nearest that is known.
+
+    Examples
+    --------
+    >>> parsed_settings(["limits.ratio=3", "law.kind=rod"], CommandKeys)
+    {'limits': {'ratio': 3}, 'law': {'kind': 'rod'}}
+    """
+    table: dict[str, Any] = {}
+    for text in settings:
+        path, between, value = (part.strip() for part in text.partition("="))
+        if not between:
+            raise InputError(
+                "--set {text} has no value: write KEY=VALUE, such as limits.ratio=3", text=quoted(text)
+            )
+        require_path_of(path, record)
+        put(table, path, _value(value))
+    return table
+
+
+def require_path_of(path: str, record: Record) -> Field:
+    """The field at a path.
+
+    Raises
+    ------
+    InputError
+        There is none; the message names the nearest.
+    """
+    known = paths_of(record)
+    if path not in known:
+        near = near_path(path, known)
+        hint = f"did you mean {near}?" if near else "`elastica help` lists them"
+        raise InputError("there is no key {path}: {hint}", path=quoted(path), hint=hint)
+    return known[path]
+
+
+def near_path(path: str, known: Iterable[str]) -> str:
+    """The known path that one may have been meant for: with the same last name, or the nearest; empty for none."""
+    ends = {one.rpartition(".")[2]: one for one in reversed(list(known))}
+    last = path.rpartition(".")[2]
+    near = near_names(path, known) or near_names(last, ends)
+    return ends.get(last) or (near[0] if near and near[0] in known else ends.get(near[0], "") if near else "")
+
+
+def _value(text: str) -> Any:
+    """A value as TOML has it; what is no TOML is a text, without quotes."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        if text[:1] in "[{\"'" or "\n" in text:
+            raise InputError(
+                "{text} cannot be read: write the value as in a design file, such as [1, 2] or "
+                "[{{ at = 40, width = 1.2 }}]",
+                text=quoted(text),
+            ) from None
+        return text
+
+
+def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") -> Iterator[str]:
+    """Paths that two tables give different values; true is what any table or list says more exactly."""
+    for key in table.keys() & others.keys():
+        mine, theirs = table[key], others[key]
+        if isinstance(mine, dict) and isinstance(theirs, dict):
+            yield from twice(mine, theirs, f"{way}{key}.")
+        elif mine != theirs and not (mine is True and key == "gravity"):
+            yield f"{way}{key}"
+
+
+def set_option(record: Record) -> Callable[[F], F]:
+    """`--set KEY=VALUE` for the keys of a record, which shells complete."""
+
+    def complete(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
+        from click.shell_completion import CompletionItem
+
+        path, given, _value = typed.partition("=")
+        known = paths_of(record)
+        if given and path in known:
+            words = _values(known[path].kind)
+            return [CompletionItem(f"{path}={one}") for one in words if one.startswith(_value)]
+        return [CompletionItem(f"{one}=", help=known[one].help) for one in known if one.startswith(typed)]
+
+    return click.option(
+        "--set", "settings", metavar="KEY=VALUE", multiple=True, shell_complete=complete,
+        help="Any other key, as in a design file: `elastica help` lists them. Repeatable.",
+    )  # fmt: skip
+
+
+def _values(kind: Kind) -> list[str]:
+    """Words that a value may be."""
+    found = list(kind.choices)
+    for one in written(kind).alternatives:
+        found += ["true", "false"] if one.name == "flag" else [] if one == kind else _values(one)
+    return found
+
+
+def in_words(kind: Kind) -> str:
+    """What a value may be, for people.
+
+    Examples
+    --------
+    >>> in_words(paths_of(CommandKeys)["limits.strain"].kind)
+    'true or false, or a number'
+    """
+    kind = written(kind)
+    if kind.name == "either":
+        return ", or ".join(dict.fromkeys(in_words(one) for one in kind.of))
+    if kind.name == "choice":
+        return " or ".join(str(one) for one in kind.choices)
+    if kind.name == "table":
+        assert kind.record is not None
+        return f"table {title(kind.record)}"
+    if kind.name == "list":
+        inner, size = in_words(kind.of[0]), "" if kind.size is None else f"{kind.size} "
+        plural = {"a number": "numbers", "true or false": "times true or false"}.get(inner, f"times {inner}")
+        return f"[{size}{plural}]" if inner in ("a number", "true or false") else f"list of {inner}"
+    plain = {"number": "a number", "count": "a whole number", "flag": "true or false", "text": "a text"}
+    return plain.get(kind.name, "names and their values")
+
+
+def explained(path: str, option: str) -> str:
+    """What `elastica help KEY` says of a key.
+
+    Raises
+    ------
+    InputError
+        There is no such key.
+    """
+    record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
+    field = require_path_of(path.removeprefix("strips."), record)
+    asked = field.asked
+    lines = [told(field.help, asked.unit), f"Value: {in_words(field.kind)}."]
+    bounds = [f"least {asked.least:g}"] if asked.least is not None else []
+    bounds += [f"most {asked.most:g}"] if asked.most is not None else []
+    if bounds:
+        lines.append(f"Bounds: {', '.join(bounds)}.")
+    if isinstance(field.default, bool | int | float | str) and field.default != "":
+        lines.append(
+            f"Default: {field.default}.".lower()
+            if isinstance(field.default, bool)
+            else f"Default: {field.default}."
+        )
+    elif field.default is REQUIRED:
+        lines.append("It must be given.")
+    inner = [one.rpartition(".")[2] for one in paths_of(record) if one.rpartition(".")[0] == path]
+    if inner:
+        lines.append(f"Keys below it: {', '.join(inner)}.")
+    here = (
+        f"elastica strip: {option or f'--set {path}=VALUE'}"
+        if record is CommandKeys
+        else "elastica model: a design file"
+    )
+    return "\n".join([path, *(f"  {line}" for line in [*lines, here])])
+
+
+def listed() -> str:
+    """All keys in their groups, each with what it says: `elastica help`."""
+    known = paths_of(CommandKeys)
+    lines = []
+    for group in GROUPS:
+        lines += ["", f"{group}:"]
+        lines += [
+            f"  {path:<24} {told(field.help, field.asked.unit)}"
+            for path, field in known.items()
+            if known[path.partition(".")[0]].asked.group == group
+        ]
+    lines += ["", "whole models, in design files:"]
+    lines += [
+        f"  {path:<24} {told(field.help, field.asked.unit)}"
+        for path, field in paths_of(DesignKeys).items()
+        if path.partition(".")[0] not in {*known, "strips"} or re.match(r"cut$", path)
+    ]
+    return "\n".join(lines[1:])

@@ -1,0 +1,202 @@
+"""Curves that a design file draws: those of a file, formulae, an arc of an ellipse, or a spline."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.declared import Asked, Kind, kind_of
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.drawn_file import CurveList
+from elastica_cad.formats.design_files.formulae import Formula
+from elastica_cad.formats.design_files.records import Reader, reads
+from elastica_cad.formats.design_files.reshaping import Point, Reshape
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.refusals import Length
+
+
+@dataclass(frozen=True)
+class _Curve:
+    reshape: Annotated[Reshape | None, Asked("Pull the curve by four handles.")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfFile(_Curve):
+    """One of the curves of a file."""
+
+    file: Annotated[str, Asked("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
+    number: Annotated[int | None, Asked("Which curve of the file.", least=1)] = None
+    id: Annotated[str | None, Asked("Which curve, by its name in the file.")] = None
+    layer: Annotated[str | None, Asked("Which curve, by its layer.")] = None
+    unit: Annotated[str | None, Asked("Unit of the file, where it does not say.")] = None
+
+    def drawn(self, reader: Reader, where: str, _: Table) -> PlaneCurve:
+        """The curve, read from its file."""
+        path = reader.folder / self.file
+        if not path.is_file():
+            raise InputError(
+                "{where_}: there is no file {path}; names are relative to the design file",
+                where_=where,
+                path=path,
+            )
+        assert reader.read_curves is not None
+        curves = reader.read_curves(path, unit=self.unit)
+        if isinstance(curves, CurveList):
+            number = None if self.number is None else str(self.number)
+            choice = "number = 1 .. {count}, id or layer"
+            return curves.file.one(self.id or number, self.layer, choice).curve
+        if (self.number or 1) > len(curves) or (len(curves) > 1 and self.number is None):
+            raise InputError(
+                "{where_}: {name} holds {count} curve{value}: choose one with number = 1 .. {count}",
+                where_=where,
+                name=path.name,
+                count=len(curves),
+                value="s" if len(curves) > 1 else "",
+            )
+        return curves[(self.number or 1) - 1]
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfFormulae(_Curve):
+    """The curve that two formulae in t draw."""
+
+    x: Annotated[Formula, Asked("Formula in t.", "mm")]
+    y: Annotated[Formula, Asked("Formula in t.", "mm")]
+    t: Annotated[tuple[float, float], Asked("Range of t.")]
+    breaks: Annotated[
+        tuple[Point, ...], Asked("[t, continuity] where the formulae are joined from pieces.")
+    ] = ()
+
+    def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
+        """The curve, fitted."""
+        start, end = self.t
+        if not start < end:
+            raise InputError(
+                "{place} is [{start:g}, {end:g}]: it must be a range, least first",
+                place=f"{where}: t",
+                start=start,
+                end=end,
+            )
+
+        def point(t: FloatArray) -> FloatArray:
+            return np.column_stack([np.broadcast_to(f(table.scope, t=t), t.shape) for f in (self.x, self.y)])
+
+        return PlaneCurve.fit_function(
+            point, start, end, breaks=[(place, int(order)) for place, order in self.breaks]
+        )
+
+
+@dataclass(frozen=True)
+class EllipseArc:
+    """An arc of an ellipse, between two parameters or above a height."""
+
+    semi_axes: Annotated[Point, Asked("Both semi-axes.", "mm", least=0)]
+    center: Annotated[Point, Asked("Its centre.", "mm")] = (0.0, 0.0)
+    rotation: Annotated[float, Asked("Angle of the first axis.", "rad")] = 0.0
+    start: Annotated[float | None, Asked("Parameter where it begins.", "rad")] = None
+    end: Annotated[float | None, Asked("Parameter where it ends.", "rad")] = None
+    above: Annotated[float | None, Asked("In place of start and end: what lies above this height.", "mm")] = (
+        None
+    )
+
+    def drawn(self, where: str) -> PlaneCurve:
+        """The exact curve."""
+        center, axes, rotation = self.center, self.semi_axes, self.rotation
+        if self.above is None:
+            end = 2 * np.pi if self.end is None else self.end
+            return PlaneCurve.ellipse(center, axes, rotation, self.start or 0.0, end)
+        idle = [key for key in ("start", "end") if getattr(self, key) is not None]
+        if idle:
+            raise InputError(
+                "{place} means nothing beside above: leave one of them out", place=f"{where}: {idle[0]}"
+            )
+        rise = self.above - center[1]
+        # y - center = a sin(rotation) cos v + b cos(rotation) sin v = reach cos(v - top)
+        tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
+        reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
+        if not -reach < rise < reach:
+            raise InputError(
+                "{place}: the ellipse lies between y = {reach:.4g} and {reach_2:.4g}, so y = "
+                "{rise:.4g} does not cut it",
+                place=f"{where}: above",
+                reach=center[1] - reach,
+                reach_2=Length(center[1] + reach),
+                rise=Length(rise + center[1]),
+            )
+        half = float(np.arccos(rise / reach))
+        return PlaneCurve.ellipse(center, axes, rotation, top - half, top + half)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfEllipse(_Curve):
+    """An arc of an ellipse."""
+
+    ellipse: Annotated[EllipseArc, Asked("An exact arc of an ellipse.")]
+
+    def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
+        """The exact curve."""
+        return self.ellipse.drawn(f"{where}: ellipse")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfSpline(_Curve):
+    """A spline of evenly spaced knots with clamped ends, or of the knots that are told, with weights or without."""
+
+    spline: Annotated[tuple[Point, ...], Asked("Control points.", "mm")]
+    degree: Annotated[int, Asked("Degree of its pieces.", least=1)] = 4
+    knots: Annotated[
+        tuple[float, ...] | None, Asked("Full knot vector; evenly spaced with clamped ends unless given.")
+    ] = None
+    weights: Annotated[
+        tuple[float, ...] | None, Asked("Weights of the control points; all alike unless given.")
+    ] = None
+
+    def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
+        """The exact curve."""
+        if self.knots is None:
+            if self.weights is not None:
+                raise InputError("{place} needs knots beside it: give both", place=f"{where}: weights")
+            return PlaneCurve.spline(self.spline, degree=self.degree)
+        weights = None if self.weights is None else np.array(self.weights)
+        return PlaneCurve(np.array(self.knots), np.array(self.spline), self.degree, weights)
+
+
+CURVES = {"file": CurveOfFile, "x": CurveOfFormulae, "ellipse": CurveOfEllipse, "spline": CurveOfSpline}
+"""What draws a curve, by the key that its table must hold."""
+
+
+def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneCurve:
+    """The curve that a key tells of: the name of a file, or a table.
+
+    Raises
+    ------
+    InputError
+        Unknown keys or values, missing files, curves that make no sense; the place is named.
+    """
+    given = table.raw(key)
+    if given is None:
+        raise InputError(
+            "{place} is missing; give a file, formulae x, y and t, an ellipse or a spline",
+            place=table.place(key),
+        )
+    if isinstance(given, str):
+        return CurveOfFile(file=given).drawn(reader, table.place(key), table)
+    curve = table.table(key)
+    found = [kind for kind in CURVES if kind in curve.data]
+    if len(found) != 1:
+        raise InputError(
+            "{where_} must hold one of file, x (with y and t), ellipse or spline, not {value}",
+            where_=curve.where,
+            value=", ".join(curve.data) or "nothing",
+        )
+    asked = reader.record(CURVES[found[0]], curve)
+    with curve.naming():
+        drawn: PlaneCurve = asked.drawn(reader, curve.where, curve)
+        return drawn if asked.reshape is None else asked.reshape.of(drawn)
+
+
+reads(
+    PlaneCurve, Kind("either", (Kind("text"), *(kind_of(one) for one in CURVES.values()))), read_drawn_curve
+)

@@ -1,1 +1,0 @@
-"""What may be written in a design file: the keys of every table, for its readers, its JSON schema and its page."""

@@ -1,0 +1,417 @@
+"""Records from tables of design files: one reader for all that is declared."""
+
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from inspect import signature
+from pathlib import Path
+from typing import Annotated, Any
+
+from elastica_cad.declared import REQUIRED, Asked, Field, Kind, Record, declared, kind_of, name_of
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.styles import Plain, Style
+from elastica_cad.formats.design_files.formulae import Formula
+from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.forming.limits import Limits
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
+from elastica_cad.mechanics.loads.supports import EndName, Supports
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
+
+CurveReader = Callable[..., list[PlaneCurve]]
+"""`read_curves(path, unit=...)`."""
+
+Range = tuple[float, float]
+
+
+def thickness(
+    sheet: Sheet,
+    limits: Annotated[Range, Asked("Least and largest thickness.", "mm", least=0)],
+    width: Annotated[float, Asked("Width of the batten.", "mm", least=0)],
+) -> ThicknessLaw:
+    """A batten of one width, planed thinner."""
+    return ThicknessLaw(sheet, *limits, width=width)
+
+
+def rod(
+    sheet: Sheet, limits: Annotated[Range, Asked("Least and largest diameter.", "mm", least=0)]
+) -> RoundLaw:
+    """A round rod, turned thinner."""
+    return RoundLaw(sheet, *limits)
+
+
+def tube(
+    sheet: Sheet,
+    limits: Annotated[Range, Asked("Least and largest outer diameter.", "mm", least=0)],
+    bore: Annotated[float, Asked("Inner over outer diameter.", least=0, most=1)],
+) -> RoundLaw:
+    """A tube, turned thinner."""
+    return RoundLaw(sheet, *limits, bore=bore)
+
+
+def leaves(
+    sheet: Sheet,
+    leaves: Annotated[int, Asked("Leaves of the sheet, at most.", least=2)],
+    width: Annotated[float, Asked("Width of the leaves.", "mm", least=0)],
+    fewest: Annotated[int, Asked("Leaves that go all the way.", least=1)] = 1,
+) -> LeavesLaw:
+    """Leaves of the sheet, glued; some end before others. Needs limits or keep."""
+    return LeavesLaw(sheet, leaves, width, fewest)
+
+
+def blank(
+    stations: Annotated[
+        tuple[float, ...], Asked("From 0 to the length of the strip; one twice is a step.", "mm")
+    ],
+    curvatures: Annotated[tuple[float, ...], Asked("At each station, straight between them.", "1/mm")],
+) -> RestCurvature:
+    """A blank whose curvature goes straight from station to station."""
+    return RestCurvature.linear(stations, curvatures)
+
+
+def drawn_blank(
+    curve: Annotated[PlaneCurve, Asked("In which the blank lies before it is bent.")],
+) -> RestCurvature:
+    """A blank that is drawn as it lies unbent."""
+    return RestCurvature.of(curve)
+
+
+def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits: Any) -> Limits:
+    """Limits of a strip of the sheet: strain is true for what that bears."""
+    own = None if isinstance(strain, bool) else strain
+    return Limits(sheet=sheet if strain else None, strain=own, **limits)
+
+
+def _cutting(kerf: float | str = 0.0, **options: Any) -> Cutting:
+    return Cutting(kerf=None if isinstance(kerf, str) else kerf, **options)
+
+
+BY_KIND: dict[Record, dict[str, Record]] = {
+    Style: {"plain": Plain, "perforated": Perforated, "laminated": Laminated},
+    BoundedLaw: {"thickness": thickness, "rod": rod, "tube": tube, "leaves": leaves},
+}
+"""What a table makes by the word of its key `kind`; the first is meant where it is left out."""
+
+MADE_BY: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
+"""Records that are made from their table by another function."""
+
+WRITTEN: dict[Record, Kind] = {
+    Sheet: Kind("text"),
+    Formula: Kind("number"),
+    Supports: kind_of(tuple[EndName, EndName]),
+    RestCurvature: Kind("either", (kind_of(blank), kind_of(drawn_blank))),
+}
+"""How records are written that are no tables of their fields; modules that read others add theirs."""
+
+
+def written(kind: Kind) -> Kind:
+    """The kind as it stands in a file, with all that a record may be written as."""
+    if kind.name == "either":
+        found = [one for inner in kind.of for one in written(inner).alternatives]
+        return Kind("either", tuple(dict.fromkeys(found)))
+    if kind.name == "table" and kind.record in WRITTEN:
+        return WRITTEN[kind.record]
+    if kind.name == "table" and kind.record in BY_KIND:
+        return Kind("either", tuple(kind_of(one) for one in BY_KIND[kind.record].values()))
+    return kind
+
+
+def fields_of(record: Record) -> tuple[Field, ...]:
+    """The fields of a table: those that are declared, with those of a record that the table takes too.
+
+    A class of keys names that record as `BESIDE`, and its fields that have no place there as `WITHOUT`; one whose
+    keys are called otherwise than its fields has them of its function `FIELDS`.
+    """
+    if (renamed := getattr(record, "FIELDS", None)) is not None:
+        return tuple(replace(one, name=key) for key, one in renamed().items())
+    own, beside = declared(record), getattr(record, "BESIDE", None)
+    without = {*getattr(record, "WITHOUT", ()), *(one.name for one in own)}
+    return (*(one for one in (fields_of(beside) if beside else ()) if one.name not in without), *own)
+
+
+def word_of(record: Record) -> str | None:
+    """The word of the key `kind` that asks for a record; None where it needs none."""
+    return next((word for kinds in BY_KIND.values() for word, one in kinds.items() if one is record), None)
+
+
+def names_of(record: Record) -> list[str]:
+    """All keys of the table of a record."""
+    return [*(["kind"] if word_of(record) else []), *(one.name for one in fields_of(record))]
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Reads records from tables.
+
+    Attributes
+    ----------
+    sheets : mapping
+        Sheets by the names that a file may use besides those that all know.
+    folder : Path
+        From which files are named.
+    read_curves : callable or None
+        Reads a curve file.
+    sheet : Sheet or None
+        Of the strip that is read.
+    """
+
+    sheets: Mapping[str, Sheet] = field(default_factory=dict)
+    folder: Path = field(default_factory=Path)
+    read_curves: CurveReader | None = None
+    sheet: Sheet | None = None
+
+    def of_sheet(self, sheet: Sheet) -> "Reader":
+        """The same for a strip of that sheet."""
+        return replace(self, sheet=sheet)
+
+    def record(self, record: Record, table: Table) -> Any:
+        """The record that a table asks for; a `BY_KIND` one is chosen by the key `kind`.
+
+        Raises
+        ------
+        InputError
+            Unknown or missing keys, values of another kind, or what the record refuses; the place is named.
+        """
+        if record in BY_KIND:
+            kinds = BY_KIND[record]
+            record = kinds[table.text("kind", next(iter(kinds)), tuple(kinds))]
+        given = self.given(record, table)
+        make = MADE_BY.get(record, record)
+        parameters = signature(make).parameters if callable(make) else {}
+        if "sheet" in parameters and "sheet" not in {one.name for one in declared(record)}:
+            given["sheet"] = self.sheet
+        with table.naming():
+            return make(**given)
+
+    def given(self, record: Record, table: Table) -> dict[str, Any]:
+        """The values of the fields that a table gives, by name; unknown and missing keys are refused."""
+        table.only(*names_of(record))
+        values = {}
+        for one in fields_of(record):
+            if table.has(one.name):
+                values[one.name] = self.value(one.kind, table, one.name)
+            elif one.default is REQUIRED:
+                raise InputError(
+                    "{place} is missing: {help}",
+                    place=table.place(one.name),
+                    help=one.help.rstrip(".").lower(),
+                )
+        return values
+
+    def value(self, kind: Kind, table: Table, key: str) -> Any:
+        """The value of a key, of that kind."""
+        if kind.name == "table" and kind.record in _SPECIAL:
+            return _SPECIAL[kind.record](self, table, key)
+        match kind.name:
+            case "number":
+                return table.number(key)
+            case "count":
+                return table.count(key, 1)
+            case "flag":
+                return table.flag(key)
+            case "text":
+                return table.text(key)
+            case "choice":
+                return table.text(key, choices=kind.choices)
+            case "names":
+                return table.table(key).data
+            case "table":
+                assert kind.record is not None
+                return self.record(kind.record, table.table(key))
+            case "list":
+                return self._row(kind, table, key)
+        return self.value(_chosen(kind.of, table.raw(key)), table, key)
+
+    def _row(self, kind: Kind, table: Table, key: str) -> tuple[Any, ...]:
+        """The values of a list."""
+        (inner,), rows = kind.of, table.raw(key)
+        if inner.name == "number":
+            return table.row(key) if kind.size is None else table.vector(key, kind.size)
+        if inner.name == "list" and inner.of[0].name == "number":
+            return tuple(table.points(key, inner.size or 1, kind.size))
+        if inner.name == "table" and not isinstance(rows, list):
+            table.tables(key)
+        if not isinstance(rows, list) or kind.size not in (None, len(rows)):
+            raise InputError(
+                "{place} is {given}: give a list{of_size}",
+                place=table.place(key),
+                given=quoted(rows),
+                of_size="" if kind.size is None else f" of {kind.size}",
+            )
+        numbered = Table(
+            {f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, table.where, table.scope
+        )
+        return tuple(self.value(inner, numbered, name) for name in numbered.data)
+
+
+def _chosen(kinds: tuple[Kind, ...], value: object) -> Kind:
+    """The kind among several that a value is meant as; one that refuses it where it is none of them."""
+    fitting = [one for one in kinds if _fits(one, value)]
+    if isinstance(value, Mapping):
+        return max(fitting, key=lambda one: _keys_met(one, value), default=kinds[-1])
+    return fitting[0] if fitting else next((one for one in kinds if one.name != "flag"), kinds[0])
+
+
+def _fits(kind: Kind, value: object) -> bool:
+    if kind.name == "table" and kind.record in WRITTEN:
+        return any(_fits(one, value) for one in written(kind).alternatives)
+    match value:
+        case bool():
+            return kind.name == "flag"
+        case str():
+            return (
+                kind.name == "text" or value in kind.choices or (kind.name == "number" and value != "sheet")
+            )
+        case int() | float():
+            return kind.name in ("number", "count")
+        case Mapping():
+            return kind.name == "table"
+        case list():
+            return kind.name == "list" and kind.size in (None, len(value))
+    return False
+
+
+def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
+    """How many of its keys a record has, less those that it lacks."""
+    known = {name for one in written(kind).alternatives if one.record for name in names_of(one.record)}
+    return sum(1 if key in known else -1 for key in table)
+
+
+def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
+    """One of the file's own sheets, or one that all know; that of a strip in the thickness that the table says."""
+    name = table.text(key)
+    with table.naming(key):
+        found = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
+        own = table.maybe("thickness") if key == "sheet" else None
+        return found if own is None else found.with_thickness(own)
+
+
+def _read_supports(reader: Reader, table: Table, key: str) -> Supports:
+    names = reader.value(WRITTEN[Supports], table, key)
+    with table.naming(key):
+        return Supports(*names)
+
+
+def _read_blank(reader: Reader, table: Table, key: str) -> Any:
+    return reader.value(WRITTEN[RestCurvature], table, key)
+
+
+def _read_formula(_: Reader, table: Table, key: str) -> Formula:
+    return Formula(str(table.raw(key)), table.place(key))
+
+
+_SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
+    Sheet: _read_sheet,
+    Supports: _read_supports,
+    RestCurvature: _read_blank,
+    Formula: _read_formula,
+}
+"""What reads a record that is no table of its fields."""
+
+
+def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
+    """Let values of a class be written as that kind, and read by that function."""
+    WRITTEN[record], _SPECIAL[record] = kind, read
+
+
+def read_line(
+    line: str, where: str, record: Record, reader: Reader | None = None, *, example: str = ""
+) -> Any:
+    """The record that one line asks for, written as the inside of a table: `at = 40, width = 1.2`.
+
+    Parameters
+    ----------
+    line : str
+    where : str
+        What messages call the place of the line.
+    record : callable
+        What it makes.
+    reader : Reader, optional
+    example : str
+        What a line that cannot be read is told to look like.
+
+    Raises
+    ------
+    InputError
+        A line that is no such table, or what the record refuses; it names `where` the line stands.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.slots.slot import Slot
+    >>> read_line("at = 40, width = 1.2, side = 'lower'", "slot", Slot).side
+    'lower'
+    """
+    inside = line.strip()
+    try:
+        data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InputError(
+            "{where_}: {line} cannot be read: write keys and values, such as {example}",
+            where_=where,
+            line=quoted(line),
+            example=example or "at = 40, side = 'lower'",
+        ) from error
+    return (reader or Reader()).record(record, Table(data["line"], where, {}))
+
+
+def title(record: Record) -> str:
+    """How the manual and the schema call the table of a record."""
+    word = word_of(record)
+    kinds = next((name_of(base) for base, kinds in BY_KIND.items() if record in kinds.values()), "")
+    return f"{'law' if 'law' in kinds else kinds} {word}" if word else name_of(record)
+
+
+def described(record: Record) -> list[dict[str, Any]]:
+    """The fields of a table as plain JSON: what a form or an editor needs to ask for them.
+
+    Each has its name, help, unit, least, most, group, common, required, its default where that is plain, and what
+    it is made of: `kind` with `choices`, `size`, `of` (elements or alternatives) or `fields` of a table, whose key
+    `kind` holds its `word`.
+
+    Examples
+    --------
+    >>> ratio = described(Limits)[0]
+    >>> ratio["name"], ratio["kind"], ratio["least"], ratio["default"]
+    ('ratio', 'number', 1, None)
+    """
+    return [
+        {
+            "name": one.name,
+            **_plain_kind(one.kind),
+            "help": one.help,
+            "unit": one.asked.unit,
+            "least": one.asked.least,
+            "most": one.asked.most,
+            "group": one.asked.group,
+            "common": one.asked.common,
+            "required": one.default is REQUIRED,
+            "default": _plain_default(one.default),
+        }
+        for one in fields_of(record)
+    ]
+
+
+def _plain_kind(kind: Kind) -> dict[str, Any]:
+    kind = written(kind)
+    found: dict[str, Any] = {"kind": kind.name}
+    if kind.choices:
+        found["choices"] = list(kind.choices)
+    if kind.size is not None:
+        found["size"] = kind.size
+    if kind.of:
+        found["of"] = [_plain_kind(one) for one in kind.of]
+    if kind.record is not None:
+        found |= {"table": title(kind.record), "word": word_of(kind.record), "fields": described(kind.record)}
+    return found
+
+
+def _plain_default(value: Any) -> Any:
+    """A default as JSON holds it; None of a record, whose own fields have theirs."""
+    if isinstance(value, tuple):
+        plain = [_plain_default(one) for one in value]
+        return None if None in plain else plain
+    return value if isinstance(value, bool | int | float | str) else None

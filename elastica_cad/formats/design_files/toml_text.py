@@ -1,0 +1,63 @@
+"""Tables as the text of a design file."""
+
+import json
+import os
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+
+def toml_text(table: Mapping[str, Any]) -> str:
+    """The text of a TOML file: lists of tables as [[NAME]], whose own tables as [NAME.KEY]; all others in one line.
+
+    Examples
+    --------
+    >>> print(toml_text({"schema": 1, "strips": [{"label": "A", "curve": {"file": "a.dxf"}}]}))
+    schema = 1
+    <BLANKLINE>
+    [[strips]]
+    label = "A"
+    <BLANKLINE>
+    [strips.curve]
+    file = "a.dxf"
+    <BLANKLINE>
+    """
+    text = "".join(_line(key, one) for key, one in table.items() if not _is_tables(one))
+    for name, rows in table.items():
+        for row in rows if _is_tables(rows) else ():
+            text += f"\n[[{name}]]\n"
+            text += "".join(_line(key, one) for key, one in row.items() if not isinstance(one, Mapping))
+            for key, one in row.items():
+                if isinstance(one, Mapping):
+                    text += f"\n[{name}.{_key(key)}]\n" + "".join(_line(*pair) for pair in one.items())
+    return text
+
+
+def _is_tables(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(one, Mapping) for one in value)
+
+
+def _line(key: str, value: Any) -> str:
+    return f"{_key(key)} = {_value(value)}\n"
+
+
+def _key(key: str) -> str:
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
+
+
+def _value(value: Any) -> str:
+    """A value as TOML writes it: JSON's words for all but tables."""
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{_key(key)} = {_value(one)}" for key, one in value.items()) + " }"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(_value(one) for one in value) + "]"
+    return json.dumps(value, ensure_ascii=False)
+
+
+def seen_from(path: str | Path, folder: Path) -> str:
+    """The file as seen from a folder, where that can be said."""
+    try:
+        return Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:  # another drive
+        return Path(path).resolve().as_posix()

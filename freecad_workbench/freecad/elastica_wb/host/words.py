@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Sentences as the user reads them: in his language, with FreeCAD's names of fields, his unit and decimal point.
+
+The core and the workbench make records: an English template and its values. A catalogue holds the template of a
+language for each of the English ones; what it does not hold is said in English.
+"""
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import FreeCAD as App
+from freecad.elastica_wb.host.resources import RESOURCES, translate
+
+from elastica_cad._printable import printable
+from elastica_cad.refusals import Wording
+
+USUAL_MM = 10.0  # mm: a strip's width tells which of its units FreeCAD would use for all
+
+
+@dataclass(frozen=True)
+class Unit:
+    """What lengths are shown in: its name, and how many mm it has."""
+
+    name: str
+    size: float
+
+
+def shown_unit() -> Unit:
+    """What FreeCAD shows lengths in."""
+    _, size, name = App.Units.Quantity(USUAL_MM, App.Units.Length).getUserPreferred()
+    return Unit({'"': "in", "'": "ft"}.get(name, name), size)
+
+
+class Words(Wording):
+    """A user's words."""
+
+    def __init__(self, language: str, unit: Unit, point: str) -> None:
+        self.unit, self.size, self.point = unit.name, unit.size, point
+        self._catalogue = catalogue("en") | catalogue(language)
+
+    def template(self, text: str) -> str:
+        """From the catalogue."""
+        return self._catalogue.get(text, text)
+
+    def format_field(self, value: Any, spec: str) -> str:
+        """Words that the core chooses, such as "start", are in the catalogue too."""
+        return super().format_field(self.template(value) if type(value) is str else value, spec)
+
+
+@cache
+def catalogue(language: str) -> dict[str, str]:
+    """What a language has for English templates."""
+    words: dict[str, str] = json.loads((RESOURCES / "words" / f"{language}.json").read_text(encoding="utf-8"))
+    return words
+
+
+def user_language() -> str:
+    """The name of a catalogue; it can be changed while FreeCAD runs."""
+    return translate("Elastica", "en")
+
+
+def worded(said: str, unit: Unit | None = None) -> str:
+    """A record as the user reads it; what was worded before, and names of the user's, stay."""
+    words = Words(user_language(), unit or shown_unit(), decimal_point())
+    return printable(words.sentence(said)) if said else ""
+
+
+def capital(sentence: str) -> str:
+    """It begins with a capital letter, but for a name of the user's that a colon follows."""
+    first = sentence.partition(" ")[0]
+    return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
+
+
+def decimal_point() -> str:
+    """What stands between whole and decimal digits, as in FreeCAD's own boxes."""
+    if not App.GuiUp:
+        return "."
+    from freecad.elastica_wb.host.qt import QtCore
+
+    return str(QtCore.QLocale().decimalPoint())
+
+
+def report(sentence: str, who: str = "") -> None:
+    """Something that was done, in the report view and on the terminal that FreeCAD was started from."""
+    App.Console.PrintMessage(_line(sentence, who))
+
+
+def report_warning(sentence: str, who: str = "") -> None:
+    """Something to know; `who` is the label of the object that it is about."""
+    App.Console.PrintWarning(_line(sentence, who))
+
+
+def report_error(sentence: str, who: str = "") -> None:
+    """Something that went wrong."""
+    App.Console.PrintError(_line(sentence, who))
+
+
+def _line(sentence: str, who: str) -> str:
+    return f"Elastica, {who}: {worded(sentence)}\n" if who else f"Elastica: {worded(sentence)}\n"

@@ -1,0 +1,269 @@
+"""What the core and the workbench say, in German and Chinese: every template that users meet has both."""
+
+import ast
+import json
+import re
+from pathlib import Path
+from string import Formatter
+
+import pytest
+from freecad.elastica_wb.host import words
+from freecad.elastica_wb.host.words import Unit, capital, worded
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.uncuttable_parts import Fault
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.stability.sideways import SidewaysStability
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.refusals import Length, Listed, Point, Span, note, sentences
+
+ROOT = Path(__file__).resolve().parents[2]
+CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
+CATALOGUES = ROOT / "freecad_workbench" / "resources" / "words"
+SPOKEN = """
+    _counts.py refusals.py geometry/curves/curve_derivatives.py geometry/pen_curves mechanics/bending
+    mechanics/loads/rest_curvature.py mechanics/material/section_limits.py mechanics/stability
+    mechanics/theorem1 mechanics/stiffness/moment_conditions.py mechanics/stiffness/optimal_balance.py
+    mechanics/stiffness/optimal_rod.py mechanics/studies/calibration.py forming/fairing_request.py
+    forming/limits.py forming/nearest/nearest_record.py forming/nearest/nearest_task.py
+    forming/plane_sections/mesh_sections.py forming/plane_sections/section_curves.py
+    forming/plane_sections/section_lines.py forming/rod_spec.py forming/splitting.py
+    fabrication/drawings/cutting.py fabrication/holders/end_fixtures.py fabrication/holders/held_tabs.py
+    fabrication/holders/plates.py fabrication/holding fabrication/interlocking/collisions.py
+    fabrication/interlocking/interlock.py fabrication/makeability fabrication/model/strip_model.py
+    fabrication/sheets/nesting.py fabrication/slots fabrication/solids/bent_boundary.py
+    fabrication/solids/strip_solids.py fabrication/strip fabrication/strip_checks.py
+    fabrication/strip_spec.py formats/curve_files/chains.py formats/curve_files/edges.py
+    formats/curve_files/placed_curve.py formats/file_access/write_files.py formats/reports/strip_report.py
+"""
+"""Where the core makes what a user of the workbench reads."""
+
+PROGRAMMERS = re.compile(
+    r"""!r\}|=\ takes|=:|\b(records?|Rod\b|None|keywords|rad\b|executor|mappings?|of\ bend|upper|exact\b
+    |Tab\(|Plain|bending_stiffness\b|RestCurvature|PlaneCurve|residual|nodes|coefficients|wavelength=
+    |path\ (has|is\ a|of\ end)|of\ the\ path|in\ a\ path|path\ and\ widths|weight=|`weight`|label\ is
+    |false_turn|tolerance=|Sheet\ or|three\ numbers|finite|must\ be\ positive|must\ be\ 0\ mm|shape\ \{
+    |of\ shape|Callable|give\ a\ number|(two|give)\ numbers|rows|array|sequence|callable|function
+    |are\ numbers|Z\(s\)|G\ /\ E|half\ plane|box\ corners|limit\ (ratio|margin)=|station\ to
+    |parameter\ outside|names\ vertex|points\ \(k|vertices\ \(n|holders\ are|a\ pattern
+    |rotation\ pattern|pair\ \(|prisms|line=|closed\ skin|no\ scale|stay\ plane|are\ splines
+    |limits\ are\ of|must\ be\ numbers)""",
+    re.VERBOSE,
+)
+"""What only a caller of Python can bring about."""
+
+
+def templates(path):
+    """English templates of a module: what notes and errors are made from, and texts with named gaps."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    inside = {id(part) for one in ast.walk(tree) if isinstance(one, ast.JoinedStr) for part in ast.walk(one)}
+    for one in ast.walk(tree):
+        if isinstance(one, ast.Call) and one.args:
+            called = getattr(one.func, "id", "")
+            made = [one.args[0]] if called == "note" or called.endswith("Error") else []
+            while made:
+                part = made.pop()
+                made += [part.body, part.orelse] if isinstance(part, ast.IfExp) else []
+                if isinstance(part, ast.Constant) and isinstance(part.value, str):
+                    yield part.value
+        if isinstance(one, ast.Constant) and isinstance(one.value, str) and id(one) not in inside:
+            yield from (
+                [one.value]
+                if re.search(r" .*\{[a-z_]+(:[^}]*)?\}", one.value) and "\n" not in one.value
+                else []
+            )
+
+
+def gaps(template):
+    return {(name, spec) for _, name, spec, _ in Formatter().parse(template) if name is not None}
+
+
+def catalogue(language):
+    return json.loads((CATALOGUES / f"{language}.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("language", ["de", "zh-CN"])
+def test_no_template_lacks_a_translation(language):
+    places = [CORE / place for place in SPOKEN.split()] + [WORKBENCH]
+    files = [file for place in places for file in ([place] if place.suffix else place.rglob("*.py"))]
+    wanted = {text for file in files if file.name != "tests.py" for text in templates(file)}
+    found = catalogue(language)
+    assert len(wanted) > 400
+    assert {text for text in wanted if not PROGRAMMERS.search(text) and text not in found} == set()
+
+
+@pytest.mark.parametrize("language", ["de", "zh-CN", "en"])
+def test_translations_have_the_gaps_of_their_templates(language):
+    other = {text: said for text, said in catalogue(language).items() if gaps(text) != gaps(said)}
+    assert [text for text in other if "smooth" not in text] == []
+
+
+@pytest.fixture
+def chinese(monkeypatch):
+    """The Chinese words."""
+    monkeypatch.setattr(words, "user_language", lambda: "zh-CN")
+
+
+@pytest.fixture
+def german(monkeypatch):
+    """The German words, without a window that would load them."""
+    monkeypatch.setattr(words, "user_language", lambda: "de")
+
+
+@pytest.mark.usefixtures("german")
+def test_records_are_said_in_german_with_commas(monkeypatch):
+    monkeypatch.setattr(words, "decimal_point", lambda: ",")
+    loop = PlaneCurve.spline([(0, 0), (200, 100), (-100, 100), (100, 0)], 3)
+    said = worded(str(check_equilibrium(loop)))
+    assert said == (
+        "Ein flacher Streifen kann diese Kurve von 254 mm annehmen; sie hat keine Wendepunkte. Die Kurve kreuzt "
+        "sich selbst (bei 58,4 und 195 mm): zwei Teile des Streifens müssen dort nebeneinander vorbei."
+    )
+    thin = Fault("A1", note("made anyway: {fault}", fault=note("a hole")), note("make it wider, or split it"))
+    assert worded(str(thin)) == "A1: trotzdem gemacht: einem Loch; es breiter machen oder zerteilen"
+    assert worded(note("{place}", place=Point((25.4, -50.8)))) == "(25,4; -50,8) mm"
+    assert worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
+    tips = SidewaysStability(-24.1, 0.1, 100.0)
+    assert worded(str(tips)).startswith(
+        "seitliche Reserve -24,1 (instabil): er kippt zur Seite oder dreht sich"
+    )
+    assert worded(InputError("what nobody knows").refusal) == "what nobody knows"
+    both = sentences([note("{width} wide", width=Span.of(20.8, 30)), note("it keeps a bend from there")])
+    assert worded(both) == "20,8 bis 30 mm breit; er bleibt dort gebogen"
+
+
+@pytest.mark.usefixtures("chinese")
+def test_records_are_said_in_chinese():
+    line = note("crosses the curve at {places}", places=Listed(map(Length, (45.68, 497.4))))
+    assert worded(line) == "在 45.7 和 497 mm 处与曲线相交"
+    assert worded(note("{width} wide", width=Span.of(20.8, 30))) == "宽 20.8 至 30 mm"
+
+
+def test_lengths_are_said_in_the_users_unit():
+    inch = Unit("in", 25.4)
+    assert (
+        worded(note("at {places}", places=Listed(map(Length, (25.4, 50.8, 76.2)))), inch)
+        == "at 1, 2 and 3 in"
+    )
+    assert worded(note("near {place}", place=Point((25.4, -50.8))), inch) == "near (1, -2) in"
+    assert (
+        worded(note("{far:.2g} off, {bend} 1/mm", far=Length(2.54), bend=0.02), inch)
+        == "0.1 in off, 0.02 1/mm"
+    )
+
+
+def test_fields_have_freecads_names():
+    kink = note(
+        "The width of the strip has a kink at {places}, where the slope of the curvature jumps: smooth = 0.1, or "
+        "--smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm.",
+        places=Listed([Length(20)]),
+    )
+    assert worded(kink).endswith("jumps: Smooth = 0.1 mm makes it a fair curve of degree 4 within 0.1 mm.")
+    assert worded(note("raise max_width")) == "raise MaxWidth"
+    assert capital("too narrow") == "Too narrow"
+    assert capital("rib: too narrow") == "rib: too narrow"
+
+
+@pytest.mark.usefixtures("german")
+def test_a_strip_that_breaks_says_so_in_german(document, sketch):
+    from freecad.elastica_wb.features import strip
+
+    made = strip.create(document, sketch)
+    made.Thickness = 4
+    document.recompute()
+    said = " ".join([made.Verdict, *made.Reasons])
+    assert "Streifen" in said
+    assert not re.search(r"\b(the|strain|curve)\b", said), said
+
+
+@pytest.mark.usefixtures("german")
+def test_on_which_side_the_backing_lies_is_told_in_german(document, sketch):
+    from freecad.elastica_wb.features import strip
+
+    made = strip.create(document, sketch)
+    made.Style, made.Backing, made.Anyway = "Laminated", made.Sheet, True
+    document.recompute()
+    assert any("die Verstärkung" in reason and "SIDE" in reason for reason in made.Reasons), made.Reasons
+
+
+REFUSED = [
+    {"Loads": ["at = 50, mass = 20"]},
+    {"Loads": ["at 50"], "Gravity": True},
+    {"Loads": ["at = 50, mass = -3"], "Gravity": True},
+    {"Style": "Laminated", "Follow": "Nearest", "Gravity": True, "GravityDirection": (0, -1, 0)},
+    {"Follow": "Nearest", "Gravity": True, "GravityDirection": (0, -1, 0), "Loads": ["at = 50, mass = 20"]},
+    {"Follow": "Nearest", "MostLength": 100},
+    {"Follow": "Nearest", "LeastWidth": 50, "MostWidth": 10},
+    {"Slots": ["at = 5000, width = 1"]},
+    {"Law": "junk"},
+    {"Law": "E = 4"},
+    {"WeightLaw": "junk"},
+    {"StartTabKeys": "length = -4"},
+    {"Thickness": 0},
+    {"Samples": 1},
+    {"Creep": -1},
+    {"Style": "Laminated", "OuterWidth": 0},
+    {"Style": None},
+]
+ENGLISH = re.compile(r"\b(the|it|and|values|give|leave|such|must|make|use|one|keep|deeper|positive|is)\b")
+
+
+@pytest.mark.usefixtures("german")
+@pytest.mark.parametrize("asked", REFUSED, ids=" ".join)
+def test_refused_properties_are_told_in_german(document, sketch, asked):
+    from freecad.elastica_wb.features import strip
+
+    made = strip.create(document, sketch)
+    for name, value in asked.items():
+        if value is None:
+            made.setExpression(name, "7")
+        else:
+            setattr(made, name, value)
+    document.recompute()
+    assert "Invalid" in made.State
+    assert not ENGLISH.search(" ".join(made.Reasons)), made.Reasons
+
+
+def test_a_line_that_cannot_be_read_is_told_what_its_property_takes(document, sketch):
+    from freecad.elastica_wb.features import strip
+    from freecad.elastica_wb.features.strip_request import KEEP_OUT_LINE, MASS_LINE, TAB_LINE, WEIGHT_LINE
+
+    made = strip.create(document, sketch)
+    made.Gravity, made.GravityDirection = True, (0, -1, 0)
+    for name, line in (("Loads", MASS_LINE), ("WeightLaw", WEIGHT_LINE), ("StartTabKeys", TAB_LINE)):
+        good = [line] if name == "Loads" else line
+        setattr(made, name, ["junk"] if name == "Loads" else "junk")
+        document.recompute()
+        assert line in made.Reasons[0], "its own example"
+        setattr(made, name, good)
+        document.recompute()
+        assert not any("cannot be read" in reason for reason in made.Reasons), "what it tells is good"
+        setattr(made, name, [] if name == "Loads" else "")
+    made.Gravity, made.Follow, made.KeepOut = False, "Nearest", ["junk"]
+    document.recompute()
+    assert KEEP_OUT_LINE in made.Reasons[0]
+
+
+BLANKS = [
+    "-0.004",
+    "0.004",
+    "stations = [0, 202], curvatures = [0, -0.01]",
+    "stations = [0, 202], curvatures = [0, 0.01]",
+]
+
+
+@pytest.mark.parametrize("language", ["german", "chinese"])
+@pytest.mark.parametrize("blank", BLANKS)
+def test_blanks_bent_beforehand_are_told_in_other_languages(document, sketch, request, language, blank):
+    from freecad.elastica_wb.features import strip
+
+    request.getfixturevalue(language)
+    made = strip.create(document, sketch)
+    if "=" in blank:
+        made.Blank = blank
+    else:
+        made.NaturalCurvature = float(blank)
+    document.recompute()
+    said = " ".join([made.Verdict, *made.Reasons])
+    assert "Invalid" not in made.State, said
+    assert not re.search(r"\b(bend|bent|beforehand|the|way|stands|its|strip|radius of|report)\b", said), said
