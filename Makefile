@@ -27,9 +27,11 @@ demo: $(VENV)/demo-installed
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
 
-# Writes again what is made from the code: the reference pages of the manual and the drawing of the packages.
+# Writes again what is made from the code: the reference pages of the manual, the typed options of the CAD libraries,
+# and the drawing of the packages.
 generate: $(VENV)/test-installed
 	$(BIN)/python docs/generated_pages.py
+	$(BIN)/python docs/generated_options.py
 	$(BIN)/python docs/plan.py
 
 # The everyday suite. Programs and environments are installed first; then two jobs keep two cores busy: FreeCAD and the

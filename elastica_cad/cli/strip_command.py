@@ -43,6 +43,7 @@ from elastica_cad.formats.file_access.write_files import write_text, write_toget
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
+from elastica_cad.refusals import is_told
 
 STRAYED_SHARE = 3e-4
 """Of the length: a strip that strays more as it is made is told what other widths would do."""
@@ -246,10 +247,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance
-        if getattr(warning, "severity", "warning") == "note":
-            say(warning)
-        else:
-            warn(f"Warning: {warning}")
+        warn(f"Warning: {warning}", told=is_told(warning))
     if kit.asked.pictures and "png" not in kit.files:
         say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")
     if kit.asked.step and "step" not in kit.files:

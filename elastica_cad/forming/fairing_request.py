@@ -69,7 +69,7 @@ class Smoothing:
         if self.healed > SEEN:
             found.append(note(
                 "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
-                far=Length(self.healed),
+                far=Length(self.healed), severity="warning",
             ))  # fmt: skip
         if self.fairing is not None:
             before = self.ratio_as_drawn
@@ -81,12 +81,13 @@ class Smoothing:
             found.append(note(
                 "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve at most; "
                 "{before} (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).",
-                far=Length(self.moved), before=ratio,
+                far=Length(self.moved), before=ratio, severity="warning",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
             found.append(note(
-                "Its corners, of {angle:.2g} degrees at most, were rounded within that.", angle=sharpest
+                "Its corners, of {angle:.2g} degrees at most, were rounded within that.",
+                angle=sharpest, severity="warning",
             ))  # fmt: skip
         return tuple(found)
 

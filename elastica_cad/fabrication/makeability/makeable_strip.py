@@ -121,7 +121,7 @@ class Splice:
             return note(
                 "cut in pieces: {pieces}, joined by plates of {lap:g} on the free face of each layer, which "
                 "are stiffer and move the shape by {far:.2g}",
-                pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation),
+                pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
         said = (
             "cut in {count} pieces at {places}, joined by plates of {lap:g}, without the {lost} holes that "
@@ -138,6 +138,7 @@ class Splice:
             lap=Mm(self.lap),
             lost=lost,
             far=Mm(self.deviation),
+            severity="warning",
         )
 
     @property
@@ -391,5 +392,6 @@ def compensate_within(strip: Strip, shop: Shop) -> Strip:
         "its widths do not make up for how it is made, since it would then be {fault}; give it "
         "tabs as wide as its ends, or shallower slots",
         fault=faults[0].what,
+        severity="warning",
     )
     return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, told)))

@@ -214,7 +214,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
             kind="fault",
             changes=[*changes],
         )
-    return tuple(note("made anyway: {fault}", fault=str(fault)) for fault in faults)
+    return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
 
 
 def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
@@ -334,7 +334,8 @@ def _thin_strip(name: str, strip: Strip, layer: Layer, least: float, web: float)
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
     places = find_thin_places([layer.outline], holes, max(least, web))
     necks = [place for place in places if place.loops == (0, 0) and place.width < least]
-    free, tabs = [], []
+    free: list[ThinPlace] = []
+    tabs: list[ThinPlace] = []
     for place in necks:
         of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
         (tabs if of_tab else free).append(place)

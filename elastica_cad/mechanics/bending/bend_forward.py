@@ -146,6 +146,7 @@ def bend(
     warning = note(
         "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
         percent=100 * reached.fraction,
+        severity="warning",
     )
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
@@ -163,6 +164,7 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
         note(
             "the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",
             turn=turn,
+            severity="warning",
         ),
     )
 

@@ -486,6 +486,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
             note(
                 "The curve was moved by at most {moved} to bring its inflections onto one line.",
                 moved=Length(check.moved),
+                severity="warning",
             )
         )
     elif check.moved > TOLD_MOVE_MM:
@@ -493,6 +494,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
             note(
                 "The curve was moved by at most {moved} to take the last bend out of its ends.",
                 moved=Length(check.moved),
+                severity="warning",
             )
         )
     if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
