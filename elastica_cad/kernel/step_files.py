@@ -122,8 +122,8 @@ def _has_many_wires(shape: Shape) -> bool:
 def _with_wires_apart(shape: Shape) -> Shape:
     """Give every wire of a face vertices of its own, as OpenCASCADE does when it writes the shape.
 
-    OpenCASCADE compares all pairs of wires for this, which takes time in the square of their number. Here only wires
-    that share a vertex are copied.
+    OpenCASCADE compares all pairs of wires for this, which takes time in the square of their number. Here only
+    wires that share a vertex are copied.
     """
     k = kernel()
     context, found = k.ShapeBuild_ReShape(), False

@@ -172,8 +172,8 @@ def _find_rod(
 def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
     """Search from the end of a similar search, or from as many starts as are needed.
 
-    The first start is nearly always enough. The others are tried where it meets no limits, does not converge, or ends
-    far from the target.
+    The first start is nearly always enough. The others are tried where it meets no limits, does not converge, or
+    ends far from the target.
     """
     problem = pose_problem(task, measure)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
@@ -256,7 +256,8 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
-    """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as near."""
+    """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as
+    near."""
     task, problem, best, _, steps, _ = so_far
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.followed * task.target.diagonal:

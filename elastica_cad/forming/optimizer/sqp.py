@@ -34,8 +34,8 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, lifts : int
-        Largest number of quadratic programs of one search (usual searches take less than half), and of lifted steps,
-        which converge quadratically or not at all.
+        Largest number of quadratic programs of one search (usual searches take less than half), and of lifted
+        steps, which converge quadratically or not at all.
     settled : float
         The search ends when a step promises to reduce the objective by less than this share.
     resolution : float
@@ -134,7 +134,8 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.l
     """Find a nearly closed point near a point that is far from closed.
 
     Here the state is an unknown, and its equations are one more constraint, linearised about it. So the quadratic
-    program is convex for any start. Its first step weighs the error of the equations by its effect on the objective.
+    program is convex for any start. Its first step weighs the error of the equations by its effect on the
+    objective.
     """
     program = program.for_open_points()
     point = best = start
