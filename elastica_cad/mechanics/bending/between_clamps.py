@@ -95,8 +95,8 @@ def elastica_between(
     """The shape of a strip of given length between two points, or from a clamp to its free end.
 
     The strip starts straight from the start towards the end; its end is then moved to its place and both ends are
-    turned to their angles. The result is the equilibrium that one would reach by hand in this way. A strip with a free
-    end starts straight along its clamp and is then loaded in steps.
+    turned to their angles. The result is the equilibrium that one would reach by hand in this way. A strip with a
+    free end starts straight along its clamp and is then loaded in steps.
 
     Parameters
     ----------
