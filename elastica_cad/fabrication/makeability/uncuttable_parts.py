@@ -153,8 +153,7 @@ class _Chords:
 
 
 FAR_WIDER = 2.0
-"""A strip longer than this many diagonals of the stock is refused as too large, without a search for thin
-places."""
+"""A strip wider than this many lengths of the stock is refused as too large, without a search for thin places."""
 
 TIMES_AS_LONG = 4.0
 """Least ratio of length to width when a narrower strip is suggested; at half of that it would bend as a plate."""
