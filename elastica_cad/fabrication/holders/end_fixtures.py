@@ -109,7 +109,7 @@ class EndFixture:
             value = getattr(self, name.replace(" ", "_"))
             if not (is_number(value) and value >= smallest):
                 raise InputError(
-                    "{who}: {name} is {value!r}: it must be positive, in mm", who=who, name=name, value=value
+                    "{who}: {name} is {given!r}: it must be positive, in mm", who=who, name=name, given=value
                 )
         if self.wall < LEAST_WALL_MM:
             raise InputError(
@@ -139,9 +139,9 @@ class EndFixture:
             )
         if self.lowest < -LEVEL:
             raise InputError(
-                "{who}: the block reaches {value:.4g} below the floor: lower the floor or shorten the tab",
+                "{who}: the block reaches {given:.4g} below the floor: lower the floor or shorten the tab",
                 who=who,
-                value=Length(-self.lowest),
+                given=Length(-self.lowest),
             )
 
     @classmethod

@@ -252,10 +252,10 @@ def _check_sizes(name: str, **sizes: float) -> None:
     for what, value in sizes.items():
         if not (is_number(value) and value >= 0):
             raise InputError(
-                "{name}: {replace} is {value!r}: it must be 0 mm or more",
+                "{name}: {replace} is {given!r}: it must be 0 mm or more",
                 name=name,
                 replace=what.replace("_", " "),
-                value=value,
+                given=value,
             )
 
 
@@ -337,11 +337,11 @@ def tab_slot(
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(
-            "{name}: the tab of {name_2} leans to {value:.3g} degrees from the plate: at "
+            "{name}: the tab of {name_2} leans to {given:.3g} degrees from the plate: at "
             "{flattest_rad:.0f} degrees or less a slot cannot hold it; use a fixture there",
             name=name,
             name_2=tab.name,
-            value=np.degrees(np.arcsin(max(0.0, down))),
+            given=np.degrees(np.arcsin(max(0.0, down))),
             flattest_rad=np.degrees(FLATTEST_RAD),
         )
     edges = ground.local(tab.edges)

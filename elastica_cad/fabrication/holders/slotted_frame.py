@@ -193,9 +193,9 @@ def slotted_frame(
         least = 0.0 if name in ("play", "clearance", "border") else 1.0
         if not (is_number(value) and value >= least):
             raise InputError(
-                "frame {name} is {value!r}: it must be {least:g} or more",
+                "frame {name} is {given!r}: it must be {least:g} or more",
                 name=name,
-                value=value,
+                given=value,
                 least=Mm(least),
             )
     if not (is_whole(ribs) and 2 <= ribs <= MOST_RIBS):

@@ -399,8 +399,6 @@ def _refuse_faults(strip: Strip, name: str) -> None:
         whole = strip.outline.closed
     except InputError as error:
         own = f"{strip.label or 'strip'}: "
-        raise InputError(
-            "{name}: {removeprefix}", name=name, removeprefix=str(error).removeprefix(own)
-        ) from error
+        raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(own)) from error
     if not whole:
         raise InputError("{name}: the slots open its outline", name=name)

@@ -170,9 +170,9 @@ class Model:
     def _place(self, index: int) -> int:
         if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
             raise InputError(
-                "{index!r} is no strip of this model: give one of the places 0 to {value}",
+                "{index!r} is no strip of this model: give one of the places 0 to {given}",
                 index=index,
-                value=len(self.placed) - 1,
+                given=len(self.placed) - 1,
             )
         return index
 

@@ -90,9 +90,9 @@ class Slot:
         for name in ("at", "width", "lean", *(() if self.depth is None else ("depth",))):
             if not is_number(getattr(self, name)):
                 raise InputError(
-                    "slot {name} is {getattr!r}: it must be a finite number",
+                    "slot {name} is {given!r}: it must be a finite number",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
         here = note("slot at {at}", at=Length(self.at))
         if self.width <= 0 or (self.depth is not None and self.depth <= 0):

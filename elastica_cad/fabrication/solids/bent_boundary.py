@@ -216,10 +216,10 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
-                "the radius at {s:.4g} is {value:.4g}, but the strip's face lies {reach:g} off the "
+                "the radius at {s:.4g} is {given:.4g}, but the strip's face lies {reach:g} off the "
                 "curve and would fold over: take a thinner sheet or a gentler curve",
                 s=Length(s[i]),
-                value=Length(1 / abs(kappa[i])),
+                given=Length(1 / abs(kappa[i])),
                 reach=Length(reach),
             )
 

@@ -49,9 +49,9 @@ class Hole:
         for name in ("at", "diameter", "across"):
             if not is_number(getattr(self, name)):
                 raise InputError(
-                    "hole {name} is {getattr!r}: it must be a finite number, in mm",
+                    "hole {name} is {given!r}: it must be a finite number, in mm",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
 
 
@@ -162,7 +162,7 @@ class Tab:
         }
         for name, value in sizes.items():
             if not (is_number(value) and value >= 0):
-                raise InputError("tab {name} is {value!r}: it must be 0 mm or more", name=name, value=value)
+                raise InputError("tab {name} is {given!r}: it must be 0 mm or more", name=name, given=value)
         if 0 < self.length < SHORTEST_MM:
             raise InputError(
                 "tab length is {length!r}: use 0 for no tab, or {shortest_mm:g} or more",
@@ -391,7 +391,8 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
-    return [Spline(PlaneCurve(knots, row, degree)) for row in points]
+    first = PlaneCurve(knots, points[0], degree)
+    return [Spline(curve) for curve in first.siblings(points)]  # all run along x
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:

@@ -24,6 +24,7 @@ from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import trim_off
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segment_table import chords_of_all
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -117,10 +118,15 @@ class Layer:
     @cached_property
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
         """Of all cuts, the outline first: the numbers (m,) of their loops, where they start and end (2, m)."""
-        lines = [loop.points(FLAT_MM) for loop in (self.outline, *self.holes)]
-        ends = [np.roll(line, -1, axis=0) for line in lines]
-        loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
-        return loop, np.concatenate(lines).T, np.concatenate(ends).T
+        loops = self.outline, *self.holes
+        which, points = chords_of_all([one for loop in loops for one in loop.segments], FLAT_MM)
+        # each segment goes on to where the next one starts
+        kept = np.append(which[1:] == which[:-1], False)
+        loop = np.repeat(np.arange(len(loops)), [len(one.segments) for one in loops])[which[kept]]
+        begins, points = np.searchsorted(loop, np.arange(len(loops))), points[kept]
+        ends = np.roll(points, -1, axis=0)
+        ends[np.append(begins[1:], loop.size) - 1] = points[begins]
+        return loop, points.T, ends.T
 
 
 def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:

@@ -92,8 +92,8 @@ def warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[st
         judged = layer.judged(bends.place(at))
         if not judged.allowed:
             bearable = bend[at] * layer.limit / layer.largest
-            strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2f")
-            radius, least = told_apart(1 / bend[at], 1 / bearable, ".1f")
+            strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2g")
+            radius, least = told_apart(1 / bend[at], 1 / bearable, ".3g")
             yield note(
                 "strain {strain:g} % at {at} from the start is beyond the {limit:g} % that {sheet} bears: "
                 "its radius there is {radius:g}, the least advisable {least:g}; {outcome}; use a thinner "

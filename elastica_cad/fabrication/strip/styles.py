@@ -351,9 +351,9 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
         s = stations_of(length, profile)
         at = float(s[int(np.argmin(profile(s)))])
         raise InputError(
-            "{name} is {value:.4g} at {at:.4g}: it must be positive everywhere",
+            "{name} is {given:.4g} at {at:.4g}: it must be positive everywhere",
             name=name,
-            value=Length(float(profile(at))),
+            given=Length(float(profile(at))),
             at=Length(at),
         )
     return profile

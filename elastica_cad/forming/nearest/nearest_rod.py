@@ -41,7 +41,8 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, unmet_steps : int
-        Number of steps in all after which no new start is tried: once a start has met the limits, and before.
+        Number of steps in all after which no new start is tried, and the same where no start has met the limits yet
+        or the first has missed the margin. A search that stalled counts as if it had taken all its steps.
     tensions : tuple of float
         Starts of straight rods under tension, as shares of the tension that alone gives the margin. Taut starts
         are stable, unloaded ones do not buckle.
@@ -179,12 +180,14 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     found = [minimize(problem, _start(task, problem))]
+    tight = found[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(found, key=_rank)
-        off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
+        off = task.off(best.point) / task.target.diagonal
+        spent = sum(SQP.steps if one.stalled else one.iterations for one in found)
         done = best.settled and best.violation <= MET
-        most = SETTINGS.steps if best.violation <= MET else SETTINGS.unmet_steps
-        if steps < most and not (done and off < enough):
+        most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
+        if (spent < most or enough == np.inf) and not (done and off < enough):
             found.append(minimize(problem, start()))
     best = min(found, key=_rank)
     off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
@@ -317,7 +320,10 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Further rods to start from, each unless the mean distance found is small enough, in diagonals."""
+    """Further rods to start from, each unless the mean distance found is small enough, in diagonals.
+
+    Where nothing meets the limits, those that are always good enough are tried whatever was spent before.
+    """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed)
     pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness

@@ -72,6 +72,8 @@ class SearchSettings(NamedTuple):
         Largest violation that these steps correct, and the violation at which they end.
     firm : float
         Bound on such a step and on its multipliers, in multiples of the violation.
+    rough : float
+        Accuracy of such a step, whose error the next one corrects.
     """
 
     steps: int = 80
@@ -88,8 +90,8 @@ class SearchSettings(NamedTuple):
     calmed: float = 0.1
     worthwhile: float = 0.7
     ajar: float = 1.0
-    patience: int = 12
-    stalled: float = 0.7
+    patience: int = 7
+    stalled: float = 0.95
     far_from_met: float = 0.02
     closer: float = 0.1
     sensitive: float = 100.0
@@ -98,6 +100,7 @@ class SearchSettings(NamedTuple):
     in_reach: float = 1e-3
     missed: float = 1e-13
     firm: float = 1e4
+    rough: float = 1e-4
 
 
 SETTINGS = SearchSettings()
@@ -117,7 +120,8 @@ class Outcome(Generic[Point]):
     at_lower, at_upper : (p,) arrays
         Multipliers of the box.
     iterations : int
-    settled : bool
+    settled, stalled : bool
+        Does no step promise more; was the search given up, as what is broken came down too slowly?
     """
 
     point: Point
@@ -128,6 +132,7 @@ class Outcome(Generic[Point]):
     at_upper: FloatArray
     iterations: int
     settled: bool
+    stalled: bool
 
 
 def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.lifts) -> Point:
@@ -188,7 +193,7 @@ def minimize(
     multipliers, low, high = _multipliers(program, values, walk.solved)
     return Outcome(
         point, program.objective(point), worst_broken(program, values), multipliers, low, high, iteration,
-        walk.settled,
+        walk.settled, stalled,
     )  # fmt: skip
 
 
@@ -393,15 +398,19 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
         missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
         if missed < least:
             best, least = point, missed
+        elif least <= SETTINGS.clearance:  # rounding is left
+            break
         if missed <= SETTINGS.missed or missed > SETTINGS.in_reach:
             break
-        s, p = program.scale, z.size
+        # in scales in which no row changes fast: one unknown may rule all rows
+        s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         step = solve_quadratic(
             QuadraticProgram(
                 np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / missed, -SETTINGS.firm),
                 np.minimum((program.upper - z) / s / missed, SETTINGS.firm), rows.jacobian * s, aim / missed,
                 np.full(aim.size, SETTINGS.firm), rows.one_sided,
-            )
+            ),
+            accuracy=SETTINGS.rough,
         )  # fmt: skip
         trial = program.close(point, step.x * s * missed)
         if trial is None:

@@ -162,9 +162,9 @@ def require_natural_curvature(value: object) -> None:
     """Refuse what is neither a finite number nor a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
-            "natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature "
+            "natural_curvature is {given!r}: give a finite number, in 1/mm, or a RestCurvature "
             "for a blank that is bent beforehand",
-            value=value,
+            given=value,
         )
 
 

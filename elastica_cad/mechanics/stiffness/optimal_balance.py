@@ -519,11 +519,11 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
         asked = law.parameter(EI)
         s = float(balance.panels.s.flat[int(asked.argmin())])
         raise InputError(
-            "the curve asks for a {quantity} of {value:.4g} at {s:.4g} where its largest is "
+            "the curve asks for a {quantity} of {given:.4g} at {s:.4g} where its largest is "
             "{largest:g}: the limits allow {least:g} at least; widen them, or give limits or "
             "keep and the curve may change",
             quantity=law.quantity,
-            value=Length(float(asked.min())),
+            given=Length(float(asked.min())),
             s=Length(s),
             largest=Length(largest),
             least=Length(least),
