@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from elastica_cad.cli.asking.asked_curves import AskedCurve, asked_curves, curve_argument
 from elastica_cad.cli.asking.settings import FileKeys
@@ -207,7 +208,7 @@ def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Ca
     if other is not None:
         yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
     scale = rounded_up(1.01 * used, 2)
-    larger = spec.curve.transformed([[scale, 0, 0], [0, scale, 0], [0, 0, 1]])
+    larger = spec.curve.transformed(np.diag([scale, scale, 1.0]))
     yield f"{own.name} on the same curve drawn {scale:g} times as large", lambda: [spec.changed(curve=larger)]
 
 
