@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length, Listed, Point, Span, note, sentences
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
-CATALOGUES = ROOT / "freecad_workbench" / "resources" / "words"
+CATALOGUES = ROOT / "elastica_cad" / "words"
 SPOKEN = """
     _counts.py refusals.py geometry/curves/curve_derivatives.py geometry/pen_curves mechanics/bending
     mechanics/loads/rest_curvature.py mechanics/material/section_limits.py mechanics/stability
