@@ -80,7 +80,7 @@ class Smoothing:
             )
             found.append(note(
                 "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve at most; "
-                "{before} (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).",
+                "{before} (smooth = 0 takes it as drawn, a larger number makes it fairer).",
                 far=Length(self.moved), before=ratio, severity="warning",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
