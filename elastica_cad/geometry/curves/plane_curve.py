@@ -429,10 +429,10 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError("the constant of a line is one number, not {tolist}", tolist=constant.tolist())
+        raise InputError("the constant of a line is one number, not {given}", given=constant.tolist())
     if normal.shape != (2,) or not normal.any():
         raise InputError(
-            "the normal of a line must be two numbers, not both zero: {tolist}", tolist=normal.tolist()
+            "the normal of a line must be two numbers, not both zero: {given}", given=normal.tolist()
         )
     edges, bezier = curve.bezier_table
     found = line_places(bezier, edges, float(constant), normal)
