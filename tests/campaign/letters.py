@@ -1,4 +1,4 @@
-"""Every English template as random letters: a test that fails then, but for those of wording, found a reader of words.
+"""Every English template as random letters: a test that fails then, and is not of wording, found a reader of words.
 
 A plugin of pytest: `make campaign-letters`. A test asserts wording where the statement that fails holds a text.
 """
@@ -14,14 +14,18 @@ from elastica_cad.refusals import Wording
 TESTS = Path(__file__).resolve().parents[1]
 PACKAGE = TESTS.parent / "elastica_cad"
 GAP = re.compile(r"(\{[a-z_0-9]+(?:![rs])?(?::[^{}]*)?\})")
-TEXT = re.compile(r"""["'].*[a-z].*["']|\bmatch=|\bre\.|\b[A-Z_]{4,}\b|\bwords?\b|\bsaid\b|\btold\b|\bsentences?\b|\btexts?\b""")
+TEXT = re.compile(
+    r"""["'].*[a-z].*["']|\bmatch=|\bre\.|\b[A-Z_]{4,}\b|\bwords?\b|\bsaid\b|\btold\b|\bsentences?\b|\btexts?\b"""
+)
 
 
 def letters(text: str) -> str:
     """Other letters, always the same for a text; its gaps stay."""
     drawn = random.Random(text)
     parts = GAP.split(text)
-    parts[::2] = [re.sub("[A-Za-z]", lambda _: drawn.choice("bdfghjklmnpqrstvwxz"), part) for part in parts[::2]]
+    parts[::2] = [
+        re.sub("[A-Za-z]", lambda _: drawn.choice("bdfghjklmnpqrstvwxz"), part) for part in parts[::2]
+    ]
     return "".join(parts)
 
 
