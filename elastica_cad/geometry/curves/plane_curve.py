@@ -335,7 +335,8 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def is_straight(self) -> bool:
         """Is the whole curve a straight segment?"""
-        return [z.kind for z in self.curvature_zeros] == ["flat"] and not self.tangent_breaks
+        flats = [(z.kind, z.before, z.after) for z in self.curvature_zeros]
+        return flats == [("flat", 0, 0)] and not self.tangent_breaks  # nothing bends before or after it
 
     @cached_property
     def is_closed(self) -> bool:

@@ -87,6 +87,13 @@ def whole_degree(degree: int) -> int:
 
 def check_knots(knots: FloatArray, count: int, degree: int) -> None:
     """Refuse a knot vector that does not fit the control points or breaks the curve apart."""
+    _check_knots(knots.tobytes(), count, degree)
+
+
+@lru_cache(maxsize=64)
+def _check_knots(written: bytes, count: int, degree: int) -> None:
+    """The same of knots as bytes: curves side by side have the same."""
+    knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(
             "{count} control points are too few for degree {degree}: give {degree_2} or more",

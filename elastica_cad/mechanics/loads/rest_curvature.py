@@ -144,7 +144,7 @@ class CurveOfRest(RestCurvature):
 
 
 NaturalCurvature: TypeAlias = float | RestCurvature
-"""1/mm along the whole strip, or a blank."""
+"""Natural curvature: one value for the whole strip, 1/mm, or one that varies along it."""
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:

@@ -135,7 +135,7 @@ class WeightedPanels:
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:
-    """What is told of a curve of `length` mm that its weight bends beyond what numbers can tell."""
+    """Message for a curve of `length` mm whose weight is far too large for its stiffness."""
     return note(
         "The weight is far too much for the stiffness (a gravity length of {gravity_length} on a curve of "
         "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
