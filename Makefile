@@ -95,6 +95,10 @@ campaign-bodies: programs $(VENV)/test-installed
 campaign-galleries: $(VENV)/test-installed
 	$(RECORD) galleries $(SUITE) -n 2 tests/examples
 
+# Sentences are random letters: nobody may read one.
+campaign-letters: $(VENV)/test-installed
+	$(RECORD) letters $(BIN)/python -m pytest -n 2 -p tests.campaign.letters tests/unit tests/contract tests/properties
+
 campaign-manual: programs $(VENV)/test-installed
 	$(RECORD) manual $(SUITE) -n 2 tests/manual
 
