@@ -31,8 +31,8 @@ NAMES = {
         "nearest_rod", "nearest_rods", "NearestRod", "Status", "Limits", "Keep", "Box", "HalfPlane",
     ),
     "Strips": (
-        "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot", "Shop",
-        "Drawing", "save",
+        "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot",
+        "FabricationLimits", "Drawing", "save",
     ),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
