@@ -168,7 +168,8 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         if known:
             return f"{typed} is now called {typed_new}"
     if context is not None and any(one.name == "settings" for one in context.command.params):
-        from elastica_cad.cli.asking.settings import CommandKeys, near_path, paths_of
+        from elastica_cad.cli.asking.settings import CommandKeys
+        from elastica_cad.formats.design_files.key_paths import near_path, paths_of
 
         if path := GONE.get(typed) or near_path(name, paths_of(CommandKeys)):
             example = GONE_VALUES.get(path, "VALUE")

@@ -53,6 +53,13 @@ class Stand(_Holder):
 
 
 @dataclass(frozen=True, kw_only=True)
+class NamedStand(Stand):
+    """The simplest of the other holders that holds all tabs."""
+
+    name: Annotated[str | None, Asked("What its plates are called.")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
 class _Plates(Stand):
     feet: Annotated[
         float | None, Asked("Small plates of this size glued beside inclined tabs.", "mm", least=0)
@@ -92,7 +99,7 @@ class Fixtures(_Holder):
 
 
 HOLDERS: dict[HolderKind, Record] = {
-    "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": Stand,
+    "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": NamedStand,
 }  # fmt: skip
 """In the order in which kits hold them."""
 
@@ -130,6 +137,10 @@ class Extras:
     reference_bar: Annotated[
         float | None, Asked("Length of a bar to check the scale of the machine with.", "mm", least=0)
     ] = None
+    pages: Annotated[
+        Literal["A4", "A3", "letter"] | None,
+        Asked("Every part at full size on this paper, in one PDF with a bar to check the printer by."),
+    ] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -158,7 +169,7 @@ class DesignKeys(SharedKeys):
     ] = None
     fixtures: Annotated[Any, Asked("Printed blocks.", written=Fixtures | tuple[Fixtures, ...])] = None
     stand: Annotated[
-        Any, Asked("The simplest of these that holds all tabs.", written=Stand | tuple[Stand, ...])
+        Any, Asked("The simplest of these that holds all tabs.", written=NamedStand | tuple[NamedStand, ...])
     ] = None
     nest: Annotated[Nesting | None, Asked("The sheets that parts are laid on.")] = None
     cut: Annotated[Cutting | None, Asked("How cutting files are written.")] = None
@@ -180,6 +191,7 @@ def read_kit(top: Table, reader: Reader) -> KitSpec:
         holders=tuple(_read_holders(top, reader, nesting)),
         coupon=extras.coupon,
         reference_bar=extras.reference_bar,
+        pages=extras.pages,
         **given("shop"),
         **given("ignore_limits"),
     )

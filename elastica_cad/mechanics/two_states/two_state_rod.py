@@ -206,9 +206,9 @@ def two_state_rod(
     ):
         if value not in known:
             raise InputError(
-                "{name} is {value!r}: give one of {known}",
+                "{name} is {given!r}: give one of {known}",
                 name=name,
-                value=value,
+                given=value,
                 known=", ".join(map(repr, known)),
             )
     check, paired, least = examine_pair(first, second)
