@@ -110,7 +110,7 @@ def test_the_push_is_the_slope_of_the_energy_and_ends_in_the_other_state(clip):
 
 
 def test_a_pushed_arch_gives_as_half_of_it_led_does():
-    """Pushed in its middle an arch stays symmetrical at first, so half of it, led without turning, tells the force."""
+    """Pushed in its middle an arch stays symmetrical at first, so half of it, led so, tells the force."""
     from elastica_cad.mechanics.bending.bend_forward import bend
     from elastica_cad.mechanics.rod.rod_record import Rod
 
