@@ -145,6 +145,12 @@ def test_a_part_too_thin_says_how_large_it_would_have_to_be():
     assert FlexureSpec(arch(10, 60), arch(-10, 60), POM, ignore_limits=True).make().warnings
 
 
+def test_a_part_that_nothing_bends_asks_how_thick_it_shall_be():
+    with pytest.raises(InputError, match="say how thick"):
+        FlexureSpec(arch(24), arch(24), POM).make()
+    assert FlexureSpec(arch(24), arch(24), POM, least_thickness=2.0).make().strain == (0, 0)
+
+
 def test_a_part_that_breaks_is_refused():
     with pytest.raises(StrainError, match="breaks"):
         FlexureSpec(arch(24), arch(-20), "pla-4", least_thickness=4.0).make()
