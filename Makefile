@@ -34,10 +34,11 @@ generate: $(VENV)/test-installed
 	$(BIN)/python docs/generated_options.py
 	$(BIN)/python docs/plan.py
 
-# The everyday suite. Programs and environments are installed first; then two jobs keep two cores busy: FreeCAD and the
-# other programs, which wait much, beside all that is Python alone.
+# The everyday suite. Programs and environments are installed first, beside each other; then two jobs keep two cores busy:
+# FreeCAD and the other programs, which wait much, beside all that is Python alone.
 test: export OPENBLAS_NUM_THREADS = 1
-test: programs $(VENV)/test-installed $(OLDEST)/installed
+test:
+	$(MAKE) --jobs=3 --output-sync=target programs $(VENV)/test-installed $(OLDEST)/installed
 	$(MAKE) --keep-going --jobs=2 --output-sync=target test-windows test-main
 
 programs:

@@ -114,7 +114,7 @@ def _refuse_files(value: object, key: str = "") -> None:
         for one in value:
             _refuse_files(one, key)
     elif isinstance(value, str) and (key in (*FILE_KEYS, "curve") or ".toml" in value):
-        raise InputError("the page opens no file by its name: drop {value!r} on the drawing", value=value)
+        raise InputError("the page opens no file by its name: drop {given!r} on the drawing", given=value)
 
 
 def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:

@@ -35,10 +35,10 @@ from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults,
 from elastica_cad.mechanics.material.section_limits import thinner_for
 
 PLACES = 400
-"""Places along a strip where a joint is tried."""
+"""Number of places along a strip at which a joint is tried."""
 
 APART_MM = 5.0
-"""Between the pieces in one drawing."""
+"""Distance between the pieces in one drawing, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +143,7 @@ class Splice:
 
     @property
     def plates(self) -> "LapPlates":
-        """What joins the pieces."""
+        """Plates that join the pieces."""
         from elastica_cad.fabrication.strip.as_made import LapPlates
 
         return LapPlates(self.joints, self.lap, self.backing_joints)
@@ -308,7 +308,8 @@ def joined_within(strip: Strip, shop: Shop) -> Strip:
 
 
 def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Does a plate at these places along the strip leave the slot free, and half its width beside it?"""
+    """Whether a plate at these places along the strip leaves the slot free, with half the slot's width beside
+    it."""
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2

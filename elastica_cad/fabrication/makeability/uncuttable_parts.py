@@ -112,7 +112,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
-    """Of all widths (k,) across each point, the place of the least."""
+    """Index of the least of all widths (k,) across each point."""
     order = np.lexsort((width, point))
     return order[np.unique(point[order], return_index=True)[1]]
 
@@ -153,13 +153,13 @@ class _Chords:
 
 
 FAR_WIDER = 2.0
-"""Lengths of the stock across, beyond which a strip is told as too large and its thin places are not looked for."""
+"""A strip wider than this many lengths of the stock is refused as too large, without a search for thin places."""
 
 TIMES_AS_LONG = 4.0
-"""As its width a strip is, where a narrower one is asked for: one of half of that bends as a plate."""
+"""Least ratio of length to width when a narrower strip is suggested; at half of that it would bend as a plate."""
 
 LAP_THICKNESSES = 20
-"""Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
+"""Length of the plates that join pieces, in thicknesses; from about twelve on, glue holds as well as the sheet."""
 
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
@@ -276,7 +276,8 @@ def find_plate_faults(
     shop: Shop | None = None,
     called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """The same for a ring, a base or a rail: bridges between its cuts, and its size; `called` names first holes."""
+    """Find what cannot be cut of a ring, a base or a rail: bridges between its cuts, and its size; `called`
+    names first holes."""
     shop = shop_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)

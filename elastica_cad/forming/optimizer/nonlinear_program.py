@@ -313,7 +313,8 @@ def _with_active(
         free = _find_free(program, local.z)
         s = program.scale[free]
         gap = active.aim[there] - rows.value[here]
-        change[:-1][free] = _least_step(rows.jacobian[here][:, free] * s, gap) * s
+        # where more rows are kept than unknowns are free the rows that react most come first
+        change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
     return Iterate(program, local, change, local.state_jacobian @ change)
 
 
@@ -350,9 +351,3 @@ def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
             break
         at = found
     return start.program.close(point)
-
-
-def _least_step(J: FloatArray, gap: FloatArray) -> FloatArray:
-    """The least x (p,) with J x = gap (k,), in the sense of least squares where rows of J (k, p) are dependent."""
-    size = np.maximum(np.linalg.norm(J, axis=1), 1e-300)
-    return np.asarray(np.linalg.lstsq(J / size[:, None], gap / size, rcond=1e-10)[0])

@@ -139,9 +139,9 @@ def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
     size = float(np.linalg.norm(part))
     if size < 1e-9:
         raise InputError(
-            "{name}={tolist} is at right angles to the plane: choose another direction",
+            "{name}={given} is at right angles to the plane: choose another direction",
             name=name,
-            tolist=v.tolist(),
+            given=v.tolist(),
         )
     return np.asarray(part / size)
 
@@ -176,9 +176,9 @@ def _row(name: str, value: ArrayLike) -> list[float]:
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
     v = as_floats(value)
     if v is None:
-        raise InputError("{name} must be numbers, not {value!r}", name=name, value=str(value)[:60])
+        raise InputError("{name} must be numbers, not {given!r}", name=name, given=str(value)[:60])
     if not np.all(np.isfinite(v)):
-        raise InputError("{name} must be finite numbers, got {tolist}", name=name, tolist=v.tolist())
+        raise InputError("{name} must be finite numbers, got {given}", name=name, given=v.tolist())
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:
         raise InputError(
             "{name} holds {most:.3g}: nothing made of strips is so far away", name=name, most=np.abs(v).max()

@@ -221,10 +221,10 @@ class Sheet:
             if value < 0 or (value == 0 and field_name != "kerf"):
                 least = "zero or positive" if field_name == "kerf" else "positive"
                 raise InputError(
-                    "sheet {name!r}: {field_name} is {value:g}; it must be {least}, in {unit}",
+                    "sheet {name!r}: {field_name} is {given:g}; it must be {least}, in {unit}",
                     name=self.name,
                     field_name=field_name,
-                    value=value,
+                    given=value,
                     least=least,
                     unit=unit,
                 )
@@ -293,17 +293,17 @@ class Sheet:
         where = f"sheet {self.name!r}: {field_name}_range"
         if not isinstance(given, list | tuple) or len(given) != 2:
             raise InputError(
-                "{where_} is {given!r}; it must be two numbers, lowest and highest", where_=where, given=given
+                "{place} is {given!r}; it must be two numbers, lowest and highest", place=where, given=given
             )
         low, high = (finite_number(v, where) for v in given)
         if not 0 <= low <= value <= high:
             raise InputError(
-                "{where_} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first",
-                where_=where,
+                "{place} is {low:g} to {high:g}; it must hold {field_name} = {given:g}, lowest first",
+                place=where,
                 low=low,
                 high=high,
                 field_name=field_name,
-                value=value,
+                given=value,
             )
         object.__setattr__(self, f"{field_name}_range", (low, high))
 

@@ -227,9 +227,9 @@ class ToleranceRanges:
             pair = numbers(getattr(self, name), f"the range of {name}")
             if pair.shape != (2,):
                 raise InputError(
-                    "range of {name} is {getattr!r}: give the lowest and the highest",
+                    "range of {name} is {given!r}: give the lowest and the highest",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
             low, high = pair.tolist()
             if not low <= high:

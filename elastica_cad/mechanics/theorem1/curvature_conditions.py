@@ -59,7 +59,7 @@ def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     return note(
         "the curve has a corner at {places}, of {angle:.3g} degrees: a strip bends without kinks; round it, "
         "or draw two curves{smooth}" if shown is None else
-        "the curve has a corner at {places} ({shown}), of {angle:.3g} degrees: a strip bends without kinks; "
+        "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees: a strip bends without kinks; "
         "round it, or draw two curves{smooth}",
         places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_tell_smooth(curve),
     )  # fmt: skip
