@@ -66,7 +66,7 @@ class Studio {
     this.dialog = html("dialog", { "aria-label": t("Start from") });
     this.bar = html("input", { type: "range", min: 0, max: 1, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
-    this.whole = html("input", { type: "checkbox", id: "whole", onchange: () => this.model() });
+    this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked, onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
     this.copies = html("div", { class: "fields" });
     this.which = html("div", {});
