@@ -106,7 +106,7 @@ class Studio {
     this.drawing = new Drawing(plane, t, {
       grab: () => { this.fresh = true; },
       move: (k, point) => this.edit((curve) => { curve.spline[k] = point; }, this.fresh),
-      release: () => this.drawing.paintPoints(),
+      release: () => this.changed(),
       append: (point) => this.edit((curve) => {
         curve.spline.push(point);
         delete curve.knots;
@@ -193,7 +193,7 @@ class Studio {
       this.paint(null);
       return;
     }
-    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip });
+    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip, live: this.drawing.grabbed != null });
     if (!answer || answer.id < this.shown) return;
     this.shown = answer.id;
     this.paint(answer);
@@ -248,7 +248,7 @@ class Studio {
     return [
       ["length", `${number(answer.length)} mm`], ["width", `${answer.widths.map(number).join(" – ")} mm`], ["stiffness ratio", number(answer.ratio)],
       ["strain", `${number(+(100 * answer.strain).toFixed(2))} %, ${Math.round(100 * answer.used)} % ${t("of what the sheet bears")}`],
-      ["stability", `${number(answer.margin)}, ${t(answer.stable)}`], ["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`],
+      ["stability", answer.stable ? `${number(answer.margin)}, ${t(answer.stable)}` : "…"], ["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`],
       ...(answer.deviation == null ? [] : [["off the drawn curve", `${number(answer.deviation)} mm`]]),
     ];
   }
