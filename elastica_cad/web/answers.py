@@ -151,17 +151,21 @@ def _strip(request: Mapping[str, Any]) -> Record:
     """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
     spec = _spec(request)
     check = check_equilibrium(spec.curve, spec.supports, spec.natural_curvature)
-    drawn = spec.curve.sample(DRAWN_NODES + 1)
-    told = {"drawn": _rounded(drawn.position, 3), "theorem": _theorem(check), "text": str(check)}
+    told: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
         if not (check.realizable or spec.may_change):
             raise NotRealizable(check)
         found = spec.rod_spec.solve()
         made = spec.make(found)
     except ElasticaError as problem:
-        return told | refused(problem)
+        return told | _drawn(spec) | refused(problem)
     told |= _shape(made) | {"flat": _flat(made)} | _numbers(made, found)
+    told |= _drawn(spec) if spec.may_change else {}
     return told if request.get("live") else told | _steadiness(made)
+
+
+def _drawn(spec: StripSpec) -> Record:
+    return {"drawn": _rounded(spec.curve.sample(DRAWN_NODES + 1).position, 3)}
 
 
 def _theorem(check: EquilibriumCheck) -> Record:

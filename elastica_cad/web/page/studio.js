@@ -347,7 +347,7 @@ class Studio {
     for (const [k, design] of STARTS.entries()) {
       const answer = await this.channel.ask({ do: "strip", design, strip: 0 });
       if (!this.dialog.open) return;
-      if (answer?.drawn) cards[k + 1].firstChild.append(thumbnail(answer.drawn));
+      if (answer) cards[k + 1].firstChild.append(thumbnail(answer.position ?? answer.drawn));
     }
   }
 
