@@ -105,6 +105,9 @@ campaign-manual: programs $(VENV)/test-installed
 campaign-programs: programs $(VENV)/test-installed
 	$(RECORD) programs $(SUITE) tests/smoke
 
+campaign-studio: programs $(VENV)/test-installed
+	$(RECORD) studio $(SUITE) -s tests/studio
+
 campaign-elements: programs .venv-campaign/installed
 	$(RECORD) elements .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign
 
