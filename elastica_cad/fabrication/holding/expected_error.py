@@ -18,6 +18,7 @@ from elastica_cad.fabrication.holding.held_shape import (
     strayed,
 )
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 PHASES = 8
@@ -36,9 +37,10 @@ OPEN_SHARES: Mapping[str, float] = {
 }
 """Of what each cause does to a strip: the largest error of the model (`docs/finite_elements.md`)."""
 
-OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT = 6e-5, 2.5e-4, 3e-4
-"""Of the length, whatever the causes: of any strip; of one whose sheet curls across, at nu = 0.3 and as nu^2; and
-of one that is perforated or laminated, whose drawing only comes near to its stiffness."""
+OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
+"""Of the length, whatever the causes: of any strip; of one whose sheet curls across, at nu = 0.3 and as nu^2; of
+one that is perforated or laminated; and of such a one in a sheet with grain, whose holes and borders are computed
+as those of a sheet without, in proportion to what sqrt(E / G) has more."""
 
 
 def open_deviation(
@@ -56,7 +58,10 @@ def open_deviation(
     approximated : bool
         Does the drawing only come near to the stiffness, as holes and backings do?
     """
-    shares = OPEN_PLAIN + OPEN_CURLED * (sheet.poisson_ratio / 0.3) ** 2 + OPEN_BUILT * approximated
+    nu = sheet.poisson_ratio
+    shares = OPEN_PLAIN + OPEN_CURLED * (nu / 0.3) ** 2
+    if approximated:
+        shares += OPEN_BUILT + OPEN_GRAINED * max(0.0, (even_shear_ratio(nu) / sheet.shear_ratio) ** 0.5 - 1)
     return shares * length + sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
 
 

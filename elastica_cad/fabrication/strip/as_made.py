@@ -136,6 +136,9 @@ LEAST_SHARE = 0.01
 PLATES = "plates"
 """Over joints of pieces, as a cause."""
 
+LEAST_SHEARING = 0.8
+"""Of G / E of a sheet without grain: what shears more easily has a grain."""
+
 KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
 """Causes that hang on how the sheet shears."""
 
@@ -532,6 +535,14 @@ class StripAsMade:
                 note(
                     "The shear modulus of {sheet} is not known, so it counts as a sheet without grain: beside "
                     "slots, tabs and steps it is softer than that",
+                    sheet=sheet.name,
+                )
+            )
+        if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
+            found.append(
+                note(
+                    "Holes and layers count as in a sheet without grain: {sheet} shears more easily, and what that "
+                    "does is left open",
                     sheet=sheet.name,
                 )
             )
