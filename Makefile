@@ -27,15 +27,18 @@ demo: $(VENV)/demo-installed
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
 
-# Writes again what is made from the code: the reference pages of the manual and the drawing of the packages.
+# Writes again what is made from the code: the reference pages of the manual, the typed options of the CAD libraries,
+# and the drawing of the packages.
 generate: $(VENV)/test-installed
 	$(BIN)/python docs/generated_pages.py
+	$(BIN)/python docs/generated_options.py
 	$(BIN)/python docs/plan.py
 
-# The everyday suite. Programs and environments are installed first; then two jobs keep two cores busy: FreeCAD and the
-# other programs, which wait much, beside all that is Python alone.
+# The everyday suite. Programs and environments are installed first, beside each other; then two jobs keep two cores busy:
+# FreeCAD and the other programs, which wait much, beside all that is Python alone.
 test: export OPENBLAS_NUM_THREADS = 1
-test: programs $(VENV)/test-installed $(OLDEST)/installed
+test:
+	$(MAKE) --jobs=3 --output-sync=target programs $(VENV)/test-installed $(OLDEST)/installed
 	$(MAKE) --keep-going --jobs=2 --output-sync=target test-windows test-main
 
 programs:

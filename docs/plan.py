@@ -7,7 +7,6 @@ in the current directory: who imports whom, with all arrows in one direction.
 
 import ast
 import sys
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -33,13 +32,13 @@ FLOORS = (
     ("elastica_cad.mechanics", "rods"),
     ("elastica_cad.geometry", "curves and paths"),
 )
-"""From the roof down: each floor imports from those below it only (a contract in pyproject.toml)."""
+"""From top to bottom: each package imports only from those below it (a contract in pyproject.toml)."""
 
 BESIDE = {"plot", "build123d", "cadquery", "kernel"}
-"""Floors that share a line of the drawing with the one before."""
+"""Packages that share a line of the drawing with the one before."""
 
-ROOMY = ("geometry", "mechanics", "forming", "published", "fabrication", "formats")
-"""Floors drawn with their rooms."""
+DIVIDED = ("geometry", "mechanics", "forming", "published", "fabrication", "formats")
+"""Packages that are drawn with their sub-packages."""
 
 WAY = {
     1: ("cli", "options and file names become one request"),
@@ -55,12 +54,12 @@ WAY = {
     11: ("formats.reports", "the report"),
     12: ("plot", "the picture"),
 }
-"""The way of a curve through `elastica strip`: number, room, what happens there."""
+"""The way of a curve through `elastica strip`: number, place, what happens there."""
 
 BOX = 142, 34
 GAP = 8
 MOST_IN_LINE = 8
-"""Rooms beside each other: a screen's width."""
+"""Parts beside each other: a screen's width."""
 PAPER, INK, FLOOR, ROOM, MARKED = "#ffffff", "#222222", "#f1efe9", "#ffffff", "#c8553d"
 
 
@@ -83,19 +82,22 @@ def absolute(node: ast.ImportFrom, name: str, is_package: bool) -> str:
     return ".".join([*kept, *([node.module] if node.module else [])])
 
 
-def imported(name: str, file: Path) -> Iterator[tuple[str, str]]:
+@cache
+def imported(name: str, file: Path) -> tuple[tuple[str, str], ...]:
     """(module, name) of every import statement of a module: at the top, in functions, for types."""
+    found = []
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            yield from ((alias.name, "") for alias in node.names)
+            found += [(alias.name, "") for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             home = absolute(node, name, file.name == "__init__.py")
-            yield from ((home, alias.name) for alias in node.names)
+            found += [(home, alias.name) for alias in node.names]
+    return tuple(found)
 
 
 @cache
 def imports() -> dict[str, set[str]]:
-    """The modules of the house that each of its modules imports."""
+    """The modules of this project that each of them imports."""
     known = modules()
     graph = {}
     for name, file in known.items():
@@ -128,8 +130,8 @@ def ranks(graph: dict[str, set[str]]) -> dict[str, int]:
     return order
 
 
-def rooms(floor: str) -> dict[str, set[str]]:
-    """The rooms of a floor (sub-packages and single modules) and those of them that each imports."""
+def parts_of(floor: str) -> dict[str, set[str]]:
+    """The parts of a package (sub-packages and single modules) and those of them that each imports."""
     inside: dict[str, set[str]] = {}
     depth = floor.count(".") + 1
     for name, targets in imports().items():
@@ -164,8 +166,8 @@ def page(width: float, height: float, parts: list[str]) -> str:
     return "\n".join([head, f'<rect width="100%" height="100%" fill="{PAPER}"/>', *parts, "</svg>\n"])
 
 
-def house() -> str:
-    """All floors, their rooms in the order of their imports, the way of a curve in numbers."""
+def packages() -> str:
+    """All packages, their parts in the order of their imports, and the way of a curve in numbers."""
     numbers = {room: number for number, (room, _) in WAY.items()}
     left, top, y = 190, 20, 20.0
     parts, widest = [], 0.0
@@ -181,7 +183,7 @@ def house() -> str:
         x, tallest = 12.0, 0
         for floor, idea in line:
             short = floor.rpartition(".")[2]
-            inside = ranks(rooms(floor)) if short in ROOMY else {}
+            inside = ranks(parts_of(floor)) if short in DIVIDED else {}
             names = sorted(inside, key=lambda name: (inside[name], name))
             rows = -(-len(names) // MOST_IN_LINE) or 1
             size = left - 30 + min(len(names), MOST_IN_LINE) * (BOX[0] + GAP) if names else left + 60
@@ -245,14 +247,14 @@ def folder_plan(folder: str) -> str:
 
 
 def main(arguments: list[str]) -> None:
-    """Draw the house, or the folders named."""
+    """Draw all packages, or the folders named."""
     for folder in arguments:
         target = Path(folder.strip("/").replace("/", "-") + ".svg")
         target.write_text(folder_plan(folder), encoding="utf-8")
         print(target)
     if not arguments:
         target = ROOT / "docs" / "plan.svg"
-        target.write_text(house(), encoding="utf-8")
+        target.write_text(packages(), encoding="utf-8")
         print(target)
 
 

@@ -14,6 +14,7 @@ from elastica_cad.errors import (
     NotConvergedError as NotConvergedError,
 )
 from elastica_cad.fabrication.drawings.drawing import Drawing as Drawing
+from elastica_cad.fabrication.flexure import Flexure as Flexure
 from elastica_cad.fabrication.makeability.shop import Shop as Shop
 from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.fabrication.model.strip_model import Model as Model
@@ -61,6 +62,7 @@ from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,
 )
+from elastica_cad.web.notebook import studio as studio
 from elastica_cad.mechanics.two_states.pair_check import check_pair as check_pair
 from elastica_cad.mechanics.two_states.two_state_rod import (
     PairLimits as PairLimits,

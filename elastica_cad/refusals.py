@@ -276,6 +276,11 @@ class Refusal(str):
         }
 
 
+def is_told(said: str) -> bool:
+    """Is it more than a note, which is for those who ask for everything?"""
+    return not isinstance(said, Refusal) or said.severity != "note"
+
+
 def note(
     text: str, /, *, severity: Severity = "note", changes: Sequence[Change] = (), **values: Any
 ) -> Refusal:

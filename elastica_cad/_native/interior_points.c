@@ -12,6 +12,7 @@
 #define BACKOFF 0.995          /* of the way to the nearest bound, which interior points do not touch */
 #define CYCLING 20             /* factorisations after which the corrector may go round in circles */
 #define CENTERED 0.3           /* of mu: what steps aim at from there on, without a corrector */
+#define LOOSE 1e4              /* of a row's square over its D: up to here rounding in G hides nothing of H */
 #define SINGULAR_SHARE 1e-15   /* added to a diagonal, so that rows that say nearly the same do not make it singular */
 
 /* L of L L^T in the lower triangle of `matrix`; 0 where it is not positive definite. */
@@ -51,55 +52,83 @@ WIDE static void solve_upper(Py_ssize_t n, const double *L, double *right)
     }
 }
 
-/* G = H + diagonal with its L, the rows W = (L^-1 A^T)^T, and C of W W^T + D. */
+/* G = H + diagonal + a a^T / D of loose rows, with its L; of the others W = (L^-1 A^T)^T and C of W W^T + D.
+
+   Most limits are far from met, so few rows are left for C. `order` has the tight rows first. */
 typedef struct {
-    Py_ssize_t n, m;
-    double *L, *W, *C;
+    Py_ssize_t n, m, tight, *order;
+    const double *A;
+    double *L, *W, *C, *D, *right;
 } Factors;
 
-WIDE static int factorise(const Factors *f, const double *H, double scale, const double *diagonal, const double *A,
-                          const double *D)
+static void add(Py_ssize_t n, double factor, const double *restrict a, double *restrict to)
 {
-    const Py_ssize_t n = f->n, m = f->m;
+    for (Py_ssize_t i = 0; i < n; i++)
+        to[i] += factor * a[i];
+}
+
+WIDE static int factorise(Factors *f, const double *H, double scale, const double *diagonal)
+{
+    const Py_ssize_t n = f->n;
     for (Py_ssize_t i = 0; i < n; i++) {
         for (Py_ssize_t j = 0; j <= i; j++)
             f->L[i * n + j] = scale * H[i * n + j];
         f->L[i * n + i] += diagonal[i];
     }
+    f->tight = 0;
+    for (Py_ssize_t k = 0, loose = f->m; k < f->m; k++) {
+        const double *row = f->A + k * n;
+        if (dot(n, row, row) > LOOSE * f->D[k]) {
+            f->order[f->tight++] = k;
+        } else {
+            f->order[--loose] = k;
+            for (Py_ssize_t i = 0; i < n; i++)
+                add(i + 1, row[i] / f->D[k], row, f->L + i * n);
+        }
+    }
     if (!cholesky(n, f->L))
         return 0;
-    memcpy(f->W, A, (size_t)(m * n) * sizeof(double));
-    for (Py_ssize_t k = 0; k < m; k++)
+    for (Py_ssize_t k = 0; k < f->tight; k++) {
+        memcpy(f->W + k * n, f->A + f->order[k] * n, (size_t)n * sizeof(double));
         solve_lower(n, f->L, f->W + k * n);
+    }
     for (int lifted = 0; lifted < 2; lifted++) {
         double largest = 0.0;
-        for (Py_ssize_t k = 0; k < m; k++)
-            for (Py_ssize_t j = 0; j <= k; j++) {
-                const double sum = dot(n, f->W + k * n, f->W + j * n) + (k == j ? D[k] : 0.0);
-                f->C[k * m + j] = sum;
-                largest = k == j && sum > largest ? sum : largest;
-            }
-        for (Py_ssize_t k = 0; lifted && k < m; k++)
-            f->C[k * m + k] += SINGULAR_SHARE * largest;
-        if (cholesky(m, f->C))
+        for (Py_ssize_t k = 0; k < f->tight; k++) {
+            double *row = f->C + k * f->tight;
+            for (Py_ssize_t j = 0; j <= k; j++)
+                row[j] = dot(n, f->W + k * n, f->W + j * n);
+            row[k] += f->D[f->order[k]];
+            largest = fmax(largest, row[k]);
+        }
+        for (Py_ssize_t k = 0; lifted && k < f->tight; k++)
+            f->C[k * f->tight + k] += SINGULAR_SHARE * largest;
+        if (cholesky(f->tight, f->C))
             return 1;
     }
     return 0;
 }
 
-/* (dx, dy) with G dx - A^T dy = a and A dx + D dy = b, in the place of a and b. */
+/* (dx, dy) with (H + diagonal) dx - A^T dy = a and A dx + D dy = b, in the place of a and b. */
 WIDE static void solve_factors(const Factors *f, double *a, double *b)
 {
-    const Py_ssize_t n = f->n, m = f->m;
+    const Py_ssize_t n = f->n;
+    for (Py_ssize_t k = f->tight; k < f->m; k++)
+        add(n, b[f->order[k]] / f->D[f->order[k]], f->A + f->order[k] * n, a);
     solve_lower(n, f->L, a);
-    for (Py_ssize_t k = 0; k < m; k++)
-        b[k] -= dot(n, f->W + k * n, a);
-    solve_lower(m, f->C, b);
-    solve_upper(m, f->C, b);
-    for (Py_ssize_t k = 0; k < m; k++)
-        for (Py_ssize_t i = 0; i < n; i++)
-            a[i] += b[k] * f->W[k * n + i];
+    for (Py_ssize_t k = 0; k < f->tight; k++)
+        f->right[k] = b[f->order[k]] - dot(n, f->W + k * n, a);
+    solve_lower(f->tight, f->C, f->right);
+    solve_upper(f->tight, f->C, f->right);
+    for (Py_ssize_t k = 0; k < f->tight; k++) {
+        add(n, f->right[k], f->W + k * n, a);
+        b[f->order[k]] = f->right[k];
+    }
     solve_upper(n, f->L, a);
+    for (Py_ssize_t k = f->tight; k < f->m; k++) {
+        const Py_ssize_t row = f->order[k];
+        b[row] = (b[row] - dot(n, f->A + row * n, a)) / f->D[row];
+    }
 }
 
 static double largest_of(Py_ssize_t n, const double *values)
@@ -115,15 +144,19 @@ WIDE int interior_points(const Quadratic *q, double accuracy, double *x, double 
 {
     const Py_ssize_t n = q->unknowns, m = q->rows, half = n + m, count = 2 * half;
     const double *H = q->hessian, *A = q->A;
-    const Py_ssize_t room = n * n + m * n + m * m + 7 * count + 3 * half;
+    const Py_ssize_t room = n * n + m * n + m * m + 7 * count + 3 * half + m;
     double *work = calloc((size_t)room, sizeof(double));
-    if (work == NULL)
+    Py_ssize_t *order = calloc((size_t)m + 1, sizeof(Py_ssize_t));
+    if (work == NULL || order == NULL) {
+        free(work);
+        free(order);
         return -1;
-    const Factors f = {n, m, work, work + n * n, work + n * n + m * n};
-    double *u = f.C + m * m, *v = u + count, *du = v + count, *dv = du + count, *product = dv + count;
+    }
+    double *u = work + n * n + m * n + m * m, *v = u + count, *du = v + count, *dv = du + count, *product = dv + count;
     double *aim = product + count, *change = aim + count, *diagonal = change + count;
     double *dual = diagonal + half, *dx = dual + half;
     double *primal = dual + n, *dy = dx + n, *D = diagonal + n;
+    Factors f = {n, m, 0, order, A, work, work + n * n, work + n * n + m * n, D, dx + half};
 
     double largest = 1e-30;
     for (Py_ssize_t i = 0; i < n; i++)
@@ -138,7 +171,7 @@ WIDE int interior_points(const Quadratic *q, double accuracy, double *x, double 
         u[n + i] = q->upper[i] - x[i];
         mu += fabs(scale * q->gradient[i]) * inner;
     }
-    mu = fmax(1e-3, 0.1 * mu / (double)n);
+    mu = fmax(0.03, 0.1 * mu / (double)n);
     for (Py_ssize_t k = 0; k < m; k++) {
         const double most = scale * q->price[k], least = q->one_sided[k] != 0.0 ? 0.0 : -most;
         y[k] = (least + most) / 2.0;
@@ -182,7 +215,7 @@ WIDE int interior_points(const Quadratic *q, double accuracy, double *x, double 
             diagonal[i] = v[i] / u[i] + v[n + i] / u[n + i];
         for (Py_ssize_t k = 0; k < m; k++)
             D[k] = v[2 * n + k] / u[2 * n + k] + v[2 * n + m + k] / u[2 * n + m + k];
-        if (!factorise(&f, H, scale, diagonal, A, D) || !(least > 0.0))
+        if (!factorise(&f, H, scale, diagonal) || !(least > 0.0))
             break;
         /* straight to mu = 0, then towards the centre that this leaves room for */
         double step = 0.0;
@@ -237,5 +270,6 @@ WIDE int interior_points(const Quadratic *q, double accuracy, double *x, double 
     }
     *iterations = iteration;
     free(work);
+    free(order);
     return converged;
 }

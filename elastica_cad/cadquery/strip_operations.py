@@ -26,7 +26,8 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
-from elastica_cad.kernel.strip_on_path import StripOptions, section_requests
+from elastica_cad.kernel.strip_on_path import section_requests
+from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity

@@ -27,10 +27,10 @@ from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripB
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
     FixtureOptions,
-    StripOptions,
     make_fixture_on,
     make_strip_on,
 )
+from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
 
 

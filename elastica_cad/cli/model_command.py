@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from elastica_cad._counts import and_more, counted
+from elastica_cad._counts import counted
 from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.asking.settings import parsed_settings, set_option
 from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
@@ -19,6 +19,7 @@ from elastica_cad.formats.design_files.model_tables import DesignKeys
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
 from elastica_cad.kit.kit_files import check_kit_folder, kit_report, left_behind, left_out, write_kit
+from elastica_cad.refusals import Refusal, is_told, note
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
@@ -117,8 +118,12 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     voice().files += [str(output / name) for name in kit.files]
     listed = kit.cut_list
     pieces = f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}"
-    say(f"{kit.model.name}: {count_strips(kit.model)}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
-               f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
+    say(
+        f"{kit.model.name}: {count_strips(kit.model)}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
+        f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g"
+    )
+    used = sum(nest.share * nest.sheet_size[0] * nest.sheet_size[1] for nest in kit.nests)
+    say(f"{counted(len(kit.nests), 'sheet')} needed, {used / 1e6:.3g} m2 of them in parts")
     drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
     moved = [
         (largest_deviation(drawn[part.strip.label], part.strip.rod.curve), part.name)
@@ -154,10 +159,16 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     say(f"wrote {len(kit.files)} files to {output}")
 
 
-def _warnings(kit: Kit) -> list[str]:
-    """What strips warn of, a sentence that several share once, with the first of them and how many more."""
-    warned: dict[str, list[str]] = {}
+def _warnings(kit: Kit) -> list[Refusal]:
+    """What strips warn of: what several are told, with other numbers, once, with the first of them and how many."""
+    warned: dict[str, list[Refusal]] = {}
     for part in kit.model.parts:
-        for text in part.strip.warnings:
-            warned.setdefault(text, []).append(part.name)
-    return [f"{names[0]}{and_more(names)}: {text}" for text, names in warned.items()]
+        for said in part.strip.warnings:
+            if not (voice().verbose or is_told(said)):
+                continue
+            told = said if isinstance(said, Refusal) else note(said, severity="warning")
+            warned.setdefault(told.text, []).append(told.at(strip=part.name))
+    return [
+        same[0] if len(same) == 1 else same[0].at(strip=f"{same[0].where['strip']} (in {len(same)} strips)")
+        for same in warned.values()
+    ]

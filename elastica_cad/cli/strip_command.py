@@ -1,6 +1,6 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import islice
@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from elastica_cad.cli.asking.asked_curves import AskedCurve, asked_curves, curve_argument
 from elastica_cad.cli.asking.settings import FileKeys
@@ -20,6 +21,7 @@ from elastica_cad.cli.asking.strip_options import (
 )
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
+    Candidate,
     changed_requests,
     first_that_holds,
     first_told,
@@ -28,7 +30,14 @@ from elastica_cad.cli.running.suggestions import (
 )
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.declared import kind_of
-from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
+from elastica_cad.errors import (
+    Change,
+    ElasticaError,
+    NotConvergedError,
+    StrainError,
+    how_to_install,
+    rounded_up,
+)
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.holders.holding_template import tell_ends
 from elastica_cad.fabrication.holding.held_shape import about
@@ -44,6 +53,8 @@ from elastica_cad.formats.file_access.write_files import write_text, write_toget
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
+from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
+from elastica_cad.refusals import is_told
 
 STRAYED_SHARE = 3e-4
 """Of the length: a strip that strays more as it is made is told what other widths would do."""
@@ -181,8 +192,24 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
         return ""
     found = ((change, option_words(change)) for change in problem.refusal.changes)
     return first_that_holds(
-        (f"`{typed_line(*words)}`", partial(requests, change)) for change, words in found if words
+        ((f"`{typed_line(*words)}`", partial(requests, change)) for change, words in found if words),
+        _nearest_to_working(spec, problem),
     )
+
+
+def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Candidate]":
+    """Of a strip that would break: the thickest sheet that bears this curve, and the size that its own bears."""
+    if not isinstance(problem, StrainError):
+        return
+    used, own = problem.refusal.values["percent"] / 100, spec.material
+    bears = used * own.max_strain / own.thickness
+    sheets = sorted(map(Sheet.named, sheet_names()), key=lambda one: -one.thickness)
+    other = next((one for one in sheets if one.max_strain / one.thickness >= bears), None)
+    if other is not None:
+        yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
+    scale = rounded_up(1.01 * used, 2)
+    larger = spec.curve.transformed(np.diag([scale, scale, 1.0]))
+    yield f"{own.name} on the same curve drawn {scale:g} times as large", lambda: [spec.changed(curve=larger)]
 
 
 def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
@@ -248,10 +275,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance
-        if getattr(warning, "severity", "warning") == "note":
-            say(warning)
-        else:
-            warn(f"Warning: {warning}")
+        warn(f"Warning: {warning}", told=is_told(warning))
     if kit.asked.pictures and "png" not in kit.files:
         say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")
     if kit.asked.step and "step" not in kit.files:

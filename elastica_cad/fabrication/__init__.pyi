@@ -52,6 +52,8 @@ from elastica_cad.fabrication.interlocking.interlock import (
     interlock as interlock,
     slot_width as slot_width,
 )
+from elastica_cad.fabrication.flexure import Flexure as Flexure, FlexureTravel as FlexureTravel, Pad as Pad
+from elastica_cad.fabrication.flexure_spec import FlexureSpec as FlexureSpec
 from elastica_cad.fabrication.makeability.shop import Shop as Shop
 from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.fabrication.model.strip_model import Model as Model

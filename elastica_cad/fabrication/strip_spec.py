@@ -194,7 +194,7 @@ class StripSpec(EqualByValue):
         ),
     ] = 0.0
     samples: Annotated[
-        int | None, Asked("Nodes of the rod; chosen unless given.", least=2, most=20000, group="curve")
+        int | None, Asked("Nodes of the rod; chosen unless given.", least=2, most=10000, group="curve")
     ] = None
     ends: Annotated[
         tuple[Tab, Tab],

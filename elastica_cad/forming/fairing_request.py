@@ -14,13 +14,13 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.refusals import Length, note
 
 LARGEST_SMOOTH = 1000.0
-"""mm."""
+"""Largest smoothing distance, mm."""
 
 LITTLE_BEND_SHARE = 0.05
-"""Of the largest curvature."""
+"""Curvature that counts as little bend, as a share of the largest."""
 
 SEEN = 1e-3
-"""Moves of more than so many mm are told."""
+"""Smallest move, mm, that is reported."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class Smoothing:
 
     @property
     def healed(self) -> float:
-        """How far the reader moved the curve to take rounding out of its tangents, mm."""
+        """Distance, mm, by which the reader moved the curve to remove rounding errors from its tangents."""
         return 0.0 if self.drawn.provenance is None else self.drawn.provenance.healed
 
     @cached_property
@@ -64,12 +64,12 @@ class Smoothing:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was moved, a sentence each."""
+        """Sentences about what was moved."""
         found = []
         if self.healed > SEEN:
             found.append(note(
                 "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
-                far=Length(self.healed),
+                far=Length(self.healed), severity="warning",
             ))  # fmt: skip
         if self.fairing is not None:
             before = self.ratio_as_drawn
@@ -81,12 +81,13 @@ class Smoothing:
             found.append(note(
                 "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve at most; "
                 "{before} (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).",
-                far=Length(self.moved), before=ratio,
+                far=Length(self.moved), before=ratio, severity="warning",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
             found.append(note(
-                "Its corners, of {angle:.2g} degrees at most, were rounded within that.", angle=sharpest
+                "Its corners, of {angle:.2g} degrees at most, were rounded within that.",
+                angle=sharpest, severity="warning",
             ))  # fmt: skip
         return tuple(found)
 

@@ -14,22 +14,24 @@ from elastica_cad.mechanics.material.stiffness_law import LaidLeaves, Leaf, Leav
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 NODES = 401
-"""Of the rods that are compared: a step within a cell counts by its share, so places are continuous."""
+"""Nodes of the rods that are compared. A step inside a cell counts by its share, so the shape depends on its
+place continuously."""
 
 FINE_NODES = 1001
-"""Of the rod that is told: one that is nearly unstable strays a ten-thousandth of its length on fewer."""
+"""Nodes of the rod that is returned; with fewer, one that is nearly unstable is off by a ten-thousandth of its
+length."""
 
 SHORTEST_SHARE = 0.01
-"""Of the length: pieces of leaves, and what lies between ends, are no shorter."""
+"""Shortest piece of a leaf, and shortest distance between ends, as a share of the length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
-"""From which part of a leaf on it is laid, where searches begin; the best of their answers is taken."""
+"""Share of a leaf from which on it is laid, for each of the searches; the best result is taken."""
 
 DIFFERENCE = 1e-4
-"""Step, in lengths, of the differences that the search goes by."""
+"""Step of the finite differences in the search, as a share of the length."""
 
 SETTLED = 1e-7
-"""Relative change of the distance, and of the places, that ends a search."""
+"""Relative change of the distance and of the places that ends the search."""
 
 MOST_TRIALS = 60  # of one search, each with one difference a place
 
@@ -236,7 +238,8 @@ class _Search:
         return means[0], means[1]
 
     def _stack(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Where the number of leaves changes (m + 2,), in lengths, and how many lie between (m + 1,)."""
+        """Places (m + 2,), as shares of the length, where the number of leaves changes, and the numbers between
+        them (m + 1,)."""
         cuts = np.concatenate([[0.0], self._apart(places), [1.0]])
         return cuts, len(self.first) + np.concatenate([[0], np.cumsum(self.steps[:, 1])])
 

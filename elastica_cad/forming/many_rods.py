@@ -17,10 +17,11 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.refusals import note
 
 AHEAD = 64
-"""Curves of a stream with an executor at a time: enough for a dozen workers, and little to keep in memory."""
+"""Curves of a stream that are handed to an executor at a time: enough for a dozen workers, and few to keep in
+memory."""
 
 LISTED = 1024
-"""The same of a list, which is in memory anyway: several for each of hundreds of workers."""
+"""Curves of a list that are handed to an executor at a time: several for each of hundreds of workers."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -195,7 +196,7 @@ class _Task(NamedTuple):
 
 
 def _attempted(task: _Task) -> NearestRod:
-    """One curve, in the worker; errors become a status."""
+    """Find the rod of one curve in the worker; an error becomes a status."""
     curve, limits, keep, gravity, supports, options = task
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)

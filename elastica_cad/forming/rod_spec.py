@@ -1,4 +1,5 @@
-"""What is asked of a rod: to follow a curve exactly, alone, loaded or in two layers, or to come near it."""
+"""Requests for a rod: one that follows a curve exactly, also with loads or in two layers, or the nearest one
+within limits."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -104,9 +105,9 @@ class RodSpec(EqualByValue):
             value = getattr(self, name)
             if not (value is None or isinstance(value, record)):
                 raise InputError(
-                    "{name} is {value!r}: give a {name_2} record, or None",
+                    "{name} is {given!r}: give a {name_2} record, or None",
                     name=name,
-                    value=value,
+                    given=value,
                     name_2=record.__name__,
                 )
         self._require_agreement()

@@ -177,7 +177,7 @@ class _Cut:
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
-        """Can a strip take the piece, within the ratio?"""
+        """Whether a strip can take the piece within the ratio."""
         if end - start < self.short:
             return True
         if self.ratio is not None:
@@ -229,7 +229,7 @@ class _Cut:
         return float(offered[low]) if low >= 0 else start
 
     def turned(self, t: FloatArray) -> FloatArray:
-        """The same places on the reversed curve, in order."""
+        """Parameters of the same places on the reversed curve, in order."""
         return np.asarray((self.curve.knots[0] + self.curve.knots[-1] - t)[::-1])
 
 

@@ -10,7 +10,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.refusals import Length, Refusal, note
 
 SHORTEST_RUN_IN_MM = 1.0
-"""A straight piece shorter than this is no place to hold a strip by; it stays part of the curve."""
+"""Shortest straight piece that becomes a tab, mm; a shorter one stays part of the curve."""
 
 
 @dataclass(frozen=True, eq=False)

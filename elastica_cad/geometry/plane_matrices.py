@@ -38,7 +38,7 @@ def is_similarity(matrix: ArrayLike) -> bool:
 
 
 def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
-    """By what a 3x3 similarity scales, by which angle (rad) it turns, and 1.0, or -1.0 where it mirrors before."""
+    """Scale and angle (rad) of a 3x3 similarity, and -1.0 if it mirrors first, otherwise 1.0."""
     (a, b, _), (c, d, _), (_, _, last) = matrix.tolist()
     way = 1.0 if last > 0 else -1.0
     return hypot(a, c) / abs(last), atan2(way * c, way * a), 1.0 if a * d > b * c else -1.0

@@ -3,44 +3,35 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any
 
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.outline import StripEnd, Tab
+from elastica_cad.fabrication.strip.outline import StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.styles import Style
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.ocp_import import bare
 from elastica_cad.kernel.strip_body import (
     MadeStrip,
-    Point,
     StripBody,
     numbers_of,
     warn,
     warn_of_contact,
     warn_of_strain,
 )
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 
 # what solves and holds strips is imported when it is asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-    from elastica_cad.fabrication.holding.expected_error import MakingTolerance
-    from elastica_cad.fabrication.makeability.shop import Shop
-    from elastica_cad.fabrication.strip_checks import AskedGravity
     from elastica_cad.fabrication.strip_spec import StripSpec
-    from elastica_cad.forming.limits import Keep, Limits
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
-FIXTURE_SIZES = ("clearance", "wall", "foot", "foot_height", "screw")
+FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
 OF_STYLES = {
     "backing": "style=Laminated(width=..., backing=...)",
     "columns": "style=Perforated(width=..., columns=...)",
@@ -56,50 +47,11 @@ NO_CURVES = {
 """Records that lead to a strip, and what of them a body is made of."""
 
 
-class StripOptions(TypedDict, total=False):
-    """What every skin takes besides path, sheet and max_width; see `StripSpec`.
-
-    `plane` is the plane of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`.
-    `gravity` may be a vector of the library too, a direction in space.
-    A single `Tab` stands for both ends, a single `Slot` for a sequence of one.
-    """
-
-    plane: Any
-    min_width: float | None
-    style: Style
-    limits: "Limits | None"
-    keep: "Keep | None"
-    gravity: "AskedGravity | Point"
-    loads: Sequence[PointMass] | Weight
-    supports: Supports
-    natural_curvature: float
-    samples: int | None
-    smooth: float | None
-    ends: Tab | Sequence[Tab]
-    joint: float | None
-    slots: Slot | Sequence[Slot]
-    label: str
-    shop: "Shop"
-    compensate: bool | None
-    creep: float
-    law: BoundedLaw | None
-    ignore_limits: bool
-    tolerance: "MakingTolerance"
-
-
-class _FixtureSizes(TypedDict, total=False):
-    clearance: float
-    wall: float
-    foot: float
-    foot_height: float
-    screw: float
-
-
-class FixtureOptions(StripOptions, _FixtureSizes, total=False):
+class FixtureOptions(StripOptions, FixtureSizes, total=False):
     """The sizes of an end fixture too, mm; see `fabrication.EndFixture`."""
 
 
-class BlockOptions(_FixtureSizes, total=False):
+class BlockOptions(FixtureSizes, total=False):
     """What the fixture of a strip that is made takes: its sizes, mm, the plane of any library that it stands on,
     and the number engraved on it; see `fabrication.EndFixture`.
     """
@@ -154,9 +106,6 @@ def make_strip_on(
         raise InputError(
             'a curve needs a sheet to be cut from: give a Sheet or the name of one, like "mdf-3"'
         )
-    for name, kind in (("ends", Tab), ("slots", Slot)):
-        if isinstance(asked.get(name), kind):
-            asked[name] = (asked[name],) * (2 if name == "ends" else 1)
     if _is_vector(asked.get("gravity")):
         asked["gravity"] = numbers_of(asked["gravity"])
     if isinstance(path, PlaneCurve):

@@ -1,7 +1,7 @@
 """A kit written into one folder: all files together, or none."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -212,6 +212,8 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     table, text, report, page = _lists(name)
     if pictures:
         files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, listed, path))
+    if kit.spec.pages and find_spec("matplotlib"):
+        files[f"{name}-pages.pdf"] = ("parts at full size on paper", lambda path: _draw_pages(kit, path))
     files[table] = ("cut list", lambda path: write_text(path, listed.csv))
     files[text] = ("cut list", lambda path: write_text(path, str(listed)))
     if step:
@@ -238,6 +240,17 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
         files.update(_blocks(kit))
     files[report] = ("report", lambda path: write_json(path, kit_report(kit)))
     files[page] = ("this page", lambda path: write_text(path, _start_page(kit)))
+
+
+def _draw_pages(kit: Kit, path: Path) -> None:
+    """Every part once at full size; how often it is needed stands in its name."""
+    from elastica_cad.plot.template_pages import save_templates
+
+    drawings = [
+        replace(piece.drawing, name=f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name)
+        for piece in kit.pieces
+    ]
+    save_templates(drawings, path, title=f"{kit.model.name}: parts", paper=str(kit.spec.pages))
 
 
 def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:

@@ -38,6 +38,7 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.refusals import note
 from elastica_cad.web.saved_design import OF_MODELS, curve_table, open_design
 
 Record = dict[str, Any]
@@ -96,7 +97,12 @@ def answer(request: Mapping[str, Any]) -> Record | Download:
             _refuse_files(design)
             return asked(request, FilePath(folder))
         except ElasticaError as problem:
-            return {"refused": problem.refusal.record}
+            return refused(problem)
+
+
+def refused(problem: ElasticaError) -> Record:
+    """The record of a refusal, with the message that is to be put in the user's language."""
+    return {"refused": problem.refusal.record | {"message": problem.refusal}}
 
 
 def _refuse_files(value: object, key: str = "") -> None:
@@ -108,7 +114,7 @@ def _refuse_files(value: object, key: str = "") -> None:
         for one in value:
             _refuse_files(one, key)
     elif isinstance(value, str) and (key in (*FILE_KEYS, "curve") or ".toml" in value):
-        raise InputError("the page opens no file by its name: drop {value!r} on the drawing", value=value)
+        raise InputError("the page opens no file by its name: drop {given!r} on the drawing", given=value)
 
 
 def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:
@@ -119,14 +125,23 @@ def _design(request: Mapping[str, Any]) -> Design:
     return design_of(request["design"], FilePath("design"), _no_file)
 
 
-def _spec(request: Mapping[str, Any]) -> StripSpec:
-    """What is asked of the strip that is looked at."""
-    design = request["design"]
-    strips, k = design.get("strips"), request.get("strip", 0)
+def asked_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
+    """What a design asks of one of its strips.
+
+    Raises
+    ------
+    InputError
+        No such strip, or what is asked makes no sense.
+    """
+    strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
         raise InputError("the design has no strip to draw: add one")
     alone = {key: value for key, value in design.items() if key not in OF_MODELS} | {"strips": [strips[k]]}
     return design_of(alone, FilePath("design"), _no_file).entries[0].spec
+
+
+def _spec(request: Mapping[str, Any]) -> StripSpec:
+    return asked_spec(request["design"], request.get("strip", 0))
 
 
 def _strip(request: Mapping[str, Any], _: FilePath) -> Record:
@@ -141,7 +156,7 @@ def _strip(request: Mapping[str, Any], _: FilePath) -> Record:
         found = spec.rod_spec.solve()
         made = spec.make(found)
     except ElasticaError as problem:
-        return told | {"refused": problem.refusal.record}
+        return told | refused(problem)
     return told | _shape(made) | _numbers(made, found)
 
 
@@ -190,9 +205,9 @@ def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
     rod, verdict = made.rod, stability(made.rod)
     low, high = made.width.extremes
     forces = made.reactions()
-    warnings = [str(text) for text in made.warnings]
+    warnings = list(made.warnings)
     if not verdict.stable:
-        warnings.insert(0, verdict.meaning)
+        warnings.insert(0, note(verdict.meaning))
     if made.sideways.needs_guiding:
         warnings.append(str(made.sideways))
     near = found if isinstance(found, NearestRod) else None
@@ -259,8 +274,8 @@ def _nearest(request: Mapping[str, Any], _: FilePath) -> Record:
         "curve": curve_table(curve),
         "drawn": _rounded(curve.sample(DRAWN_NODES + 1).position, 3),
         "deviation": round(near.deviation, 3),
-        "text": str(near.status.value),
-        "advice": [str(text) for text in islice(advise(near), 2)],
+        "text": near.status.value,
+        "advice": list(islice(advise(near), 2)),
     }
 
 
@@ -273,7 +288,7 @@ def _sheets(request: Mapping[str, Any], _: FilePath) -> Record:
         try:
             made = spec.changed(sheet=Sheet.named(name)).make()
         except ElasticaError as problem:
-            row["text"] = str(problem.verdict)
+            row["text"] = problem.verdict
             continue
         row |= {"used": round(made.strain_verdict.used, 3), "mass": float(f"{made.mass:.4g}")}
         row |= {"fits": made.strain_verdict.allowed}
@@ -290,11 +305,13 @@ def _bend(request: Mapping[str, Any], _: FilePath) -> Record:
         raise InputError("a closed strip is not led by its ends: open it to bend it here")
     out = np.arctan2(way[1], way[0])
     flat = start + NEARLY_FLAT * made.rod.length * np.array([np.cos(out), np.sin(out)])
+    held = [support.angle for support in made.rod.supports.ends]
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
     def led(part: float, there: FloatArray, turn: float) -> Record:
-        turned = angles + turn * part * (level - angles)
-        return {"end": end + part * (there - end), "angles": tuple(turned.tolist())}
+        turned = (angles + turn * part * (level - angles)).tolist()
+        turned = [angle if clamped else None for angle, clamped in zip(turned, held, strict=True)]
+        return {"end": end + part * (there - end), "angles": tuple(turned)}
 
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(made, [led(part, flat, 1.0) for part in parts])
@@ -349,7 +366,7 @@ def _model(request: Mapping[str, Any], _: FilePath) -> Record:
         ],
         "text": f"{count_strips(kit.model)}, {listed.count} pieces on {len(kit.nests)} sheets, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
-        "warnings": list(dict.fromkeys(str(text) for text in (*kit.notes, *kit.model.reports))),
+        "warnings": list(dict.fromkeys((*kit.notes, *kit.model.reports))),
     }
 
 
@@ -432,7 +449,7 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     curves = read_curves(path)
     return {
         "curves": [{"called": f"{name} {i}", "curve": curve_table(one)} for i, one in enumerate(curves, 1)],
-        "notes": [str(text) for text in curves.notes],
+        "notes": list(curves.notes),
     }
 
 

@@ -175,7 +175,7 @@ class Studio:
 
     def _save(self, request: Mapping[str, Any]) -> bytes:
         """Write the design to its file, or answer with its text where there is none."""
-        head = {name: request.get(name) for name in ("id", "do")}
+        head = _head(request)
         try:
             design = request.get("design")
             if not isinstance(design, dict):
@@ -204,8 +204,12 @@ def _first(index: Path) -> Any:
 
 
 def _refused(request: Mapping[str, Any], text: str) -> bytes:
-    head = {name: request.get(name) for name in ("id", "do")}
-    return json.dumps(head | {"refused": Refusal("input", text).record}).encode()
+    return json.dumps(_head(request) | {"refused": Refusal("input", text).record}).encode()
+
+
+def _head(request: Mapping[str, Any]) -> dict[str, Any]:
+    """What tells the page to which of its questions an answer belongs."""
+    return {name: request[name] for name in ("id", "do", "kind") if name in request}
 
 
 def _version() -> str:

@@ -14,8 +14,8 @@ from freecad.elastica_wb.features.strip_request import nearest_spec_of
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 EVEN = (
-    "bend it beforehand to a radius of 250 mm all along, the way it stands bent at 94.4 mm: its widths count on "
-    "that"
+    "bend it beforehand to a radius of 250 mm all along, the way it stands bent 94.4 mm from its start: its widths "
+    "count on that"
 )
 
 
@@ -53,7 +53,7 @@ def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
     bent.Blank = "stations = [0, 101, 202.2], curvatures = [0, -0.01, 0]"
     document.recompute()
     assert bent.Reasons[0].startswith(
-        "Bend it beforehand to a radius of 100.1 mm at 101.1 mm, its sharpest, the"
+        "Bend it beforehand to a radius of 100 mm at its sharpest, 101 mm from its start, the"
     )
     assert bent.Reasons[0].endswith("; the property Blank has its curvature along the strip")
 

@@ -15,7 +15,7 @@ _spec.loader.exec_module(launching)
 @pytest.mark.campaign
 def test_what_is_easily_overlooked_is_told(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
-    bend = "end it beforehand to a radius of 250 mm all along, the way it stands bent at "
+    bend = "end it beforehand to a radius of 250 mm all along, the way it stands bent "
     verdict, reason, *_ = found["blank"].splitlines()
     assert verdict == "A strip bent beforehand takes this curve. There are remarks."
     assert reason.startswith(f"B{bend}")

@@ -9,26 +9,27 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross, norm, turn_between
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, chord_points, place, trim_segment
+from elastica_cad.geometry.paths.segment_table import SegmentTable, trim_all
+from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, chord_points, place
 from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02
-"""Corners that turn by less stay: fitted sides meet so."""
+"""Corners that turn by less than this, rad, stay; fitted sides meet with such angles."""
 
 MOST_STEPS = 40
-"""Of the search for an arc's ends: the sides bend little, so few serve."""
+"""Largest number of steps of the search for an arc's ends."""
 
 MOST_TURNED_BACK = 6
-"""Steps that lead out of a side and are taken half way to its end, before it counts as too short."""
+"""Number of steps beyond the end of a side that are shortened, before the side counts as too short."""
 
 CLOSE_MM = 1e-9
-"""The arc's two centres agree to this: rounding."""
+"""Accuracy, mm, to which the two centres of the arc agree."""
 
 PARALLEL = 1e-200
-"""In place of a zero that is divided by: between parallel sides the ends of the arc go out of them."""
+"""Replacement for a zero divisor: between parallel sides the ends of the arc leave the sides."""
 
 CLOSE_SHARE = 1e-3
-"""Of the radius: an arc may come so far over a side that is left out for it, and its points are as flat."""
+"""Share of the radius by which an arc may cross a side that it replaces, and the flatness of its points."""
 
 
 def round_corners(path: Path, radius: float) -> Path:
@@ -69,7 +70,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
         return []
-    sizes, motion = _sizes(segments), _Motion(segments)
+    sizes, table = _sizes(segments), SegmentTable(segments)
     ends = np.cumsum([len(path.segments) for path in paths])
     rings = [
         list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
@@ -80,15 +81,12 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
         before = np.array([k for ring in left.values() for k in ring.sides])
         after = np.array([k for ring in left.values() for k in (*ring.sides[1:], ring.sides[0])])
         gaps = [gap for ring in left.values() for gap in ring.gaps]
-        corners = _corners(motion, before, after, np.array([bool(gap) for gap in gaps]), radius)
+        corners = _corners(table, before, after, np.array([bool(gap) for gap in gaps]), radius)
         first, last = np.zeros(len(segments)), np.ones(len(segments))
         last[corners.before], first[corners.after] = corners.leaving, corners.entering
         short = set(np.flatnonzero(first > last).tolist())
         last = np.where((last - first) * sizes > CLOSE_MM, last, first)
-        parts = [
-            trim_segment(segment, a, b) if a < b else None
-            for segment, a, b in zip(segments, first.tolist(), last.tolist(), strict=True)
-        ]
+        parts = trim_all(segments, first, last)
         arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
         following: dict[int, _Ring] = {}
         for i, ring in left.items():
@@ -128,7 +126,7 @@ class _Ring:
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
-    """Does the arc cut off the sides that were left out for it, and not run across them?"""
+    """Whether the arc cuts off the sides that it replaces and does not cross them."""
     if not gap:
         return True
     if arc is None:
@@ -156,11 +154,11 @@ class _Corners:
 
 
 def _corners(
-    motion: "_Motion", before: IntArray, after: IntArray, gaps: BoolArray, radius: float
+    table: SegmentTable, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
 ) -> _Corners:
     """Arcs where sides (n,) turn into those behind them, at the end of one or over a gap."""
-    s = motion(before, np.ones(before.size))[1]
-    t = motion(after, np.zeros(after.size))[1]
+    s = table.at(before, np.ones(before.size), 1)
+    t = table.at(after, np.zeros(after.size), 1)
     turn = turn_between(s, t)
     sharp = (np.abs(turn) >= SMOOTH_RAD) | gaps
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
@@ -172,8 +170,10 @@ def _corners(
     ends = np.zeros((4, before.size, 2))
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
     for _ in range(MOST_STEPS):
-        near = motion(before[open_], x[open_, 0])
-        far = motion(after[open_], x[open_, 1])
+        near, far = (
+            (table.at(sides[open_], x[open_, k]), table.at(sides[open_], x[open_, k], 1))
+            for k, sides in enumerate((before, after))
+        )
         ends[:, open_] = *near, *far
         gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
@@ -201,50 +201,6 @@ def _corners(
         for first, last, bulge, fit in zip(start, end, bulges.tolist(), fits.tolist(), strict=True)
     ]
     return _Corners(before, after, x[:, 0], x[:, 1], arcs)
-
-
-class _Motion:
-    """Points and their derivatives by u (n, 2), mm, at places u (n,) of segments (n,): thousands at a time.
-
-    Lines and splines are one piecewise polynomial in homogeneous coordinates, segment i from 2 i to 2 i + 1.
-    """
-
-    def __init__(self, segments: Sequence[Segment]) -> None:
-        from scipy.interpolate import BPoly
-
-        self.arcs = {i: segment for i, segment in enumerate(segments) if isinstance(segment, Arc)}
-        degree = max([1, *(one.curve.degree for one in segments if isinstance(one, Spline))])
-        nothing = np.tile([0.0, 0.0, 1.0], (1, degree + 1, 1))
-        breaks, pieces = [], []
-        for i, segment in enumerate(segments):
-            edges, points = np.array([0.0, 1.0]), nothing
-            if isinstance(segment, Spline):
-                edges, points = segment.curve.bezier_table
-                edges = (edges - edges[0]) / (edges[-1] - edges[0])
-            elif isinstance(segment, Line):
-                points = np.array([[[*segment.start, 1.0], [*segment.end, 1.0]]])
-            for k in range(points.shape[1], degree + 1):  # the same curve as one of a degree more
-                share = np.arange(k + 1)[:, None] / k
-                ahead, behind = (
-                    np.pad(points, ((0, 0), (0, 1), (0, 0))),
-                    np.pad(points, ((0, 0), (1, 0), (0, 0))),
-                )
-                points = (1 - share) * ahead + share * behind
-            breaks += [2 * i + edges]
-            pieces += [points, nothing]
-        self.place = BPoly(
-            np.concatenate(pieces).swapaxes(0, 1), np.append(np.concatenate(breaks), 2 * len(segments))
-        )
-        self.pace = self.place.derivative()
-
-    def __call__(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
-        at = np.minimum(2.0 * which + u, np.nextafter(2.0 * which + 1, 0.0))
-        (x, weight), (v, change) = ((row[:, :2], row[:, 2:]) for row in (self.place(at), self.pace(at)))
-        points = x / weight
-        velocities = (v - points * change) / weight
-        for k in np.flatnonzero(np.isin(which, list(self.arcs))):
-            points[k], velocities[k] = self.arcs[int(which[k])].motion_at(float(u[k]))
-        return points, velocities
 
 
 def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:

@@ -13,11 +13,11 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length, note, sentences
 
 MEETING_SHARE = 1e-4
-"""Of the length: ends that are nearer meet; rods on few nodes close as well as that."""
+"""Ends nearer to each other than this share of the length meet; rods with few nodes close to this accuracy."""
 
 
 def closes(rod: Rod) -> bool:
-    """Do the ends of a rod meet, one going on in the other?"""
+    """Whether the ends of a rod meet with the same direction."""
     gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
     return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
@@ -95,13 +95,13 @@ class Reactions:
 Seats = tuple[TabSeat | None, TabSeat | None]
 
 ANTICLASTIC = "anticlastic bending"
-"""A wide strip curls across as it bends, and is stiffer for it."""
+"""Name of the cause that a wide strip curls across as it bends, and is stiffer."""
 
 LEAF_ENDS = "ends of leaves"
 """Where a glued leaf ends, the neutral axis of the stack jumps by half its thickness."""
 
 LEAST_TOLD_MM = 0.005
-"""Deviations below it are not told one by one."""
+"""Deviations below this, mm, are not listed one by one."""
 
 
 MOST = np.sqrt(0.5)

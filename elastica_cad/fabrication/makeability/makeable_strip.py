@@ -35,10 +35,10 @@ from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults,
 from elastica_cad.mechanics.material.section_limits import thinner_for
 
 PLACES = 400
-"""Places along a strip where a joint is tried."""
+"""Number of places along a strip at which a joint is tried."""
 
 APART_MM = 5.0
-"""Between the pieces in one drawing."""
+"""Distance between the pieces in one drawing, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,7 +121,7 @@ class Splice:
             return note(
                 "cut in pieces: {pieces}, joined by plates of {lap:g} on the free face of each layer, which "
                 "are stiffer and move the shape by {far:.2g}",
-                pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation),
+                pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
         said = (
             "cut in {count} pieces at {places}, joined by plates of {lap:g}, without the {lost} holes that "
@@ -138,11 +138,12 @@ class Splice:
             lap=Mm(self.lap),
             lost=lost,
             far=Mm(self.deviation),
+            severity="warning",
         )
 
     @property
     def plates(self) -> "LapPlates":
-        """What joins the pieces."""
+        """Plates that join the pieces."""
         from elastica_cad.fabrication.strip.as_made import LapPlates
 
         return LapPlates(self.joints, self.lap, self.backing_joints)
@@ -307,7 +308,8 @@ def joined_within(strip: Strip, shop: Shop) -> Strip:
 
 
 def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Does a plate at these places along the strip leave the slot free, and half its width beside it?"""
+    """Whether a plate at these places along the strip leaves the slot free, with half the slot's width beside
+    it."""
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
@@ -391,5 +393,6 @@ def compensate_within(strip: Strip, shop: Shop) -> Strip:
         "its widths do not make up for how it is made, since it would then be {fault}; give it "
         "tabs as wide as its ends, or shallower slots",
         fault=faults[0].what,
+        severity="warning",
     )
     return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, told)))

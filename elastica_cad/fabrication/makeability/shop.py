@@ -81,7 +81,7 @@ class Shop:
         for name in ("least_width", "least_ligament", "least_bridge", "lap"):
             value = getattr(self, name)
             if value is not None and not (is_number(value) and value > 0):
-                raise InputError("{name} is {value!r}: give a positive width in mm", name=name, value=value)
+                raise InputError("{name} is {given!r}: give a positive width in mm", name=name, given=value)
         if self.stock is None:
             return
         sides = self.stock if isinstance(self.stock, Sequence) else ()

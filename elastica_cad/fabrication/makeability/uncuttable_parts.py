@@ -112,7 +112,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
-    """Of all widths (k,) across each point, the place of the least."""
+    """Index of the least of all widths (k,) across each point."""
     order = np.lexsort((width, point))
     return order[np.unique(point[order], return_index=True)[1]]
 
@@ -153,13 +153,13 @@ class _Chords:
 
 
 FAR_WIDER = 2.0
-"""Lengths of the stock across, beyond which a strip is told as too large and its thin places are not looked for."""
+"""A strip wider than this many lengths of the stock is refused as too large, without a search for thin places."""
 
 TIMES_AS_LONG = 4.0
-"""As its width a strip is, where a narrower one is asked for: one of half of that bends as a plate."""
+"""Least ratio of length to width when a narrower strip is suggested; at half of that it would bend as a plate."""
 
 LAP_THICKNESSES = 20
-"""Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
+"""Length of the plates that join pieces, in thicknesses; from about twelve on, glue holds as well as the sheet."""
 
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
@@ -214,7 +214,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
             kind="fault",
             changes=[*changes],
         )
-    return tuple(note("made anyway: {fault}", fault=str(fault)) for fault in faults)
+    return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
 
 
 def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
@@ -244,7 +244,7 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
         called = name if i == 0 else f"{name}, backing"
         length, width = _size(strip)
         if width < FAR_WIDER * stock[0]:
-            found += _thin_strip(called, strip, layer, least)
+            found += _thin_strip(called, strip, layer, least, min(least, shop.bridge_for(layer.sheet)))
         found += _too_large(called, min(length, stock[0] if joined else np.inf), width, layer.sheet, stock)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament:
@@ -276,7 +276,8 @@ def find_plate_faults(
     shop: Shop | None = None,
     called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """The same for a ring, a base or a rail: bridges between its cuts, and its size; `called` names first holes."""
+    """Find what cannot be cut of a ring, a base or a rail: bridges between its cuts, and its size; `called`
+    names first holes."""
     shop = shop_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
@@ -328,16 +329,60 @@ def _size(strip: Strip) -> tuple[float, float]:
     return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
 
 
-def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator[Fault]:
+def _thin_strip(name: str, strip: Strip, layer: Layer, least: float, web: float) -> Iterator[Fault]:
+    """Necks of the strip and its tabs narrower than `least`, webs beside holes narrower than `web`, mm."""
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
-    places = find_thin_places([layer.outline], holes, least)
+    places = find_thin_places([layer.outline], holes, max(least, web))
+    necks = [place for place in places if place.loops == (0, 0) and place.width < least]
+    free: list[ThinPlace] = []
+    tabs: list[ThinPlace] = []
+    for place in necks:
+        of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
+        (tabs if of_tab else free).append(place)
     cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
-    narrowest = min((place.width for place in places), default=least)
+    narrowest = min((place.width for place in free), default=least)
     changes = (*_wider(strip, least / narrowest), Change("nearest", True))
-    yield from (
-        replace(fault, changes=changes) for fault in _faults_at(name, places, least, layer.sheet, cure)
-    )
+    yield from (replace(fault, changes=changes) for fault in _faults_at(name, free, least, layer.sheet, cure))
+    for place in tabs[:1]:
+        wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+        what = note(
+            "only {wide:g} wide {at}, {needed:g} are needed in {sheet}",
+            wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
+        )  # fmt: skip
+        yield Fault(name, what, note("give the tab a larger width"))
+    webs = [place for place in places if place.loops != (0, 0) and place.width < web]
+    for place in webs[:MOST_TOLD]:
+        yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
+
+
+def _place_on(strip: Strip, place: ThinPlace) -> str:
+    """Where a place of the flat part is: along the strip, or in one of its tabs."""
+    length = strip.rod.length
+    if place.x < 0:
+        return note("{into} into the tab at its start", into=Length(-place.x))
+    if place.x > length:
+        return note("{into} into the tab at its end", into=Length(place.x - length))
+    return note("at {s} from the start of the curve", s=Length(place.x))
+
+
+def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
+    """The fault of too little material beside a hole, and how far to move the hole."""
+    wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+    shift = Length(rounded_up(least - place.width, 2))
+    if 0 in place.loops:
+        what = note(
+            "only {wide:g} are left between a hole and the edge {at}, {needed:g} are needed in {sheet}",
+            wide=wide, at=at, needed=needed, sheet=sheet.name,
+        )  # fmt: skip
+        return Fault(
+            name, what, note("move the hole {shift} away from the edge, or make it smaller", shift=shift)
+        )
+    what = note(
+        "only {wide:g} are left between two holes {at}, {needed:g} are needed in {sheet}",
+        wide=wide, at=at, needed=needed, sheet=sheet.name,
+    )  # fmt: skip
+    return Fault(name, what, note("move the holes {shift} apart, or make them smaller", shift=shift))
 
 
 def _wider(strip: Strip, times: float) -> tuple[Change, ...]:

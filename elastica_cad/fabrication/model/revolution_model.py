@@ -22,22 +22,22 @@ from elastica_cad.forming.revolution.meridian import Meridian, meridian
 from elastica_cad.mechanics.material.sheet import Sheet
 
 MOST_STRIPS = 1000
-"""More is a typing error: the strips of a sphere of 1 m would be 3 mm wide."""
+"""Largest number of strips; those of a sphere of 1 m would be 3 mm wide."""
 
 TAB_MM = 8.0
-"""Length of a tab that is not given: through a 3 mm ring with room for glue."""
+"""Default length of a tab, mm: through a 3 mm ring with room for glue."""
 
 BEYOND_MM = 2.0
-"""How far a tab reaches beyond the second of two rings."""
+"""Length of a tab beyond the second of two rings, mm."""
 
 TAB_GAP_MM = 0.5
-"""Between the tabs of neighbours where they are nearest."""
+"""Least gap between the tabs of neighbours, mm."""
 
 TRIED_RINGS = 60
-"""Sizes of rings that are tried where the one asked for cannot be made."""
+"""Number of sizes of rings that are tried where the requested one cannot be made."""
 
 BRIDGE_FACTOR = 1.02
-"""On the least material between slots, so that rounding does not refuse them."""
+"""Factor on the least material between slots, so that they are not refused because of rounding."""
 
 
 @refusing_old_names
@@ -166,7 +166,7 @@ def revolve(
 
 @dataclass(frozen=True)
 class _Asked:
-    """What is asked of a surface beside its meridian."""
+    """Request for a surface, without its meridian."""
 
     strips: int
     sheet: Sheet

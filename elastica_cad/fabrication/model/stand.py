@@ -18,7 +18,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import note
 
 LEAST_SPREAD = 0.2
-"""Two plates hold each other through the strips where slots spread at least so much across as along."""
+"""Least ratio of the spread of slots across to that along, with which strips hold two plates to each other."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,17 +24,19 @@ from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import trim_off
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segment_table import chords_of_all
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import LaidLeaves
 
 TICK_SHARE = 0.3
-"""Of the width on each side of the middle: a mark across is kept off the edges, so that it is no notch."""
+"""Length of a mark across, as a share of the width on each side of the middle: it ends before the edges, where
+it would be a notch."""
 
 
 FLAT_MM = 1e-4
-"""How near the chords come to the cuts by which widths are measured."""
+"""Distance of the chords, with which widths are measured, from the cuts, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,10 +118,15 @@ class Layer:
     @cached_property
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
         """Of all cuts, the outline first: the numbers (m,) of their loops, where they start and end (2, m)."""
-        lines = [loop.points(FLAT_MM) for loop in (self.outline, *self.holes)]
-        ends = [np.roll(line, -1, axis=0) for line in lines]
-        loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
-        return loop, np.concatenate(lines).T, np.concatenate(ends).T
+        loops = self.outline, *self.holes
+        which, points = chords_of_all([one for loop in loops for one in loop.segments], FLAT_MM)
+        # each segment goes on to where the next one starts
+        kept = np.append(which[1:] == which[:-1], False)
+        loop = np.repeat(np.arange(len(loops)), [len(one.segments) for one in loops])[which[kept]]
+        begins, points = np.searchsorted(loop, np.arange(len(loops))), points[kept]
+        ends = np.roll(points, -1, axis=0)
+        ends[np.append(begins[1:], loop.size) - 1] = points[begins]
+        return loop, points.T, ends.T
 
 
 def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:
@@ -231,7 +238,7 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Does a slot of a strip of one width go deep enough to cut a narrower one?"""
+    """Whether a slot of a strip of one width is deep enough to cut a narrower strip."""
     points, _ = slot.center_line(outer)
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 

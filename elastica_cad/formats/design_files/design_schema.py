@@ -29,7 +29,7 @@ def tables() -> dict[str, Keys]:
     Examples
     --------
     >>> tables()["point mass"]["mass"][1]
-    'Mass that hangs there, g.'
+    'Mass that hangs there (g).'
     """
     found: dict[str, Record] = {"design": DesignKeys}
     waiting: list[Record] = [DesignKeys]
@@ -63,7 +63,7 @@ def _entry(field: Field) -> tuple[Fragment, str]:
 
 def told(help: str, unit: str) -> str:
     """What a field says, with its unit."""
-    return f"{help.rstrip('.')}, {unit}." if unit else help
+    return f"{help.rstrip('.')} ({unit})." if unit else help
 
 
 def fragment(kind: Kind) -> Fragment:

@@ -350,8 +350,8 @@ def read_line(
         data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(
-            "{where_}: {line} cannot be read: write keys and values, such as {example}",
-            where_=where,
+            "{place}: {line} cannot be read: write keys and values, such as {example}",
+            place=where,
             line=quoted(line),
             example=example or "at = 40, side = 'lower'",
         ) from error

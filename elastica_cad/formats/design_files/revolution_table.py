@@ -163,7 +163,7 @@ def read_revolution(table: Table, reader: Reader) -> RevolutionEntry:
             line = asked.meridian
             ends = None if asked.ends is None else pair_of_tabs(asked.ends)
     except NotConvergedError as problem:
-        raise NotConvergedError("{where_}: {problem}", where_=table.where, problem=problem) from problem
+        raise NotConvergedError("{place}: {problem}", place=table.where, problem=problem) from problem
     return RevolutionEntry(
         line, asked.strips, asked.sheet, ends, asked.rings, asked.gap, asked.shop, asked.ignore_limits
     )

@@ -57,18 +57,17 @@ def tell_blank(strip: Strip) -> str:
     same = rest[at] * rod.curvature[at] > 0
     ways = (
         (
-            "bend it beforehand to a radius of {radius} all along, the way it stands bent {s} from its "
+            "bend it beforehand to a radius of {radius} all along, the way it stands bent {s} from its start: its "
+            "widths count on that",
+            "bend it beforehand to a radius of {radius} all along, the other way than it stands bent {s} from its "
             "start: its widths count on that",
-            "bend it beforehand to a radius of {radius} all along, the other way than it stands bent {s} "
-            "from its start: its widths count on that",
         )
         if even
         else (
-            "bend it beforehand to a radius of {radius} {s} from its start, its sharpest, the way it stands "
+            "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the way it stands "
             "bent there: its widths count on that; `blank` in the report has its curvature along the strip",
-            "bend it beforehand to a radius of {radius} {s} from its start, its sharpest, the other way "
-            "than it stands bent there: its widths count on that; `blank` in the report has its curvature "
-            "along the strip",
+            "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the other way than it "
+            "stands bent there: its widths count on that; `blank` in the report has its curvature along the strip",
         )
     )
     return note(ways[0 if same else 1], radius=Length(1 / abs(rest[at])), s=Length(rod.s[at]))

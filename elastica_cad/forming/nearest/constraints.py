@@ -94,7 +94,7 @@ class EndAngle(Constraint):
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The one."""
+        """Row of the only value."""
         return _all_rows(sensitivities.angles[-1:])
 
 
@@ -110,7 +110,7 @@ class EndMoment(Constraint):
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The one."""
+        """Row of the only value."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
@@ -127,7 +127,8 @@ class EndForce(Constraint):
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The one: the last edge's force and the last node's load, both linear in z but for the length."""
+        """Row of the force of the last edge and the load of the last node, both linear in z except for the
+        length."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -152,7 +153,7 @@ class Through(Constraint):
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The one."""
+        """Row of the only value."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
@@ -363,7 +364,7 @@ class FollowedMarginLimit(MarginLimit):
     size: float
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """With dM/dkappa in place of K."""
+        """The rod with dM/dkappa in place of K."""
 
         def felt() -> DiscreteRod:
             K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
@@ -373,7 +374,7 @@ class FollowedMarginLimit(MarginLimit):
         return found
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """By differences: a width follows from K and bend, the slope from width and bend."""
+        """Derivatives by finite differences: the width follows from K and bend, the slope from width and bend."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])

@@ -277,10 +277,10 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
     """Model of half the mean square of r + J d, weighted by `shares` (k,); the closing column of J belongs to r."""
-    p = J.shape[1] - 1
-    A = J.copy()
-    A[:, -1] += r
-    product = (A * shares[:, None]).T @ A
+    p, roots = J.shape[1] - 1, np.sqrt(shares)
+    A = J * roots[:, None]
+    A[:, -1] += r * roots
+    product = A.T @ A
     return LocalModel(
         0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
     )

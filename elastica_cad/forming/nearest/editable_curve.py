@@ -201,7 +201,7 @@ class _Refinement:
         return np.setdiff1d(np.arange(u.count), fixed)
 
     def _ends(self, now: MappedRod, d: Sensitivities, target: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """What must vanish at the end: gaps (k,) and rows (k, p + 1)."""
+        """Equations at the end: values (k,) that must be 0, and their derivatives (k, p + 1)."""
         gaps, rows = [now.position[-1] - target[-1]], [d.position[-1]]
         if self.tangents[1]:
             gaps.append(now.all_angles[-1:] - self.rod.angle[-1])

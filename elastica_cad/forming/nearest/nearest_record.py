@@ -38,7 +38,8 @@ class Status(Enum):
 
 
 def judge_search(violation: float, deviation: float, settled: bool) -> Status:
-    """How a search ended: by what is broken, by how far off it is, in diagonals, by whether it came to rest."""
+    """Status of a search, from the violation of its limits, its distance in diagonals, and whether it
+    converged."""
     if violation > MET:
         return Status.NOT_MET
     if deviation > _UNLIKE:
@@ -157,7 +158,7 @@ class NearestRod:
 
     @property
     def met(self) -> bool:
-        """Are all limits met (to 1e-6)?"""
+        """Whether all limits are met (to 1e-6)."""
         return self.violation <= MET
 
     @cached_property
@@ -234,7 +235,7 @@ _IN_LENGTHS = ("end position", "points", "keep-out")
 
 @dataclass(frozen=True)
 class _Looser:
-    """What might be asked instead of the present limits, and how that is said."""
+    """A change of the present limits, and a sentence for it."""
 
     words: str
     limits: Limits
@@ -272,7 +273,7 @@ def advise(near: NearestRod) -> Iterator[str]:
 
 
 def _costs(near: NearestRod) -> Iterator[str]:
-    """What limits cost, and what is saved by freeing what is kept."""
+    """Sentences about the cost of limits and of what is kept."""
     largest = near.measure == "max"
     for binding, change in _changes(near):
         free = near.relaxed(change.without.limits, change.without.keep)
@@ -313,7 +314,7 @@ def _costs(near: NearestRod) -> Iterator[str]:
 
 
 def _ways_out(near: NearestRod) -> Iterator[str]:
-    """What is missed, and what alone would make the rest possible."""
+    """Sentences about limits that are not met, and changes that would make the others possible."""
     for binding in near.binding:
         if binding.broken > _MISSED:
             yield _missed(near, binding)
@@ -336,7 +337,7 @@ def _ways_out(near: NearestRod) -> Iterator[str]:
 
 
 def _supports(near: NearestRod) -> Iterator[str]:
-    """Where supports would make strips of the drawn curve itself."""
+    """Sentences about supports with which the drawn curve itself can be made."""
     rod, target, bent = near.rod, near.target, near.limits.largest_curvature
     if (
         rod.gravity is not None
@@ -359,7 +360,7 @@ def _supports(near: NearestRod) -> Iterator[str]:
 
 
 def _changes(near: NearestRod) -> Iterator[tuple[Binding, _Change]]:
-    """What was asked for and binds, the dearest first."""
+    """Active limits with a possible change of each, the most expensive first."""
     left = _MOST_CHANGES
     for binding in near.binding:
         maker = _CHANGES.get(binding.name)
@@ -474,7 +475,7 @@ _CHANGES: dict[str, Callable[[NearestRod], _Change | None]] = {
 
 
 def _missed(near: NearestRod, binding: Binding) -> str:
-    """What is broken, and what the rod has instead."""
+    """Sentence about a limit that is not met, with the value that the rod has."""
     if binding.name == "margin" and binding.limit is not None:
         found = stability(near.rod)
         return note(

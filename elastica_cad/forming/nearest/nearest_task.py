@@ -113,9 +113,9 @@ class NearestTask:
         for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
             if not (value is None or isinstance(value, record)):
                 raise InputError(
-                    "{name} is {value!r}: give a {name_2} record, or None",
+                    "{name} is {given!r}: give a {name_2} record, or None",
                     name=name,
-                    value=value,
+                    given=value,
                     name_2=record.__name__,
                 )
         if not (section is None or hasattr(section, "bent")):
@@ -169,12 +169,13 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """Does K tell shares only? Of a law whose limits settle its scale, whatever the bend, each K is a size."""
+        """Whether K is relative only. For a law whose limits determine its scale whatever the bend, K is
+        absolute."""
         return self.section is None or self.section.law.follows_bend
 
     @property
     def is_light(self) -> bool:
-        """Is it a law of sizes without weight, which settles its scale afterwards?"""
+        """Whether it is a law of absolute sizes without weight, whose scale is found afterwards."""
         return self.grows and self.gravity is None and not self.is_scaled_freely
 
     def within_ratio(self, ratio: float) -> "NearestTask":
@@ -218,7 +219,7 @@ class NearestTask:
 
     @property
     def scale(self) -> float:
-        """Of its section, N mm2; 1 of others."""
+        """Scale of the section, N mm2; 1 without a section."""
         return 1.0 if self.section is None else self.section.scale
 
     def scaled_by(self, share: float) -> "NearestTask":
@@ -271,7 +272,8 @@ class NearestTask:
     def _state_of(
         self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
     ) -> RodState:
-        """In millimetres, of nodal stiffness (n,) over its least, kappa_0 and weight (n, 2)."""
+        """State in millimetres, from nodal stiffness (n,) divided by its least value, kappa_0, and weight (n,
+        2)."""
         size = self.target.size
         position = mapped.position * size + self.target.origin
         system = RodSystem(
@@ -285,7 +287,7 @@ class NearestTask:
 
     @property
     def basis(self) -> StiffnessBasis:
-        """What K is a sum of."""
+        """Basis functions of K."""
         return StiffnessBasis(self.coefficients, mirrored=bool(self.keep.symmetry))
 
     def distance(self, measure: Measure) -> Distance:
@@ -347,7 +349,7 @@ class SearchPoint:
     off: float
 
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """The same rod in the units of another target; None where it has other unknowns."""
+        """Unknowns of the same rod in the units of another target; None where the unknowns differ."""
         u = self.unknowns
         if unknowns != u:
             return None

@@ -42,7 +42,7 @@ class StiffnessBasis:
 
     @property
     def knots(self) -> FloatArray:
-        """Of the splines, clamped."""
+        """Clamped knots of the splines."""
         return np.concatenate([np.zeros(3), np.linspace(0, 1, self.count - 2), np.ones(3)])
 
     def at(self, s: FloatArray) -> FloatArray:
@@ -87,7 +87,8 @@ SAME_SCALE = 1e-5
 """Relative difference of scales below which the weight is that of the sections that are made."""
 
 FULL_STRAIN = 1 - 2e-5
-"""Share of a strain limit that is sought: nodes and fitted sizes miss the largest strain by less than the rest."""
+"""Share of a strain limit that is used; the rest covers the error of the strain between nodes and in fitted
+sizes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +142,8 @@ class SectionScale:
         return cls(law, most / ratio, ratio)
 
     def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
-        """As large as its limits and the strain let nodal K (n,) be, bent by kappa - kappa_0 (n,), 1/mm."""
+        """Scale the section up as far as its limits and the strain allow, for nodal K (n,) bent by kappa -
+        kappa_0 (n,), 1/mm."""
         from scipy.optimize import brentq
 
         least, most = (
@@ -172,9 +174,9 @@ class SectionScale:
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
-        """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, comes up to the largest section.
+        """Scale it so that the largest section belongs to nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`.
 
-        Itself where it has that scale already.
+        Returns itself where it has that scale already.
         """
         law = self.law.bent(bend, rest)
         least, largest = law.limits
@@ -282,7 +284,7 @@ class MappedRod(DiscreteRod):
     memory: dict[Hashable, Any] = field(default_factory=dict)
 
     def remembered(self, key: Hashable, compute: Callable[[], Any]) -> Any:
-        """What `compute` gives, computed once for this rod."""
+        """Result of `compute`, computed once for this rod."""
         if key not in self.memory:
             self.memory[key] = compute()
         return self.memory[key]
@@ -331,7 +333,7 @@ class Sensitivities:
 
 
 class CarriedWeight(NamedTuple):
-    """Integral up to and with each node, for a rod of length 1, of its weight q: `sums` (n+1,).
+    """Integral of the weight q up to and including each node, for a rod of length 1: `sums` (n+1,).
 
     `slopes` (n+1, m) are derivatives by the coefficients of K.
     """
@@ -401,7 +403,7 @@ class StripGrid:
 
     @cached_property
     def heavy(self) -> bool:
-        """Is there weight?"""
+        """Whether there is weight."""
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:

@@ -53,7 +53,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     @cached_property
     def one_sided(self) -> BoolArray:
-        """Of each constraint: are its values at least 0, not 0?"""
+        """Whether the values of each constraint must be at least 0 instead of 0."""
         return np.array([c.one_sided for c in self.constraints], dtype=bool)
 
     @cached_property
@@ -108,7 +108,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return float(np.mean((one.position - other.position) ** 2))
 
     def for_open_points(self) -> "RodProblem":
-        """The same without the constraints that make no sense far from balance."""
+        """Return the problem without the constraints that make no sense far from balance."""
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
@@ -122,7 +122,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return np.asarray(np.clip(z, self.lower, self.upper))
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
-        """The same with these unknowns given, as far as that is allowed."""
+        """Return the problem with these unknowns fixed, as far as that is allowed."""
         lower, upper = self.lower.copy(), self.upper.copy()
         lower[unknowns] = upper[unknowns] = np.clip(value, lower[unknowns], upper[unknowns])
         return replace(self, lower=lower, upper=upper)
@@ -179,7 +179,7 @@ class Search(NamedTuple):
 
     @property
     def ended(self) -> SearchPoint:
-        """Where it ended, for a like search to go on from."""
+        """Point at which the search ended, as a start for a similar search."""
         target = self.task.target
         return SearchPoint(
             self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off

@@ -17,7 +17,8 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 Point = TypeVar("Point")
 
 KEY_STRIDE = 1_000_000
-"""More values than any constraint has: a row's key is its constraint's number times this, and its index."""
+"""More than the number of values of any constraint: the key of a row is its constraint's number times this plus
+its index."""
 
 
 class Closing(NamedTuple):
@@ -143,12 +144,12 @@ class NonlinearProgram(ABC, Generic[Point]):
     @property
     @abstractmethod
     def one_sided(self) -> BoolArray:
-        """Of each constraint (c,): are its values at least 0, not 0?"""
+        """Whether the values of each constraint (c,) must be at least 0 instead of 0."""
 
     @property
     @abstractmethod
     def highest_prices(self) -> FloatArray:
-        """The most (c,) that breaking a value of each constraint by 1 costs."""
+        """Largest multiplier (c,) among the values of each constraint."""
 
     @abstractmethod
     def objective(self, point: Point) -> float:
@@ -180,7 +181,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":
-        """The same without the constraints that make no sense for points far from closed."""
+        """Return the program without the constraints that make no sense for points far from closed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,7 +217,7 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def defect(self) -> float:
-        """By how much the state is off."""
+        """Largest change of the state that closes the point."""
         return float(np.abs(self.state_change).max())
 
     @cached_property
@@ -226,12 +227,12 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def violation(self) -> float:
-        """By how much the worst constraint of the closed point is broken, to first order."""
+        """Largest violation of a constraint at the closed point, to first order."""
         return float(self._broken_closed.max(initial=0.0))
 
     @cached_property
     def _broken_closed(self) -> FloatArray:
-        """By how much each row of the closed point is broken, to first order."""
+        """Violation of each row at the closed point, to first order."""
         return self._broken(self.change[:-1])
 
     def merit(self, prices: FloatArray) -> float:
@@ -243,14 +244,14 @@ class Iterate(Generic[Point]):
         return self._expected(step) + self._cost(self._broken(step), prices)
 
     def is_reliable(self, promise: float, highest_price: float) -> bool:
-        """Is what closing the point may still change, beyond the first order, small beside a promise?"""
+        """Whether the second-order change from closing the point is small beside a predicted decrease."""
         if not self.defect**2 * highest_price < CLOSING.reliable * promise:  # whatever the objective
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
         return self.defect**2 * (weight + highest_price) < CLOSING.reliable * promise
 
     def restores_feasibility(self, step: FloatArray) -> bool:
-        """Does a step put right most of what is badly broken, even where it lowers the merit little?"""
+        """Whether a step removes most of a large violation, even if it lowers the merit little."""
         return self.violation > CLOSING.badly_broken and bool(
             self._broken(step).max(initial=0.0) < 0.5 * self.violation
         )
@@ -262,7 +263,7 @@ class Iterate(Generic[Point]):
         return smooth + (float((model.peaks + model.peak_rows @ step).max()) if model.peaks.size else 0.0)
 
     def _broken(self, step: FloatArray) -> FloatArray:
-        """By how much each row is broken after a step (p,)."""
+        """Violation of each row after a step (p,)."""
         rows = self.local.rows
         value = rows.value + rows.jacobian @ step
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
@@ -281,7 +282,7 @@ def iterate_at(
 
 
 def meet_equalities(at: Iterate[Point]) -> Iterate[Point]:
-    """The same, to be closed by the least change that meets every equality."""
+    """Return the iterate such that it is closed by the least change that meets every equality."""
     return _with_active(at.program, at.local, all_equalities(at))
 
 
@@ -312,7 +313,8 @@ def _with_active(
         free = _find_free(program, local.z)
         s = program.scale[free]
         gap = active.aim[there] - rows.value[here]
-        change[:-1][free] = _least_step(rows.jacobian[here][:, free] * s, gap) * s
+        # where more rows are kept than unknowns are free the rows that react most come first
+        change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
     return Iterate(program, local, change, local.state_jacobian @ change)
 
 
@@ -349,9 +351,3 @@ def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
             break
         at = found
     return start.program.close(point)
-
-
-def _least_step(J: FloatArray, gap: FloatArray) -> FloatArray:
-    """The least x (p,) with J x = gap (k,), in the sense of least squares where rows of J (k, p) are dependent."""
-    size = np.maximum(np.linalg.norm(J, axis=1), 1e-300)
-    return np.asarray(np.linalg.lstsq(J / size[:, None], gap / size, rcond=1e-10)[0])

@@ -123,7 +123,8 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """The same, with the program's numbers over the largest in its gradient or on its Hessian's diagonal."""
+    """Solve the program in Python, scaled by the largest number in its gradient or on the diagonal of its
+    Hessian."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
     H, g, y_high, A, r = p.hessian * scale, p.gradient * scale, p.price * scale, p.rows, p.right
@@ -134,7 +135,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     # pairs u v = mu: u is linear in (x, y), v are the bounds' multipliers and the rows' slacks p and q
     low, high, up, down = slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + m), slice(2 * n + m, None)
     u = np.concatenate([x - p.lower, p.upper - x, y - y_low, y_high - y])
-    mu = max(1e-3, 0.1 * float(np.abs(g) @ inner) / n)
+    mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u
     gap = A @ x - r
     v[up] += gap / 2 + np.hypot(v[up], gap / 2)

@@ -24,13 +24,13 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.refusals import Length, Listed, Point, note
 
 SHOWN_PLACES = 3
-"""Places that a complaint lists."""
+"""Largest number of places that a message lists."""
 
 CRACK_SHARE = 1e-5
-"""Borders nearer to each other than this share of their extent are one edge that was rounded twice."""
+"""Borders nearer to each other than this share of their extent are one edge with different rounding errors."""
 
 FARTHEST_MM = 1e9
-"""mm; coordinates beyond are no lengths of anything made of strips."""
+"""Largest coordinate, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +123,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise InputError(
-            "vertex {bad} of the mesh is not finite: {tolist}", bad=bad, tolist=points[bad].tolist()
+            "vertex {bad} of the mesh is not finite: {given}", bad=bad, given=points[bad].tolist()
         )
     far = float(np.abs(points).max())
     if far > FARTHEST_MM:
@@ -135,8 +135,8 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         )
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(
-            "a triangle names vertex {value} of {count}",
-            value=rows.max() if rows.min() >= 0 else rows.min(),
+            "a triangle names vertex {given} of {count}",
+            given=rows.max() if rows.min() >= 0 else rows.min(),
             count=len(points),
         )
     return points, rows.astype(np.intp)
@@ -302,7 +302,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
-    """How a plane comes to cut nothing."""
+    """Reason why a plane cuts nothing."""
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:

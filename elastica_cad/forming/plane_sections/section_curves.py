@@ -19,7 +19,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Change, Length, Listed, Point, Span, note
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
-"""Points that smoothing works on, and at most: they are one dense matrix."""
+"""Usual and largest number of points that are smoothed; they make one dense matrix."""
 
 FALSE_TURN_RAD = np.radians(4.0)
 """A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
@@ -28,10 +28,10 @@ FILLED_POINTS = 240
 """Places along a line that a curve is fitted to, besides its vertices."""
 
 SAMPLES = 2001
-"""Points of a curve whose distances from its section are taken."""
+"""Number of points of a curve at which its distance from the section is measured."""
 
 CLOSED_SHARE = 1e-6
-"""A gap between the ends below this share of the length is none."""
+"""A line counts as closed when the gap between its ends is below this share of the length."""
 
 CORNER_RADIUS_SHARE = 0.01
 """A radius below this share of the length is a corner."""
@@ -40,10 +40,10 @@ SHARP_TURN_RAD = np.radians(20.0)
 """A line that turns by more than this at one point has a corner there."""
 
 AT_CORNERS = Change("split_corners", True)
-"""What else can be done about a corner."""
+"""Change of the request that a message suggests for a corner."""
 
 AT_TWO_PLACES = Change("split", True)
-"""The same of a closed line: a spine or two points to split it at."""
+"""Change of the request that a message suggests for a closed line: split it at a spine or at two points."""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -236,7 +236,7 @@ def _sharpest(line: SectionLine, turned: FloatArray) -> str:
 
 
 def _departure(line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool) -> str:
-    """Where the curve leaves its section by more than the tolerance, in words."""
+    """Message that says where the curve is away from its section by more than the tolerance."""
     if wavelength > 0:
         cause = note(
             "smoothing took waves shorter than {wavelength:g} away; a shorter wavelength stays nearer",
@@ -253,7 +253,7 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
 
 
 def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
-    """Where the curve bends as no strip can, in words."""
+    """Message that says where the curve bends as no strip can."""
     samples = curve.sample(SAMPLES)
     worst = int(np.abs(samples.curvature).argmax())
     kappa = abs(float(samples.curvature[worst]))

@@ -14,7 +14,7 @@ from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.refusals import Listed, Point, note
 
 IN_PLANE = 1e-12
-"""Vertices nearer to a plane than this share of the surface's size lie in it: rounding."""
+"""Vertices nearer to a plane than this share of the surface's size lie in the plane."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +39,7 @@ class SectionLine:
 
     @property
     def is_closed(self) -> bool:
-        """Does it come back to its start?"""
+        """Whether the line ends at its start."""
         return bool(np.all(self.points[0] == self.points[-1]))
 
     @property
@@ -53,7 +53,7 @@ class SectionLine:
         return self.frame.point(self.points)
 
     def reversed(self) -> "SectionLine":
-        """The same line run from its other end."""
+        """The line in the opposite direction."""
         return replace(self, points=self.points[::-1])
 
     def split_at(self, points: ArrayLike) -> tuple["SectionLine", ...]:
@@ -169,7 +169,7 @@ class PlaneSection:
 
 
 def inner_turns(points: FloatArray) -> FloatArray:
-    """By how much, rad, a polyline (n, 2) turns at each of its points but the first and the last (n - 2,)."""
+    """Angles (n - 2,), rad, by which a polyline (n, 2) turns at its inner points."""
     step = np.diff(points, axis=0)
     return np.abs(turn_between(step[:-1], step[1:]))
 
@@ -226,7 +226,7 @@ def collect_section(
 
 
 def tidy_points(points: FloatArray, small: float) -> FloatArray:
-    """Without repeated points, run the agreed way round."""
+    """Remove repeated points, and give the line its standard direction."""
     closed = bool(np.all(points[0] == points[-1])) and len(points) > 2
     keep = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > small)
     points = points[keep]
@@ -275,7 +275,8 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 
 
 def _nearest(points: FloatArray, place: FloatArray) -> float:
-    """Where on the polyline the point nearest to a place lies, in points and shares of the way to the next."""
+    """Position of the point of the polyline nearest to a place: number of a point plus the share of the way to
+    the next."""
     step = np.diff(points, axis=0)
     u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
     off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)

@@ -18,7 +18,7 @@ from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.refusals import Length, Listed, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
-"""More are a slip of the keyboard, and hours of work."""
+"""Largest number of planes."""
 
 
 def parallel_planes(
@@ -139,9 +139,9 @@ def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
     size = float(np.linalg.norm(part))
     if size < 1e-9:
         raise InputError(
-            "{name}={tolist} is at right angles to the plane: choose another direction",
+            "{name}={given} is at right angles to the plane: choose another direction",
             name=name,
-            tolist=v.tolist(),
+            given=v.tolist(),
         )
     return np.asarray(part / size)
 
@@ -176,9 +176,9 @@ def _row(name: str, value: ArrayLike) -> list[float]:
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
     v = as_floats(value)
     if v is None:
-        raise InputError("{name} must be numbers, not {value!r}", name=name, value=str(value)[:60])
+        raise InputError("{name} must be numbers, not {given!r}", name=name, given=str(value)[:60])
     if not np.all(np.isfinite(v)):
-        raise InputError("{name} must be finite numbers, got {tolist}", name=name, tolist=v.tolist())
+        raise InputError("{name} must be finite numbers, got {given}", name=name, given=v.tolist())
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:
         raise InputError(
             "{name} holds {most:.3g}: nothing made of strips is so far away", name=name, most=np.abs(v).max()
@@ -189,10 +189,10 @@ def _numbers(name: str, value: ArrayLike) -> FloatArray:
 Triple: TypeAlias = tuple[float, float, float]
 
 NAMED_REASONS = 6
-"""Reasons that a refusal names: as many as fit a screen."""
+"""Largest number of reasons in a refusal."""
 
 SAME_PLANE = 1e-9
-"""Share of the largest number below which two planes are one: rounding of formulae."""
+"""Two planes are the same when their numbers differ by less than this share of the largest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,7 +225,7 @@ class Cuts(Protocol):
     """A family of planes."""
 
     half: ClassVar[bool]
-    """Do they end at an axis, unless told otherwise?"""
+    """Whether the planes end at an axis by default."""
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
         """The planes for a surface."""
@@ -246,7 +246,7 @@ class RadialCuts:
     zero: Annotated[Triple, Asked("Where angles begin.")] = (1.0, 0.0, 0.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes, whatever the surface."""
+        """Frames of the planes; they do not depend on the surface."""
         if self.angles is not None:
             _refuse_twice("angles", self.angles, 2 * np.pi)
             return radial_planes(self.point, self.axis, self.angles, zero=self.zero)
@@ -290,7 +290,7 @@ class AlongPath:
     up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes, whatever the surface."""
+        """Frames of the planes; they do not depend on the surface."""
         return planes_along(self.path, _plane_count(self.count), ends=self.ends, up=self.up)
 
 
@@ -302,7 +302,7 @@ class GivenCuts:
     planes: tuple[Frame, ...]
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes, whatever the surface."""
+        """Frames of the planes; they do not depend on the surface."""
         return self.planes
 
 
@@ -311,7 +311,7 @@ class Split(Protocol):
 
     @property
     def name(self) -> str:
-        """What it splits at, in words."""
+        """Name of the split in messages."""
         ...
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
@@ -352,7 +352,7 @@ class PlaneSplit:
 
 @dataclass(frozen=True, eq=False)
 class PointSplit:
-    """At the places nearest to points (k, 3) in space."""
+    """Split at the places nearest to points (k, 3) in space."""
 
     points: Annotated[
         FloatArray, Asked("Split at the places nearest to these points.", "mm", written=tuple[Triple, ...])

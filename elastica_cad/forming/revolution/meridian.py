@@ -19,19 +19,19 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
 
 EXACT_POINTS = 5
-"""a, b and the start in space and direction, but for sliding along: so many points fix a meridian; one less where
-the last is its pole, which takes two freedoms."""
+"""Number of points that determine a meridian (a, b, and the start with its direction, except for sliding along
+it); one less where the last point is its pole, which fixes two numbers."""
 
 SEARCH_NODES = 96
-"""About so many along the whole meridian, at least `FEWEST` between two points."""
+"""Approximate number of nodes on the whole meridian; at least `FEWEST` between two points."""
 
 FEWEST = 8  # nodes between two points
 STARTS = 30
-"""First guesses of a and b that are tried: the regression's, then others of its size, always the same."""
+"""Number of first guesses of a and b: that of the regression, then fixed others of its size."""
 
 STEPS = 40  # of Newton's method
 LEAST_SHARE = 1e-3
-"""Of a step; where less of it would be needed the search leads nowhere."""
+"""Least share of a step; where less is needed, the search is given up."""
 
 SOLVED = 1e-11  # equations missed by less, for points of size 1, hold
 LONGEST = 1.5
@@ -41,19 +41,19 @@ GOOD = 1e-7
 """Equations missed by more than this share of the size were not solved."""
 
 ROUGH = 1e-2
-"""What misses the equations between the nodes by more is no meridian seen too coarsely, but none at all."""
+"""Largest residual between the nodes with which more nodes are tried; beyond it the solution is no meridian."""
 
 FINER = 3
-"""How often nodes are doubled where they are too far apart."""
+"""Largest number of times that the nodes are doubled."""
 
 BETWEEN = 8
-"""Places in the room of a node at which a solution is looked at between the nodes."""
+"""Number of places between two nodes at which a solution is checked."""
 
 STUCK = 0.1
-"""Where twice the nodes leave more than this share of what was missed with fewer, still more lead nowhere."""
+"""Where doubling the nodes leaves more than this share of the residual, more nodes are not tried."""
 
 SETTLED = 1e-10
-"""Least squares end where a step changes nothing by more than this share of the size."""
+"""Relative change by a step that ends the least squares."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +80,7 @@ class FoundMeridian:
 
     @property
     def length(self) -> float:
-        """Of the whole meridian."""
+        """Length of the whole meridian, mm."""
         return float(self.lengths.sum())
 
     def position(self, s: FloatArray) -> FloatArray:
@@ -97,7 +97,8 @@ class FoundMeridian:
 
     @cached_property
     def missed(self) -> float:
-        """By how much the curve anywhere misses x kappa = a + <b, gamma> and unit speed, or crosses the axis."""
+        """Largest residual of x kappa = a + <b, gamma> and of unit speed along the curve, or its distance
+        beyond the axis."""
         if not np.all(self.lengths > 0):
             return np.inf
         station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
@@ -194,7 +195,7 @@ class _Equations:
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """By how much the equations are missed (m,)."""
+        """Residuals of the equations (m,)."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         half = lengths[:, None] / 2
         x = points[:-1, :1] + half * (np.cos(angles) @ self.integral.T)
@@ -209,7 +210,7 @@ class _Equations:
         return np.concatenate(rows)
 
     def missed(self, unknown: FloatArray, points: FloatArray) -> float:
-        """By how much they are missed at most."""
+        """Largest residual of the equations."""
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
@@ -364,25 +365,25 @@ ACCURACY = 1e-12
 """Relative tolerance of the integrator, of order 8."""
 
 CURVE_TOLERANCE = 1e-10
-"""Of the spline, in lengths of the meridian."""
+"""Tolerance of the spline, as a share of the length of the meridian."""
 
 NODES = 601  # of the rod
 SOUGHT = 25
-"""Points of a profile that the search looks at."""
+"""Number of points of a profile that the search uses."""
 
 ON_AXIS_SHARE = 1e-9
 """A last point nearer to the axis than this share of all points' size is meant to lie on it."""
 
 MOST_TURNS = 20
-"""A meridian that turns about more often within its length is no strip, and its integration takes too long."""
+"""Largest number of turns of a meridian; with more it is no strip, and the integration takes too long."""
 
 HOPELESS = "strips that tile a surface of revolution cannot follow them"
 NEAR_AXIS_SHARE = 0.05  # of the largest distance from the axis
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
-"""Said where the last point is nearer to the axis than a share of the farthest."""
+"""End of the message where the last point is nearer to the axis than a share of the farthest."""
 
 NARROW_SHARE = 1e-3
-"""A meridian nearer to the axis than this share of its largest distance has come to the pole."""
+"""A meridian nearer to the axis than this share of its largest distance has reached the pole."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -428,7 +429,7 @@ class Meridian:
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":
-        """The same, but ended where its distance from the axis first falls to this, mm."""
+        """Return the meridian, ended where its distance from the axis first falls to `ring`, mm."""
         curve = self.curve
         end = _end(
             lambda s: curve.at(s).position[:, 0], curve.length, _floor(self.ring[0], curve.length, ring)
@@ -563,9 +564,9 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         gaps = distances(Spline(_curve(found, size, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
-            "no meridian comes nearer than {most} to point {value}: {hopeless}",
+            "no meridian comes nearer than {most} to point {given}: {hopeless}",
             most=Length(gaps.max()),
-            value=int(gaps.argmax()) + 1,
+            given=int(gaps.argmax()) + 1,
             hopeless=HOPELESS,
         )
     return Meridian(found.a, found.b / size, curve, closes, float(gaps.max()))
@@ -621,10 +622,9 @@ def _profile(points: ArrayLike) -> FloatArray:
     if beyond.any():
         i = int(np.argmax(beyond))
         raise InputError(
-            "point {i} at {tolist} lies on or beyond the axis x = 0: keep x positive (the last "
-            "may lie on it)",
+            "point {i} at {given} lies on or beyond the axis x = 0: keep x positive (the last may lie on it)",
             i=i + 1,
-            tolist=data[i].tolist(),
+            given=data[i].tolist(),
         )
     return data
 
@@ -701,5 +701,5 @@ def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: flo
         raise InputError("a meridian needs b and start as two numbers each")
     numbers = np.array([a, *b, *start, angle, length])
     if not np.all(np.isfinite(numbers)):
-        raise InputError("the numbers of a meridian must be finite: {tolist}", tolist=numbers.tolist())
+        raise InputError("the numbers of a meridian must be finite: {given}", given=numbers.tolist())
     return numbers

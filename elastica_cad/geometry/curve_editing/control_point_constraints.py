@@ -105,7 +105,7 @@ class SmoothJoints:
         return cls(at, handle)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """How far, mm, the control point before a joint lies off the tangent behind it."""
+        """Distance, mm, of the control point before a joint from the tangent after it."""
         points, at = curve.control_points, self.at
         before, after = points[at] - points[at - 1], points[at + 1] - points[at]
         residual = cross(before, after) / self.size

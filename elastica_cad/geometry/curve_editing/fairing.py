@@ -27,7 +27,7 @@ from elastica_cad.refusals import Length
 DEGREE = 4  # whose curvature and its slope are continuous at simple knots
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
-"""How far a pen curve is moved unless told: mm, and lengths of the curve."""
+"""Largest distance by which a pen curve is moved by default: in mm, and as a share of its length."""
 
 _EACH = 5  # sites in a span
 _FEWEST, _MOST = 24, 768  # spans
@@ -85,7 +85,7 @@ def choose_tolerance(curve: PlaneCurve) -> float:
 
 
 def usual_tolerance(curve: PlaneCurve) -> float:
-    """How far a pen curve whose numbers are exact may be moved, mm."""
+    """Largest distance in mm by which a pen curve with exact numbers may be moved."""
     return min(USUAL, USUAL_SHARE * curve.length)
 
 
@@ -221,7 +221,7 @@ class _Problem:
 
     @staticmethod
     def _choice(places: IntArray) -> Any:
-        """The matrix (2 m, k) that takes unknowns to control points beside those held, x and y in turn."""
+        """Matrix (2 m, k) from the unknowns to those control points that are not held, x and y in turn."""
         from scipy.sparse import csr_matrix
 
         sought = np.flatnonzero(places >= 0)
@@ -314,13 +314,13 @@ def _one_sided(of: PlaneCurve, to: PlaneCurve, count: int) -> float:
 
 
 PER_ROUNDING = 2 * np.sqrt(2.0)
-"""How far a handle's end moves against its node for one of rounding in every coordinate."""
+"""Largest distance between the end of a handle and its node that rounding of all coordinates by 1 causes."""
 
 SMOOTHING_SHARE = 0.5
-"""Of the distance asked for: the rest is left to make the curvature fair."""
+"""Share of the allowed distance that may be used for smoothing; the rest is left for making the curvature fair."""
 
 WORTH_SHARE = 1e-3
-"""Of the length: a move beyond this is no detail of the drawing any more, and is not offered."""
+"""Largest move, as a share of the length, that is suggested; larger ones would change the drawing visibly."""
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
@@ -377,7 +377,7 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
-    """With the corners taken out for which no handle's end moves farther than `reach`, mm."""
+    """Remove the corners that can be removed without moving the end of any handle farther than `reach`, mm."""
     return heal_tangents(
         curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
     )

@@ -10,16 +10,17 @@ from numpy.polynomial import chebyshev
 from elastica_cad._types import FloatArray, IntArray
 
 _DEGREE = 15
-"""Of the Chebyshev series for the speed on one panel."""
+"""Degree of the Chebyshev series that represents the speed on one panel."""
 
 _FINE = 1e-14
-"""Share of the speed below which the last coefficients are rounding."""
+"""Last coefficients smaller than this, relative to the speed, are rounding errors."""
 
 _NOISE_SHARE = 1e-8
-"""Coefficients below this share of the speed that halving no longer lessens are rounding."""
+"""Coefficients smaller than this, relative to the speed, are rounding errors if halving the panel does not
+reduce them."""
 
 _NARROWEST = 2.0**-40
-"""Share of the whole: a panel as narrow is as wide as rounding."""
+"""Narrowest panel, as a share of the whole: one this narrow is as wide as rounding errors."""
 
 _NEWTON_STEPS = 40  # three are usual; as many only where the curve almost stands still
 
@@ -27,7 +28,7 @@ _SITES = chebyshev.chebpts1(_DEGREE + 1)
 _TO_SERIES = np.linalg.inv(chebyshev.chebvander(_SITES, _DEGREE)).T
 _INTEGRATE = np.asarray(chebyshev.chebint(np.eye(_DEGREE + 1), lbnd=-1, axis=0), dtype=float).T
 _PLACES = np.linspace(-1.0, 1.0, 17)
-"""Of a panel, at which the arc length is tabulated: Newton's method starts between them."""
+"""Places in a panel at which the arc length is tabulated, as starting points for Newton's method."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +72,7 @@ class ArcLength:
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
             x = following
-            if step < 1e-9:  # the next step would be its square
+            if step < 1e-9:  # the error after it is the square of this: rounding
                 break
         t = self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2
         return np.asarray(np.where(s <= 0, self.t[0], np.where(s >= self.s[-1], self.t[-1], t)))

@@ -23,16 +23,17 @@ ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
-"""Of the polynomials that stand for a function that is none."""
+"""Degree of the polynomials that approximate a function that is not a polynomial."""
 
 _FOLLOWED = 1e-13
-"""Last coefficients, relative to the size of a function, at which a polynomial follows it."""
+"""A polynomial follows a function when its last coefficients are this small, relative to the size of the
+function."""
 
 _FOLLOWED_NOISE = 1e-12
-"""What is left of them in Bernstein form, where the zeros are found."""
+"""Their size in Bernstein form, in which the zeros are found."""
 
 _FLAT = 1e-7
-"""A function that stays below this share of its size between two places vanishes there."""
+"""A function that stays below this share of its size between two places is 0 there."""
 
 _MOST_CUTS = 12  # of a span in halves: what is not followed then is rounding
 
@@ -135,7 +136,8 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Where pieces cut at `starts` (k,) meet smoothly (k - 1,): `smooth` at the inner `edges`, else everywhere."""
+    """Whether pieces that were cut at `starts` (k,) meet smoothly (k - 1,): as `smooth` says at the inner
+    `edges`, and always elsewhere."""
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
     return joined

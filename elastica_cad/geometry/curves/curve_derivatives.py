@@ -197,7 +197,7 @@ class RationalPieces:
         return self.within(*self.spans.locate(self.inside(t), left=left), order)
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
-        """The same at local coordinates u (n,) of spans (n,)."""
+        """Evaluate at local coordinates u (n,) of spans (n,)."""
         rows = [sums_in_pieces(self._series(k), index, u) for k in range(order + 1)]
         if self.rational:
             parts = quotient([row[:, :2].T for row in rows], [row[:, 2] for row in rows])
@@ -234,7 +234,7 @@ class RationalPieces:
 
     @cached_property
     def arc_length(self) -> ArcLength:
-        """By the parameter."""
+        """Arc length as a function of the parameter."""
         return arc_length_table(self.speed, self.edges)
 
     @cached_property
@@ -326,10 +326,10 @@ def cross(u: FloatArray, v: FloatArray) -> FloatArray:
 
 
 ORDERS_OF_SIDES = 3
-"""Of continuity that `KnotSides` tell of: beyond, it is taken from the multiplicity of a knot."""
+"""Number of derivatives that `KnotSides` compares; higher ones follow from the multiplicity of a knot."""
 
 SHORT_SPAN_SHARE = 1e-6
-"""Of the domain: what knots as near to each other make of the direction is seen on both sides of each only."""
+"""Knots nearer to each other than this share of the domain are examined on both sides of each knot only."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -341,7 +341,7 @@ class KnotSides:
 
     @classmethod
     def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """What a curve does at its knots."""
+        """Compare the curve on both sides of each knot."""
         sides = []
         for (_, d1, d2, d3), left in zip(pieces.beside_knots(3), (True, False), strict=True):
             angle = turning.at(pieces.edges[1:-1], d1, left=left)
@@ -350,7 +350,7 @@ class KnotSides:
 
     @classmethod
     def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """The same (3, 1) where a closed curve meets its start: before it closes, and after it begins."""
+        """Compare a closed curve (3, 1) where its end meets its start: before it closes, and after it begins."""
         sides = []
         for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False)):
             _, d1, d2, d3 = pieces.at(t, 3, left=left)
@@ -368,14 +368,14 @@ class KnotSides:
 
 
 def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
-    """How many derivatives by the parameter go on at the interior knots (p - 1,), by how often these stand."""
+    """Number of continuous derivatives at the interior knots (p - 1,), from their multiplicity."""
     t = pieces.edges[1:-1]
     repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
     return np.asarray(pieces.spans.degree - repeated)
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
-    """How many of angle, curvature and its slope, in this order, are alike on both sides."""
+    """Number of the quantities angle, curvature and its slope, in this order, that agree on both sides."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
     allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
@@ -388,7 +388,8 @@ def in_millimetres(point: FloatArray) -> str:
 
 
 SHORT_HANDLE = 1e-3
-"""A handle shorter than this, in sizes of its curve, was drawn in: no digits are missing."""
+"""A handle shorter than this share of the curve's size was drawn so short: it is not a result of missing
+digits."""
 
 
 def refuse_standstill(
@@ -416,21 +417,21 @@ def refuse_standstill(
         s=Length(_length_until(pieces, t)),
     )
     if not twins.size:
-        raise InputError("{where_}: it has a cusp; move or delete a control point there", where_=where)
+        raise InputError("{place}: it has a cusp; move or delete a control point there", place=where)
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
-            "undecided at this precision: {where_}, for {cause}, and the numbers in the file are "
+            "undecided at this precision: {place}, for {cause}, and the numbers in the file are "
             "exact to {rounding}, so a shorter handle is lost: save it with more decimals, or "
             "draw out the handle of that node",
-            where_=where,
+            place=where,
             cause=cause,
             rounding=Length(rounding),
         )
     raise InputError(
-        "{where_}: {cause}; move or delete one of them (in a drawing program: draw out the "
+        "{place}: {cause}; move or delete one of them (in a drawing program: draw out the "
         "handle of that node)",
-        where_=where,
+        place=where,
         cause=cause,
     )
 

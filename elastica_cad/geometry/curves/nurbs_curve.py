@@ -29,19 +29,21 @@ from elastica_cad.geometry.polynomials.splines import (
 )
 
 SAME_KNOT = 1e-12
-"""Share of the domain within which a place is a knot: spans of rounding size are never made."""
+"""A place nearer to a knot than this share of the domain is that knot, so that no span is as short as rounding
+errors."""
 
 FAR_SIZES = 1e6
-"""A curve moved farther away than so many of its sizes loses digits, and is checked again."""
+"""A curve that is moved farther than this many of its sizes loses digits and is checked again."""
 
 _AHEAD_SHARE = 1e-6
-"""Of the chord between the ends: steps of a control polygon that go so far along it are none on the spot."""
+"""Steps of a control polygon that advance by more than this share of the chord between the ends count as
+advancing."""
 
 MOST_TURNS = 100
-"""Of an arc."""
+"""Largest number of turns of an arc."""
 
 MOST_UNEVEN = 1e8
-"""Largest weight over the least: beyond, places come to rounding."""
+"""Largest ratio of weights; beyond it, points are lost in rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +76,8 @@ class NurbsCurve:
                 )
             if weights.min() <= 0:
                 raise InputError(
-                    "weight {value} is {least:g}: weights must be positive",
-                    value=int(weights.argmin()),
+                    "weight {given} is {least:g}: weights must be positive",
+                    given=int(weights.argmin()),
                     least=weights.min(),
                 )
             if weights.max() > MOST_UNEVEN * weights.min():
@@ -160,9 +162,9 @@ class NurbsCurve:
         """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
         if centre.shape != (2,):
-            raise InputError("the center must be two numbers, in mm, not {tolist}", tolist=centre.tolist())
+            raise InputError("the center must be two numbers, in mm, not {given}", given=centre.tolist())
         if axes.shape != (2,) or axes.min() <= 0:
-            raise InputError("semi-axes (or the radius) must be positive, not {tolist}", tolist=axes.tolist())
+            raise InputError("semi-axes (or the radius) must be positive, not {given}", given=axes.tolist())
         turn, first, last = finite("angles", [rotation, start, end]).tolist()
         if first == last:
             raise InputError("the arc has zero length: start and end angle are the same")
@@ -241,7 +243,7 @@ class NurbsCurve:
         return cls(knots, control_points, degree)
 
     def drawn_as(self, provenance: Provenance | None) -> Self:
-        """The same curve with another record of where it comes from."""
+        """Return the curve with another record of its source."""
         return self._part(self.knots, self.control_points, self.weights, provenance)
 
     @property
@@ -251,7 +253,7 @@ class NurbsCurve:
 
     @property
     def is_rational(self) -> bool:
-        """Are there weights that differ?"""
+        """Whether the weights differ."""
         return self.weights is not None
 
     def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:
@@ -290,6 +292,14 @@ class NurbsCurve:
         """The curve with the same knots and weights over other control points (m, 2)."""
         return type(self)(self.knots, numbers(control_points, "control_points"), self.degree, self.weights)
 
+    def siblings(self, control_points: FloatArray, knots: FloatArray | None = None) -> list[Self]:
+        """Curves without weights over control points (n, m, 2), and knots (n, k) unless they have the same.
+
+        They are not checked, for thousands at one go: like this one they must run on without standing still.
+        """
+        all_knots = [self.knots] * len(control_points) if knots is None else list(knots)
+        return [self._part(own, points, None) for own, points in zip(all_knots, control_points, strict=True)]
+
     @property
     def bezier_table(self) -> tuple[FloatArray, FloatArray]:
         """The knot spans' ends (p + 1,) and homogeneous control points (p, degree + 1, 3); not to be written on."""
@@ -312,7 +322,8 @@ class NurbsCurve:
     def trimmed(self, start: float, end: float) -> Self:
         """The part between two parameters as a clamped curve of its own (Boehm's knot insertion)."""
         p, start, end = self.degree, self._at_knot(start), self._at_knot(end)
-        points, last = self._pieces.control_points.copy(), int(np.searchsorted(self.knots, end)) - 1
+        points = self._pieces.control_points.copy() if self.is_rational else self.control_points.copy()
+        last = int(np.searchsorted(self.knots, end)) - 1
         for r, row in enumerate(_de_boor(self.knots, points, last, end), 1):
             points[last - p + r] = row[0]
         knots = np.minimum(self.knots, end)
@@ -320,7 +331,9 @@ class NurbsCurve:
         for r, row in enumerate(_de_boor(knots, points, first, start), 1):
             points[first - r] = row[-1]
         knots, rows = np.maximum(knots, start)[first - p : last + p + 2], points[first - p : last + 1]
-        return self._part(knots, rows[:, :2] / rows[:, 2:], rows[:, 2] if self.is_rational else None)
+        if self.is_rational:
+            return self._part(knots, rows[:, :2] / rows[:, 2:], rows[:, 2])
+        return self._part(knots, rows, None)
 
     def _at_knot(self, t: float) -> float:
         """The knot that a parameter lies at but for rounding, else the parameter."""

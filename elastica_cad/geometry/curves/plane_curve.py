@@ -133,10 +133,10 @@ SURVEY_POINTS = 601  # at which all who look along the whole curve find it evalu
 DRAWN_POINTS = 301  # of a curve in a notebook, a few pixels apart
 
 CORNER_RAD = 1e-5
-"""Turn at once, rad, that is a corner."""
+"""Smallest jump of the direction, rad, that counts as a corner."""
 
 ROUNDED_ZERO_SHARE = 1e-6
-"""Step, in lengths of a piece, by which a zero of the curvature may be off by rounding."""
+"""Largest error of a zero of the curvature through rounding, as a share of the length of a piece."""
 
 _ROUNDING = 1e-10  # of an angle
 
@@ -292,7 +292,8 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def inflections(self) -> FloatArray:
-        """Arc lengths (k,), mm, where the curvature changes sign; of a straight piece between, its middle."""
+        """Arc lengths (k,), mm, where the curvature changes sign; where it is 0 in between, the middle of that
+        piece."""
         return np.array([(z.s + z.s_end) / 2 for z in self.curvature_zeros if z.changes_sign])
 
     @cached_property
@@ -316,25 +317,26 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def seam(self) -> Break | None:
-        """Where a closed curve meets its own start, with its continuity there; None of an open one."""
+        """The place where a closed curve meets its start, with its continuity; None for an open curve."""
         if not self.is_closed:
             return None
         return Break(0.0, self.domain[0], int(agreeing_orders(self._seam_sides, self.length)[0]))
 
     @property
     def seam_turn(self) -> float:
-        """Angle, rad, by which a closed curve turns at once where it closes; 0 of an open one."""
+        """Jump of the direction, rad, where a closed curve closes; 0 for an open curve."""
         return float(self._seam_sides.corners[0]) if self.is_closed else 0.0
 
     @cached_property
     def has_corners(self) -> bool:
-        """Does it turn at once anywhere, by more than 1e-5 rad, also where it closes?"""
+        """Whether the direction jumps by more than 1e-5 rad anywhere, also where the curve closes."""
         return bool(self.tangent_breaks) or abs(self.seam_turn) > CORNER_RAD
 
     @cached_property
     def is_straight(self) -> bool:
         """Is the whole curve a straight segment?"""
-        return [z.kind for z in self.curvature_zeros] == ["flat"] and not self.tangent_breaks
+        flats = [(z.kind, z.before, z.after) for z in self.curvature_zeros]
+        return flats == [("flat", 0, 0)] and not self.tangent_breaks  # nothing bends before or after it
 
     @cached_property
     def is_closed(self) -> bool:
@@ -365,7 +367,7 @@ class PlaneCurve(NurbsCurve):
         return knot_orders(self._pieces, self.knots)
 
     def _is_smooth(self, order: int) -> bool:
-        """Is the curve known to be smooth to this order at all knots, as they are no more often repeated?"""
+        """Whether the multiplicities of the knots alone show that the curve is smooth to this order."""
         spans = self._pieces.spans
         apart = spans.widths.min() > SHORT_SPAN_SHARE * (spans.edges[-1] - spans.edges[0])
         return bool(apart and self._knot_orders.min(initial=order) >= order)
@@ -427,10 +429,10 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError("the constant of a line is one number, not {tolist}", tolist=constant.tolist())
+        raise InputError("the constant of a line is one number, not {given}", given=constant.tolist())
     if normal.shape != (2,) or not normal.any():
         raise InputError(
-            "the normal of a line must be two numbers, not both zero: {tolist}", tolist=normal.tolist()
+            "the normal of a line must be two numbers, not both zero: {given}", given=normal.tolist()
         )
     edges, bezier = curve.bezier_table
     found = line_places(bezier, edges, float(constant), normal)
@@ -442,7 +444,7 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
 
 
 def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
-    """The same curve with its end knots repeated, so that it starts and ends on control points."""
+    """Return the curve with repeated end knots, so that it starts and ends on control points."""
     p, knots = curve.degree, curve.knots
     if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
         return curve

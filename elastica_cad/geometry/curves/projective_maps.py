@@ -14,7 +14,8 @@ from elastica_cad.refusals import Length
 _MOST_HALVINGS = 30  # of a piece, until its weights are even
 
 IN_LINE_SHARE = 1e-9
-"""Three points whose triangle is lower than this share of the four points' size lie in a line."""
+"""Three points count as collinear when the height of their triangle is below this share of the size of all four
+points."""
 
 
 def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
@@ -109,7 +110,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
 
 
 def _vanishing(piece: FloatArray) -> FloatArray:
-    """Where along a Bezier piece, from a positive start, the weight comes to zero: a homogeneous point."""
+    """The homogeneous point of a Bezier piece at which the weight, positive at the start, reaches 0."""
     for _ in range(_MOST_HALVINGS):
         left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
         piece = left if left[-1, 2] <= 0 else right

@@ -29,7 +29,7 @@ _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
 """Places of a span at which the error is measured, in shares of the span: unlike the sites, unevenly spaced."""
 
 _MOST_SPANS = 20_000
-"""A tolerance that needs more cannot be met."""
+"""Largest number of spans; a tolerance that needs more is refused."""
 
 
 def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> Path:
@@ -127,19 +127,19 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
 
 
 _ROUNDING_SHARE = 1e-12
-"""A chord no longer than this part of its coordinates has no direction."""
+"""A chord shorter than this share of its coordinates has no direction."""
 
 _SHORTEST_SHARE = 1e-6
 """Splines are never cut into pieces shorter than this part of their parameter."""
 
 _SAMPLES = np.linspace(0.0, 1.0, 33)
-"""Of a stretch of spline, where a biarc is compared with it."""
+"""Places on a piece of a spline at which a biarc is compared with it."""
 
 _TAKEN = 0.95
-"""Of the tolerance: samples may miss the worst place."""
+"""Share of the tolerance that is used, since samples may miss the worst place."""
 
 _NEAR = 0.05
-"""A biarc may be a twentieth shorter than the longest."""
+"""A biarc may be shorter than the longest possible one by this share."""
 
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:

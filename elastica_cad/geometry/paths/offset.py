@@ -26,7 +26,7 @@ from elastica_cad.geometry.paths.segments import (
 from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
-"""A stretch of the path longer than this many offsets must leave a trace: it is a feature, not a corner."""
+"""A piece of the path longer than this many offsets must not disappear: it is a feature, not a corner."""
 
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
@@ -128,10 +128,10 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     sharpest = int(np.argmax(left * kappa))
     if left * kappa[sharpest] >= 1 - 1e-6:
         raise InputError(
-            "the curve at {place} has a radius of {value:.4g}, too small for an offset of "
+            "the curve at {place} has a radius of {given:.4g}, too small for an offset of "
             "{left:g}: make it gentler",
             place=place(curve.evaluate(probes[sharpest])),
-            value=Length(1 / abs(kappa[sharpest])),
+            given=Length(1 / abs(kappa[sharpest])),
             left=Length(abs(left)),
         )
 
@@ -222,7 +222,7 @@ def _closes(piece: Segment) -> bool:
 
 
 def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
-    """Where a is left and b is entered; None where they do not meet."""
+    """Parameters of a and b at which they meet; None where they do not meet."""
     if np.hypot(*(b.start - a.end)) <= JOIN / 2:
         return 1.0, 0.0
     crossings = segment_crossings(a, b)

@@ -51,7 +51,8 @@ def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]
 def chord_crossings(
     first: Chords, second: Chords, *, corner: bool = False
 ) -> tuple[tuple[float, float], ...]:
-    """As `segment_crossings`, for segments whose chords are known; the shared `corner` is tried on request."""
+    """Do what `segment_crossings` does, for segments whose chords are known; try the shared `corner` on
+    request."""
     a, b = first.segment, second.segment
     if isinstance(a, Line) and isinstance(b, Line):
         u, v = (float(x[0]) for x in _line_parameters(a.start[None], a.end[None], b.start[None], b.end[None]))
@@ -71,7 +72,7 @@ def polylines_cross(p: FloatArray, q: FloatArray) -> FloatArray | None:
 
 
 def encloses(loop: FloatArray, point: FloatArray) -> bool:
-    """Does the polyline through (n, 2), closed from its last point to its first, run about a point (2,)?"""
+    """Whether the polyline through (n, 2), closed from its last point to its first, encloses a point (2,)."""
     (x0, y0), (x1, y1) = (loop - point).T, (np.roll(loop, -1, axis=0) - point).T
     rises = (y0 > 0) != (y1 > 0)
     x = x0[rises] - y0[rises] * (x1[rises] - x0[rises]) / (y1[rises] - y0[rises])
@@ -126,7 +127,7 @@ def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
 def _line_parameters(
     a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Where the lines a b and c d (n, 2 each) meet, as fractions of a b and of c d; nan where parallel."""
+    """Intersections of the lines a b and c d (n, 2 each), as fractions of a b and of c d; nan where parallel."""
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
     det = np.where(np.abs(det) > 1e-14 * np.hypot(*p.T) * np.hypot(*q.T), det, np.nan)
@@ -173,7 +174,7 @@ def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
 
 
 FLAT_MM = 0.002
-"""Flatness of loops where it is asked what lies inside them."""
+"""Flatness of loops in tests of what lies inside them."""
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:
@@ -267,7 +268,7 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
 
 
 def _is_within(segment: Segment, u: float) -> bool:
-    """Whether a place of a segment is none of its ends, which a line across may meet but for rounding."""
+    """Whether a place on a segment is not one of its ends, within rounding."""
     gaps = np.array([segment.start, segment.end]) - segment.at(u)
     return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)
 

@@ -7,7 +7,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, chords
 
 _BLOCK = 4096
-"""Points whose distances from all chords of a spline are held at a time: some ten MB."""
+"""Number of points whose distances from all chords of a spline are in memory at a time (some ten MB)."""
 
 _NEWTON_STEPS = 6
 _ROUNDING_SHARE = 1e-12  # of a length
@@ -116,5 +116,5 @@ def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArra
 
 
 def _chord_tolerance(spline: Spline) -> float:
-    """How far chords may leave a spline, mm, for Newton's method to begin from them."""
+    """Largest distance of chords from a spline, mm, with which Newton's method can start from them."""
     return 1e-3 * max(1.0, spline.length / 100)

@@ -15,7 +15,8 @@ from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.geometry.polynomials.splines import finite, greville, knot_runs, spline_through
 
 STEP_SHARE = 2e-5
-"""Of the length: a change within less is a step, which is drawn as a ramp so that an outline stays one edge."""
+"""Share of the length within which a change is a step. It is drawn as a ramp, so that an outline stays one
+edge."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,11 +58,11 @@ class Profile:
             raise InputError("a profile has a whole degree of 1 or more, not {degree!r}", degree=self.degree)
         if self.knots.size != self.coefficients.size + self.degree + 1:
             raise InputError(
-                "profile has {size} knots and {size_2} coefficients: degree {degree} needs {value} knots",
+                "profile has {size} knots and {size_2} coefficients: degree {degree} needs {given} knots",
                 size=self.knots.size,
                 size_2=self.coefficients.size,
                 degree=self.degree,
-                value=self.coefficients.size + self.degree + 1,
+                given=self.coefficients.size + self.degree + 1,
             )
         clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
         if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:
@@ -148,7 +149,7 @@ class Profile:
 
     @property
     def is_positive(self) -> bool:
-        """Is the value above 0 everywhere? Between positive coefficients it is."""
+        """Whether the value is above 0 everywhere."""
         return bool(self.coefficients.min() > 0) or self.extremes[0] > 0
 
     @property
@@ -180,7 +181,7 @@ class Profile:
 
     @cached_property
     def steps(self) -> tuple[tuple[float, float], ...]:
-        """Where ramps that stand for steps begin and end, mm."""
+        """Begin and end, mm, of the ramps that represent steps."""
         places = np.array([place for place, _ in self.breaks])
         ends = np.flatnonzero(np.diff(places, append=np.inf) > STEP_SHARE * self.length)
         starts = np.concatenate([[0], ends + 1])[:-1]

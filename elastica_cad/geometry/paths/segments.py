@@ -1,13 +1,14 @@
 """The three kinds of segment a path is made of: straight line, circular arc, spline; their parts and chords."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, cos, dist, floor, isfinite, pi, sin
+from math import acos, atan, atan2, ceil, cos, dist, floor, isfinite, pi, sin
 from typing import TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_number, numbers, require_flag, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross
@@ -26,10 +27,10 @@ _FLATTEST_MM = 1e-7
 """An arc that rises less than this over its chord (mm) is a line."""
 
 _FARTHEST_MM = 1e9
-"""So is one of a larger radius (mm): in double precision its ends could not be told to 1e-6 mm."""
+"""An arc of a larger radius (mm) is a line, too: in double precision its ends are not known to 1e-6 mm."""
 
 RATIONAL_NODES = 32
-"""Of Gauss's rule for the area beside a piece with weights: of a quarter circle rounding is left."""
+"""Nodes of Gauss's rule for the area beside a rational piece; for a quarter circle it is exact to rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +64,7 @@ class Line:
 
     @property
     def direction(self) -> tuple[float, float]:
-        """Of length 1, from start to end."""
+        """Direction from start to end, of length 1."""
         start, end = self.start.tolist(), self.end.tolist()
         size = dist(start, end)
         return (end[0] - start[0]) / size, (end[1] - start[1]) / size
@@ -151,17 +152,19 @@ class Arc:
         """The arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
         start, end = point(start, "arc start"), point(end, "arc end")
         require_number(bulge, "the bulge of an arc")
-        chord = end - start
-        if not bulge or not np.any(chord):
+        (x0, y0), (x1, y1) = start.tolist(), end.tolist()
+        if not bulge or (x0, y0) == (x1, y1):
             raise InputError(
                 "an arc at {start} needs two different ends and a bulge other than 0", start=place(start)
             )
         square = bulge * bulge
-        center = (start + end) / 2 + left_of(chord) * (1 - square) / (4 * bulge)
-        x, y = start - center
-        first = float(np.arctan2(y, x))
-        radius = float(np.hypot(*chord)) * (1 + square) / (4 * abs(bulge))
-        return cls(center, radius, first, first + 4 * float(np.arctan(bulge)))
+        off = (1 - square) / (4 * bulge)
+        x, y = (x0 + x1) / 2 - (y1 - y0) * off, (y0 + y1) / 2 + (x1 - x0) * off
+        first = atan2(y0 - y, x0 - x)
+        radius = dist((x0, y0), (x1, y1)) * (1 + square) / (4 * abs(bulge))
+        arc = cls((x, y), radius, first, first + 4 * atan(bulge))
+        vars(arc).update(start=start, end=end)  # to the last digit
+        return arc
 
     @property
     def sweep(self) -> float:
@@ -227,7 +230,7 @@ class Arc:
         return float(_swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
 
     def reversed(self) -> "Arc":
-        """The arc run the other way."""
+        """The arc in the opposite direction."""
         return Arc(self.center, self.radius, self.end_angle, self.start_angle)
 
     def transformed(self, matrix: ArrayLike) -> "Arc":
@@ -363,10 +366,10 @@ def place(p: ArrayLike) -> str:
 
 
 def point(value: ArrayLike, name: str) -> FloatArray:
-    """A point (2,), mm, that is not written to; refuses what is none."""
+    """Check a point (2,), mm, and return it as a read-only array."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
-        raise InputError("{name} must be two finite numbers in mm, got {value!r}", name=name, value=value)
+        raise InputError("{name} must be two finite numbers in mm, got {given!r}", name=name, given=value)
     p.setflags(write=False)
     return p
 
@@ -415,11 +418,13 @@ def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
     return Spline(segment.curve.trimmed(float(segment.parameter(u0)), float(segment.parameter(u1))))
 
 
-PROBES = np.array([0.25, 0.5, 0.75])
+_PROBES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
 """Places of a span at which its distance from the chord is measured, in shares of the span."""
 
+_ENDS, _HALVES = np.array([0.0, 1.0]), np.array([0.0, 0.5, 1.0])
+
 MOST_ROUNDS = 40
-"""Of halving: a span is then as short as rounding."""
+"""Largest number of halvings; a span is then as short as rounding errors."""
 
 
 def require_tolerance_mm(tolerance: float) -> float:
@@ -431,10 +436,11 @@ def require_tolerance_mm(tolerance: float) -> float:
 
 def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
     """Parameters u (n,) from 0 to 1 whose chords stay within `tolerance` mm of a segment, and its points there."""
-    if isinstance(segment, Spline):
-        return _spline_chords(segment, tolerance)
-    u = _even(segment, tolerance)
-    return u, segment.at(u)
+    u = first_places(segment, tolerance)
+    if not isinstance(segment, Spline):
+        return u, segment.at(u)
+    one = np.zeros(u.size, dtype=int)
+    return halve_chords(lambda _, u: segment.at(u), one, u, one == 0, tolerance)[1:]
 
 
 def chord_points(segment: Segment, tolerance: float) -> FloatArray:
@@ -442,29 +448,53 @@ def chord_points(segment: Segment, tolerance: float) -> FloatArray:
     return chords(segment, tolerance)[1]
 
 
-def _even(segment: Line | Arc, tolerance: float) -> FloatArray:
+def first_places(segment: Segment, tolerance: float) -> FloatArray:
+    """Places u (n,) from 0 to 1: all that chords of lines and arcs need, of splines what they are halved from."""
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
-        return np.array([0.0, 1.0])
-    # a third of a turn at most, so that a circle keeps an inside
-    half = np.arccos(np.clip(1 - tolerance / segment.radius, 0.5, 1 - 1e-15))
-    return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
+        return _ENDS
+    if isinstance(segment, Arc):
+        # a third of a turn at most, so that a circle keeps an inside
+        half = acos(min(max(1 - tolerance / segment.radius, 0.5), 1 - 1e-15))
+        return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
+    knots, (t0, t1) = segment.curve.knots, segment.curve.domain
+    inner = knots[(knots > t0) & (knots < t1)]
+    return distinct(np.concatenate([[0.0], (inner - t0) / (t1 - t0), [0.5, 1.0]])) if inner.size else _HALVES
 
 
-def _spline_chords(segment: Spline, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Parameters and points."""
-    tolerance, (t0, t1) = require_tolerance_mm(tolerance), segment.curve.domain
-    knots = segment.curve.knots
-    u = distinct(np.concatenate([[0.0], (knots[(knots > t0) & (knots < t1)] - t0) / (t1 - t0), [0.5, 1.0]]))
+def halve_chords(
+    at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
+    tolerance: float,
+) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
+    """Places with others between them until chords are near enough, and the points (n, 2) there.
+
+    Parameters
+    ----------
+    at : callable
+        Points (n, 2) of segments (n,) at places u (n,).
+    which, u : (k,) arrays
+        Numbers of segments, increasing, and places on them from 0 to 1.
+    bent : (k,) boolean array
+        Places behind which chords are measured.
+    tolerance : float
+        mm.
+    """
+    found = [(which, u)]
+    spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
+    number, low, high = which[spans], u[spans], u[spans + 1]
     for _ in range(MOST_ROUNDS):
-        inner = u[:-1, None] + np.diff(u)[:, None] * PROBES
-        points = segment.at(np.concatenate([u, inner.ravel()]))
-        ends = points[: u.size]
-        bad = _chord_errors(ends[:-1], ends[1:], points[u.size :].reshape(*inner.shape, 2)) > 0.95 * tolerance
+        probes = low[:, None] + (high - low)[:, None] * _PROBES
+        points = at(np.repeat(number, _PROBES.size), probes.ravel()).reshape(*probes.shape, 2)
+        bad = _chord_errors(points[:, 0], points[:, -1], points[:, 1:-1]) > 0.95 * tolerance
         if not bad.any():
-            return u, ends
-        u = np.sort(np.concatenate([u, (u[:-1] + np.diff(u) / 2)[bad]]))
-    return u, segment.at(u)
+            break
+        number, low, high = number[bad], low[bad], high[bad]
+        middle = low + (high - low) / 2
+        found.append((number, middle))
+        number, low, high = np.tile(number, 2), np.append(low, middle), np.append(middle, high)
+    which, u = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    order = np.lexsort((u, which))
+    return which[order], u[order], at(which[order], u[order])
 
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:

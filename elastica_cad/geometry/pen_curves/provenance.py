@@ -10,7 +10,7 @@ from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 from elastica_cad.refusals import Point, note
 
 Drawn: TypeAlias = Literal["pen", "exact"]
-"""What a curve was drawn as: Bezier pieces of a pen tool, or a shape that is meant to the last digit."""
+"""How a curve was drawn: with Bezier pieces of a pen tool, or as a shape whose digits are exact."""
 
 
 @dataclass(frozen=True, eq=False)

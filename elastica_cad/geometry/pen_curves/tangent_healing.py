@@ -13,10 +13,10 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.polynomials.splines import elevate_degree
 
 ANYWAY = 1e-9
-"""Turns below this, rad, are not worth a move."""
+"""Corners below this angle, rad, are left as they are."""
 
 SURE = np.radians(5.0)
-"""A turn by more than this is not put right unasked, even where rounding explains it."""
+"""A corner above this angle, rad, is not removed unless requested, even where rounding explains it."""
 
 _STRAIGHT = 1e-12  # of the squared chord: control points no farther off a line lie on it
 _CLOSED = 1e-9  # of the size: ends nearer than this are one place
@@ -161,7 +161,7 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
 
 
 def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
-    """Does a clamped spline of more than one piece end in its start, so that it may be turned there?"""
+    """Whether a clamped spline of more than one piece ends at its start, so that it may be rotated there."""
     clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
     even = weights is None or weights[0] == weights[-1]
     size = float(np.hypot(*np.ptp(points, axis=0)))

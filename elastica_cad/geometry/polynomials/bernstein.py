@@ -16,7 +16,8 @@ def binomials(degree: int) -> FloatArray:
 
 
 _SPLIT = 0.46875
-"""Where an interval is cut: off the middle, where symmetric curves have their zeros, and exact in binary."""
+"""Place at which an interval is divided: not its middle, where symmetric curves have zeros, and exact in
+binary."""
 
 
 def _scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
@@ -61,7 +62,8 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _gathered(m: int, n: int) -> FloatArray:
-    """Terms ((m + 1) (n + 1),) named i, j times this are their sums over i + j = k, (m + n + 1,)."""
+    """Matrix that sums the terms i, j ((m + 1) (n + 1),) of a product of two polynomials over i + j = k, (m + n
+    + 1,)."""
     i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
     matrix = np.zeros((i.size, m + n + 1))
     matrix[np.arange(i.size), i + j] = 1.0
@@ -69,7 +71,7 @@ def _gathered(m: int, n: int) -> FloatArray:
 
 
 def raise_degree(c: FloatArray) -> FloatArray:
-    """The same polynomials (..., n+1) written with degree n + 1."""
+    """Write polynomials (..., n+1) of degree n with degree n + 1."""
     n = c.shape[-1]
     weight = np.arange(n + 1) / n
     padded = np.concatenate([c[..., :1], c, c[..., -1:]], axis=-1)
@@ -104,7 +106,8 @@ def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
 
 @lru_cache(maxsize=64)
 def _division(n: int, at_end: bool) -> FloatArray:
-    """What coefficients (n+1,) are multiplied by, (n+1, n+1), to divide by 1 - u (or by u) at the same degree."""
+    """Matrix (n+1, n+1) by which coefficients (n+1,) are multiplied to divide by 1 - u (or by u) at the same
+    degree."""
     index = np.arange(n)
     unit = np.eye(n + 1)
     return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))
@@ -130,11 +133,11 @@ class Root:
 
 
 _MOST_HALVINGS = 48
-"""A piece halved this often is as short as rounding: what is left in it is one multiple zero."""
+"""A piece that was halved this often is as short as rounding errors; what remains in it is one multiple zero."""
 
 _GENTLE, _BLUR = 10.0, 4.0
-"""A sign change is a multiple zero where the slope is what rounding makes of that of a triple one, that lies within
-these third roots of the noise: its own value does not place it, a derivative does."""
+"""With e, the third root of the noise: a sign change whose slope is below 10 e^2 times the largest coefficient
+is a multiple zero. It lies within 4 e of where rounding puts it, and is found as the zero of a derivative."""
 
 _EPS = float(np.finfo(float).eps)
 
@@ -204,7 +207,7 @@ def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
 def _halved(
     piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
-    """Both parts of every interval."""
+    """Divide every interval in two parts."""
     return (
         np.concatenate([piece, piece]),
         np.concatenate(subdivide(part, _SPLIT)),
@@ -214,8 +217,8 @@ def _halved(
 
 
 def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
-    """From where to where the one sign change of each polynomial (k, n+1) lies: at one place, or where it is a
-    multiple zero within a stretch about it."""
+    """Interval that contains the single sign change of each polynomial (k, n+1): a point, or for a multiple
+    zero an interval about it."""
     largest = np.abs(c).max(axis=1, initial=0.0)
     u, slope = _crossings(c, largest)
     blur = np.cbrt(noise / largest)
@@ -224,8 +227,8 @@ def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float
 
 
 def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The one sign change (k,) of each polynomial whose end values differ in sign, to rounding error, and the slope
-    there."""
+    """The single sign change (k,) of each polynomial whose end values differ in sign, exact to rounding, and
+    the slope there."""
     low, high = np.zeros(len(c)), np.ones(len(c))
     u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
     for _ in range(80):

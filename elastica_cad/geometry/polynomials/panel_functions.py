@@ -10,10 +10,11 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 ORDER = 12  # Gauss nodes of a panel
 
 DENSE_PARTS = 24
-"""Of each panel, at whose places bounds are first watched."""
+"""Number of parts of each panel at whose ends bounds are checked first."""
 
 EXTREME_STEPS = 2
-"""Of Halley's method, from the nearest of those places to an extreme: the error is raised to the ninth power."""
+"""Steps of Halley's method from the nearest of those places to an extreme; two raise the error to the ninth
+power."""
 
 _REACH = 0.15  # from a place to the extreme that it lies next to
 _NEAR_SHARE = (

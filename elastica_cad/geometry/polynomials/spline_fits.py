@@ -17,13 +17,13 @@ _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
 
 _MOST_DEGREE = 12
-"""Of the splines that follow functions."""
+"""Largest degree of the splines that approximate functions."""
 
 _MOST_SPANS = 3000
-"""A function that needs more cannot be followed."""
+"""Largest number of spans; a function that needs more is refused."""
 
 _NARROWEST_SHARE = 1e-9
-"""Of the domain: no span is cut to less."""
+"""Narrowest span, as a share of the domain."""
 
 _SAME_BREAK_SHARE = 1e-10  # of the domain: breaks no farther apart are one
 _ALIKE = 1e-7  # the same where the slope goes on in one of them: no span between them can be solved for
@@ -33,7 +33,7 @@ _REFINED_SHARE = 0.05
 """Spans whose error is above this share of the largest are refined in one round."""
 
 _CORRECTIONS = 2
-"""Moves of the parameters to the feet of their perpendiculars, for each knot vector."""
+"""Number of times that the parameters are moved to the nearest points of the curve, for each knot vector."""
 
 _POINTS_EACH = 4  # points a control point must have before a fit goes below its tolerance
 _ENOUGH_FOR_NOISE = 100  # points of which noise can be told from shape; fewer are met one by one if need be
@@ -194,7 +194,7 @@ def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
 
 
 def _parts(excess: FloatArray, degree: int) -> IntArray:
-    """How many parts a span needs when the error falls with the power degree + 1 of its width; 2 to 8."""
+    """Number of parts, 2 to 8, that a span needs when the error falls with the power degree + 1 of its width."""
     return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
 
 

@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import bernstein_values
 
 SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
-"""Of knots that are computed with."""
+"""Shortest domain and largest knot with which splines are computed."""
 
 
 def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
@@ -87,6 +87,13 @@ def whole_degree(degree: int) -> int:
 
 def check_knots(knots: FloatArray, count: int, degree: int) -> None:
     """Refuse a knot vector that does not fit the control points or breaks the curve apart."""
+    _check_knots(knots.tobytes(), count, degree)
+
+
+@lru_cache(maxsize=64)
+def _check_knots(written: bytes, count: int, degree: int) -> None:
+    """The same of knots as bytes: curves side by side have the same."""
+    knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(
             "{count} control points are too few for degree {degree}: give {degree_2} or more",
@@ -96,17 +103,17 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
         )
     if knots.shape != (count + degree + 1,):
         raise InputError(
-            "{count} control points of degree {degree} need {value} knots (the full vector, end "
+            "{count} control points of degree {degree} need {given} knots (the full vector, end "
             "knots repeated), not {size}",
             count=count,
             degree=degree,
-            value=count + degree + 1,
+            given=count + degree + 1,
             size=knots.size,
         )
     down = np.flatnonzero(np.diff(knots) < 0)
     if down.size:
         raise InputError(
-            "knots must not decrease: knot {value} is less than knot {down}", value=down[0] + 1, down=down[0]
+            "knots must not decrease: knot {given} is less than knot {down}", given=down[0] + 1, down=down[0]
         )
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
@@ -123,8 +130,8 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
     if inside.any() and counts[inside].max() > degree:
         where = values[inside][counts[inside].argmax()]
         raise InputError(
-            "knot {where_:g} is repeated {most} times: more than the degree {degree} breaks the curve apart",
-            where_=where,
+            "knot {place:g} is repeated {most} times: more than the degree {degree} breaks the curve apart",
+            place=where,
             most=counts[inside].max(),
             degree=degree,
         )
@@ -248,7 +255,7 @@ def spline_through(x: FloatArray, values: FloatArray, degree: int) -> Any:
 
 
 def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
-    """Where splines over clamped knots take values (m,): Greville abscissae, the ends exactly at the ends."""
+    """Places (m,) for interpolation with clamped knots: the Greville abscissae, with both ends exact."""
     sites = greville(knots, degree)
     sites[[0, -1]] = knots[[0, -1]]
     return sites

@@ -146,6 +146,7 @@ def bend(
     warning = note(
         "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
         percent=100 * reached.fraction,
+        severity="warning",
     )
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
@@ -163,6 +164,7 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
         note(
             "the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",
             turn=turn,
+            severity="warning",
         ),
     )
 
@@ -265,7 +267,7 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """What hangs on a rod's free ends, a force and both moments as `bend` takes them, times a factor."""
+    """The force and both moments on a rod's free ends, as `bend` takes them, times a factor."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)
@@ -325,7 +327,7 @@ def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
         return np.array(own)
     pair = as_floats(value)
     if pair is None or pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise InputError("{name} must be two finite numbers, mm, got {value!r}", name=name, value=value)
+        raise InputError("{name} must be two finite numbers, mm, got {given!r}", name=name, given=value)
     return pair
 
 

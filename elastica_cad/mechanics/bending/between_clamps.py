@@ -56,7 +56,7 @@ class ElasticaBetween:
 
     @property
     def inflections(self) -> int:
-        """How often the bend changes its side."""
+        """Number of sign changes of the curvature."""
         kappa = self.rod.curvature
         signs = np.sign(kappa[np.abs(kappa) > 1e-6 * np.abs(kappa).max(initial=0.0)])
         return int(np.count_nonzero(np.diff(signs)))
@@ -94,9 +94,9 @@ def elastica_between(
 ) -> ElasticaBetween:
     """The shape of a strip of given length between two points, or from a clamp to its free end.
 
-    The strip is laid straight from the start towards the end, pushed to its end and then turned to the angles, so
-    that the branch of equilibria is the one by which hands would get there. One with a free end is laid straight
-    along its clamp and then loaded, the force in steps.
+    The strip starts straight from the start towards the end; its end is then moved to its place and both ends are
+    turned to their angles. The result is the equilibrium that one would reach by hand in this way. A strip with a
+    free end starts straight along its clamp and is then loaded in steps.
 
     Parameters
     ----------
@@ -216,7 +216,8 @@ def _led_by_loads(
 
 
 def _load_shares(load: float) -> list[float]:
-    """Of a force times length^2 / stiffness, from small to whole: close together where slender strips buckle."""
+    """Shares of a load (force times length^2 / stiffness) from small to 1, close together where slender strips
+    buckle."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:

@@ -26,7 +26,7 @@ LEAST_STEP = 1e-7  # of the way: a fold is then met to a share no drawing shows
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """Where a continuation came to: `fraction` 1 is the whole way."""
+    """The last state that a continuation reached; `fraction` is 1 where it reached its end."""
 
     state: RodState
     fraction: float
@@ -158,7 +158,7 @@ def trace(
 
 
 def _polish(state: RodState) -> RodState:
-    """Newton steps as long as they help: the rounding limit."""
+    """Take Newton steps as long as they help, down to rounding errors."""
     size = _size(state, state.residual)
     for _ in range(6):
         if size == 0:
@@ -271,7 +271,7 @@ AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)  # of the buckled shape, tried in turn
 
 
 def is_straight(state: RodState) -> bool:
-    """Do all edges point the same way?"""
+    """Whether all edges have the same direction."""
     return float(np.ptp(state.angles)) < STRAIGHT_RAD
 
 

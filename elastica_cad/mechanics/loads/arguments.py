@@ -58,23 +58,23 @@ def require_ratio(ratio: object, name: str) -> None:
 
 
 MOST_COUNTED = 1_000_000
-"""Nodes, samples: beyond, a computer has no memory for them."""
+"""Largest number of nodes or samples; more would not fit into memory."""
 
 
 def whole_number(value: object, name: str, least: int) -> int:
     """A count of at least `least`; fractions, texts and truth values are none."""
     if not is_whole(value) or value < least:
         raise InputError(
-            "{name} is {value!r}: it must be a whole number, {least} or more",
+            "{name} is {given!r}: it must be a whole number, {least} or more",
             name=name,
-            value=value,
+            given=value,
             least=least,
         )
     if value > MOST_COUNTED:
         raise InputError(
-            "{name} is {value}: it must be a whole number, {most_counted} at most",
+            "{name} is {given}: it must be a whole number, {most_counted} at most",
             name=name,
-            value=quoted(value),
+            given=quoted(value),
             most_counted=MOST_COUNTED,
         )
     return int(value)

@@ -17,10 +17,11 @@ from elastica_cad.geometry.polynomials.splines import finite
 from elastica_cad.refusals import Length
 
 LENGTHS_APART = 0.01
-"""A blank may be this share longer or shorter than its curve: it is then stretched along it."""
+"""A natural curvature may be given for a strip that is longer or shorter than the curve by this share; it is
+then scaled."""
 
 BLANK_TOLERANCE = 1e-9
-"""Error of a blank's curvature, relative to its largest."""
+"""Error of the natural curvature, relative to its largest value."""
 
 _SAMPLES = 401  # of a curve, where its largest curvature is looked for
 _AT_BREAK_SHARE = 1e-9  # of the length: nearer places are on the break
@@ -88,7 +89,7 @@ class RestCurvature(EqualByValue):
 
     @property
     def length(self) -> float:
-        """Of the blank, mm."""
+        """Length of the strip, mm."""
         return self.profile.length
 
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
@@ -134,7 +135,7 @@ class CurveOfRest(RestCurvature):
         return cls(RestCurvature.of(blank).profile, blank)
 
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
-        """As of `RestCurvature`, up to the first derivative."""
+        """Natural curvature at arc lengths s, or its first derivative, as `RestCurvature.at` gives it."""
         t = self.blank.parameter(np.clip(s, 0.0, self.blank.length))
         for one in self.blank.breaks:
             t = np.where(np.abs(s - one.s) < _AT_BREAK_SHARE * self.length, one.t, t)
@@ -143,7 +144,7 @@ class CurveOfRest(RestCurvature):
 
 
 NaturalCurvature: TypeAlias = float | RestCurvature
-"""1/mm along the whole strip, or a blank."""
+"""Natural curvature: one value for the whole strip, 1/mm, or one that varies along it."""
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
@@ -161,9 +162,9 @@ def require_natural_curvature(value: object) -> None:
     """Refuse what is neither a finite number nor a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
-            "natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature "
+            "natural_curvature is {given!r}: give a finite number, in 1/mm, or a RestCurvature "
             "for a blank that is bent beforehand",
-            value=value,
+            given=value,
         )
 
 
@@ -182,7 +183,7 @@ class ExcessCurvature:
 
     @property
     def is_bent_beforehand(self) -> bool:
-        """Is the strip anything but flat before it is bent?"""
+        """Whether the strip has a natural curvature."""
         return isinstance(self.rest, RestCurvature) or self.rest != 0
 
     def at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
@@ -238,6 +239,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Of curvatures that differ, 1/mm."""
+        """Size of the curvatures that are subtracted from each other, 1/mm."""
         t = np.linspace(*self.curve.domain, _SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

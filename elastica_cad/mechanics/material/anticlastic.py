@@ -12,14 +12,14 @@ from elastica_cad.mechanics.material.stiffness_law import at_stations
 from elastica_cad.refusals import Length, note
 
 SECANTS = 12
-"""Steps to a width that bends as stiffly as asked, at most."""
+"""Largest number of steps of the search for the width of a given bending stiffness."""
 
 SETTLED = 1e-12
-"""Relative error that one more step takes to rounding."""
+"""Relative error from which one more step reaches rounding."""
 
 SLOPES = (0.4, 3.0)
-"""Between which stiffness, in logarithms, grows with width: up to 1.25 for nu = 0.5, 2.5 for 0.9; of blanks that
-are unbent it may grow by half of that only."""
+"""Bounds on the slope of log(stiffness) over log(width). It is up to 1.25 for nu = 0.5 and 2.5 for 0.9, and
+smaller for strips whose natural curvature is flattened."""
 
 
 def anticlastic_factor(
@@ -96,7 +96,7 @@ def anticlastic_factor(
 def _kept_of_bent(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """What takes the place of `flat` for blanks that are bent before, to kappa_0 (n,)."""
+    """The counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
     # of a strip that is straight in the end x slope vanishes faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     asked = share * flat
@@ -107,7 +107,8 @@ def _kept_of_bent(
 
 
 def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
-    """What leads out of a range, up to half of the room there as it is, then ever less: so widths get no corner."""
+    """Soften `excess` beyond a range smoothly, so that widths get no corner: unchanged up to half of the room,
+    then less and less."""
     half = room / 2
     late = np.maximum(excess / half - 1, 0)
     return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
@@ -177,7 +178,7 @@ class AnticlasticWidths:
     bending_stiffness_factor: float
 
     def __str__(self) -> str:
-        """How much, in a sentence."""
+        """The effect in a sentence."""
         i = self.station
         return note(
             "anticlastic bending changes the width by {percent:.2g} % at most: {change:+.3g} of {width:.4g} "
@@ -230,7 +231,7 @@ def anticlastic_widths(
         )
     if not (np.all(np.isfinite(K)) and np.all(K > 0)):
         raise InputError(
-            "stiffness is not positive at station {value}", value=int(np.argmin(np.nan_to_num(K, nan=-1.0)))
+            "stiffness is not positive at station {given}", given=int(np.argmin(np.nan_to_num(K, nan=-1.0)))
         )
     require_positive(max_width, "max_width")
 
@@ -288,7 +289,7 @@ class SheetCurl:
         return replace(self, width=width)
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "SheetCurl":
-        """The same at stations (m,), mm, of what has it at `s` (n,)."""
+        """Interpolate from stations `s` (n,) to stations `at` (m,), mm."""
         rest = at_stations(self.natural_curvature, s, at)
         return replace(self, width=np.interp(at, s, self.width), natural_curvature=rest)
 

@@ -25,7 +25,7 @@ from elastica_cad.mechanics.material.stiffness_law import FixedLaw, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
-"""Relative slack on limits for a stiffness that is known between its nodes to 1e-6."""
+"""Relative slack on limits, as the stiffness is known to 1e-6 between its nodes."""
 
 
 @dataclass(frozen=True)
@@ -239,10 +239,10 @@ class LaminatedSection:
         if not feasible(low):
             raise InputError(
                 "no backing thickness would do: a least backing of {least_backing:g} is too wide for "
-                "a base of {least:.4g} and a stiffness ratio of {value:.4g}",
+                "a base of {least:.4g} and a stiffness ratio of {given:.4g}",
                 least_backing=Length(least_backing),
                 least=Length(w1.min()),
-                value=K.max() / K.min(),
+                given=K.max() / K.min(),
             )
         while high / low > 1 + 1e-12:
             middle = float(np.sqrt(low * high))
@@ -368,36 +368,39 @@ def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text
     if bad.any():
         i = int(np.argmax(bad))
         raise InputError(
-            "station {i} asks for E I = {flat:.4g} N mm2, {text_}",
+            "station {i} asks for E I = {flat:.4g} N mm2, {typed}",
             i=i,
             flat=bending_stiffness.flat[i],
-            text_=text,
+            typed=text,
         )
 
 
 PIECES = 8
-"""Of half the backing and of the border beside it: the factor is then right to 1e-4."""
+"""Number of parts into which half the backing, and the border beside it, are divided; the factor is then exact
+to 1e-4."""
 
 LEAST_SHARE = 2e-3
-"""Of the width: no border and no backing is counted as narrower."""
+"""Narrowest border and backing, as a share of the width."""
 
 BENDS = (0.1, 1.4)
-"""Of its bend by design, between which a node may be bent otherwise: under a plate it keeps an eighth of it."""
+"""Range of the bend of a node, as shares of its bend in the design: below a joining plate an eighth of it
+remains."""
 
 ROOM_SHARE = 0.15
-"""Of the largest bend: room beyond that, for inflections that move."""
+"""Extra range beyond the largest bend, as a share of it, for inflections that move."""
 
 TERMS, EVERY = 8, 4
-"""Of the polynomials in curvature, and of the nodes one in so many that they are found at."""
+"""Number of terms of the polynomials in curvature; they are computed at every fourth node."""
 
 TERMS_EVERYWHERE, STATIONS = 24, 60
-"""Of the polynomials for all that a strip may be bent to, and the stations that they are found at, about."""
+"""Number of terms of the polynomials for any bend, and about the number of stations at which they are computed."""
 
 LARGEST_STRAIN = 0.05
-"""Of a skin, to which a strip may be bent: beyond what any sheet bears."""
+"""Largest strain of the surface that is considered; it is more than any sheet bears."""
 
 FINE_SEARLE = 3.0
-"""Width^2 kappa / thickness up to which the factor follows the bend evenly; beyond, with the logarithm of that."""
+"""Width^2 kappa / thickness up to which samples of the bend are spaced evenly; beyond it they are spaced evenly
+in its logarithm."""
 
 
 def laminate_factor(
@@ -587,7 +590,7 @@ class LaminateCurl:
     def _found(
         self, base: FloatArray, backing: FloatArray, section: LaminatedSection, rest: FloatArray, every: int
     ) -> "LaminateCurl":
-        """With coefficients, from the factor at one in `every` of the nodes."""
+        """Compute the coefficients from the factor at one in `every` of the nodes."""
         terms, nodes = self.coefficients.shape[0], np.arange(self.middle.size)
         some = np.unique(np.append(nodes[::every], nodes[-1]))
         t = np.cos(np.pi * (np.arange(terms) + 0.5) / terms)

@@ -84,7 +84,7 @@ class MaterialLaw(ABC):
         self.require_injective(largest_curvature)
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
-        """The inverse of `effective_curvature` (n,) within its injective range, by bisection.
+        """Inverse of `effective_curvature` (n,) in the range where it is monotonic, by bisection.
 
         Raises
         ------
@@ -140,9 +140,9 @@ class PolynomialLaw(MaterialLaw):
         for name in ("quadratic", "quartic"):
             if not is_number(getattr(self, name)):
                 raise InputError(
-                    "{name} coefficient of the law is {getattr}: it must be finite",
+                    "{name} coefficient of the law is {given}: it must be finite",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
         require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 
@@ -173,7 +173,7 @@ class PolynomialLaw(MaterialLaw):
 
 @dataclass(frozen=True)
 class _YieldingLaw(MaterialLaw):
-    """What plastic laws share: a curvature where they begin to yield, and how much of it stays."""
+    """Base of plastic laws: the curvature at which they begin to yield, and the curvature that remains."""
 
     curvature_limit: float
 
@@ -186,7 +186,7 @@ class _YieldingLaw(MaterialLaw):
         return cls(1 / sheet.least_radius)
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """What is left when the moment is taken away (n,), 1/mm: unloading follows Hooke's law."""
+        """Curvature (n,), 1/mm, that remains when the moment is removed: unloading follows Hooke's law."""
         return np.asarray(numbers(curvature, "curvature") - self.effective_curvature(curvature))
 
 

@@ -208,7 +208,8 @@ class WidthLaw:
         return replace(self, curvature=bend + before, natural_curvature=before)
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
-        """How the stiffness of widths (n,), mm, follows their bend; None for a sheet that does not curl."""
+        """Dependence of the stiffness of widths (n,), mm, on the bend; None for a sheet whose Poisson ratio is
+        not known."""
         return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:

@@ -13,13 +13,15 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import built_in_figures
 
 STRAIN_SLACK = 1e-6
-"""Relative slack of the limit: a curve that is drawn at its limit strays from it by less once it is a spline."""
+"""Relative slack of the limit: a curve that is drawn at the limit differs from it by less after fitting a
+spline."""
 
 BRITTLE_FACTOR = 1.5
-"""Of what wood and brittle plastics bear for long: where they are taken to break if no figure is known."""
+"""Strain at which wood and brittle plastics are taken to break, as a multiple of what they bear for long, if no
+figure is known."""
 
 BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "brittle plastic")
-"""Kinds of sheets to which that applies."""
+"""Kinds of sheets to which `BRITTLE_FACTOR` applies."""
 
 CRACKS = "it may crack there"
 KEEPS_BEND = "it keeps a bend from there"
@@ -34,7 +36,7 @@ OUTCOMES = {
 
 
 class StrainState(IntEnum):
-    """What the rule says, the worst last."""
+    """Results of the strain rule, the worst last."""
 
     ALLOWED = 0
     WARNED = 1
@@ -64,17 +66,18 @@ class StrainVerdict:
 
     @property
     def allowed(self) -> bool:
-        """Is it within what the sheet bears for long?"""
+        """Whether the strain is within what the sheet bears for long."""
         return self.state is StrainState.ALLOWED
 
     @property
     def refused(self) -> bool:
-        """Does it break?"""
+        """Whether the strip would break."""
         return self.state is StrainState.REFUSED
 
     @property
     def percent(self) -> int:
-        """Of the limit: beyond it, if by a thousandth, at least 101; at the limit 100."""
+        """Strain in percent of the limit, rounded such that it is above 100 exactly when the strain is above
+        the limit."""
         percent = round(100 * self.used)
         return min(percent, 100) if self.allowed else max(percent, 101)
 
@@ -159,7 +162,7 @@ class LayerStrain:
 
     @property
     def limit(self) -> float:
-        """What the sheet bears for long."""
+        """Largest strain that the sheet bears for long."""
         return self.sheet.max_strain
 
     @cached_property
@@ -173,7 +176,7 @@ class LayerStrain:
         return int(np.argmax(self.strain))
 
     def judged(self, at: float | None = None) -> StrainVerdict:
-        """What the rule of strain says of it; `at`: where the largest strain is, mm."""
+        """Apply the strain rule to the largest strain, which is at arc length `at`, mm."""
         return judge_strain(self.sheet, self.largest, at)
 
 

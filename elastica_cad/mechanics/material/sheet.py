@@ -52,16 +52,17 @@ ROWS_INCH = {
         (0.375, 54.0, 36.0),
     ),
 }  # fmt: skip
-"""Plies: rows of the table."""
+"""Rows of the table by number of plies."""
 
 SOLD_AS = 0.02
-"""Share by which a sheet may be thinner than the first row of its plies: 4 mm is sold for 0.160 in."""
+"""Share by which a sheet may be thinner than the first row of its number of plies: 4 mm is sold as 0.160 in."""
 
 TOLD_TO = 0.01
-"""Share to which a radius is known: the table has two digits, and a sheet's largest strain is rounded."""
+"""Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6
-"""Thicknesses that the rows speak of: a sheet of 0.8 mm takes the strain of the thinnest row, 0.89 mm."""
+"""Range of thicknesses for which the rows are used: a sheet of 0.8 mm has the strain of the thinnest row, 0.89
+mm."""
 
 
 def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) -> float | None:
@@ -220,10 +221,10 @@ class Sheet:
             if value < 0 or (value == 0 and field_name != "kerf"):
                 least = "zero or positive" if field_name == "kerf" else "positive"
                 raise InputError(
-                    "sheet {name!r}: {field_name} is {value:g}; it must be {least}, in {unit}",
+                    "sheet {name!r}: {field_name} is {given:g}; it must be {least}, in {unit}",
                     name=self.name,
                     field_name=field_name,
-                    value=value,
+                    given=value,
                     least=least,
                     unit=unit,
                 )
@@ -292,17 +293,17 @@ class Sheet:
         where = f"sheet {self.name!r}: {field_name}_range"
         if not isinstance(given, list | tuple) or len(given) != 2:
             raise InputError(
-                "{where_} is {given!r}; it must be two numbers, lowest and highest", where_=where, given=given
+                "{place} is {given!r}; it must be two numbers, lowest and highest", place=where, given=given
             )
         low, high = (finite_number(v, where) for v in given)
         if not 0 <= low <= value <= high:
             raise InputError(
-                "{where_} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first",
-                where_=where,
+                "{place} is {low:g} to {high:g}; it must hold {field_name} = {given:g}, lowest first",
+                place=where,
                 low=low,
                 high=high,
                 field_name=field_name,
-                value=value,
+                given=value,
             )
         object.__setattr__(self, f"{field_name}_range", (low, high))
 

@@ -18,7 +18,7 @@ from elastica_cad.refusals import note
 SCHEMA = 1
 
 NOMINAL_KEY = "nominal_poisson_ratio"
-"""Of a Poisson's ratio that is not known for the sheet."""
+"""Key of a Poisson ratio that is not measured for this sheet."""
 
 UNITS = {
     "thickness": "mm",
@@ -63,8 +63,8 @@ def plausible_number(value: object, key: str, where: str) -> float:
     low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
     if not low <= number <= high and number > 0:
         raise InputError(
-            "{where_}: {key} = {number:g} looks like the wrong unit; {hint}",
-            where_=where,
+            "{place}: {key} = {number:g} looks like the wrong unit; {hint}",
+            place=where,
             key=key,
             number=number,
             hint=hint,
@@ -73,7 +73,7 @@ def plausible_number(value: object, key: str, where: str) -> float:
 
 
 def _advise_key(key: str) -> str:
-    """What was probably meant by an unknown key."""
+    """Suggest the known key that is nearest to an unknown one."""
     keys = sheet_keys()
     for known, field in keys.items():
         stem = field.name
@@ -92,13 +92,13 @@ def _advise_key(key: str) -> str:
 def require_printable(text: str, where: str) -> str:
     """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
     if not isinstance(text, str):
-        raise InputError("{where_} is {text_!r}: give a text", where_=where, text_=text)
+        raise InputError("{place} is {typed!r}: give a text", place=where, typed=text)
     if not text.isprintable():
         odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
         raise InputError(
-            "{where_} {text_!r} holds {odd}: use signs that can be printed, in one line",
-            where_=where,
-            text_=text,
+            "{place} {typed!r} holds {odd}: use signs that can be printed, in one line",
+            place=where,
+            typed=text,
             odd=odd,
         )
     return text
@@ -112,15 +112,15 @@ def even_shear_ratio(poisson_ratio: float) -> float:
 def finite_number(value: Any, where: str) -> float:
     """The number, unless it is none or not finite."""
     if isinstance(value, bool | str | bytes) or value is None:
-        raise InputError("{where_} is {value!r}; it must be a number", where_=where, value=value)
+        raise InputError("{place} is {given!r}; it must be a number", place=where, given=value)
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError) as error:
         raise InputError(
-            "{where_} is {value}; it must be a number", where_=where, value=quoted(value)
+            "{place} is {given}; it must be a number", place=where, given=quoted(value)
         ) from error
     if not isfinite(number):
-        raise InputError("{where_} is {number}; it must be a finite number", where_=where, number=number)
+        raise InputError("{place} is {number}; it must be a finite number", place=where, number=number)
     return number
 
 
@@ -132,7 +132,7 @@ def toml_text(text: str) -> str:
 
 
 def toml_value(value: str | float | tuple[float, float]) -> str:
-    """What stands behind a key: a text, a number or a range."""
+    """Write the value of a key as TOML: a text, a number or a range."""
     if isinstance(value, tuple):
         return f"[{value[0]!r}, {value[1]!r}]"
     return toml_text(value) if isinstance(value, str) else repr(float(value))
@@ -157,7 +157,7 @@ class NominalRatio(float):
 
 
 USUAL_RATIO = NominalRatio(0.3)
-"""Of a sheet of which nothing is said."""
+"""Poisson ratio of a sheet that gives none."""
 
 
 def checked_poisson_ratio(value: Any, where: str) -> float:
@@ -170,9 +170,7 @@ def checked_poisson_ratio(value: Any, where: str) -> float:
     """
     nu = finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
-        raise InputError(
-            "{where_}: poisson_ratio is {nu:g}; it must lie between 0 and 1", where_=where, nu=nu
-        )
+        raise InputError("{place}: poisson_ratio is {nu:g}; it must lie between 0 and 1", place=where, nu=nu)
     return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
 
 
@@ -196,7 +194,7 @@ _ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other figures, where 
 
 
 LARGEST_FILE = 2**20
-"""Bytes of a file of sheets."""
+"""Largest size of a file of sheets, bytes."""
 
 
 @lru_cache(maxsize=1)
@@ -358,9 +356,9 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
             )
     if data.get("schema", SCHEMA) != SCHEMA:
         raise InputError(
-            "{path}: schema {value} is not known; this version reads schema {schema}",
+            "{path}: schema {given} is not known; this version reads schema {schema}",
             path=path,
-            value=quoted(data["schema"]),
+            given=quoted(data["schema"]),
             schema=SCHEMA,
         )
     return figures_from_table(data.get("sheets", {}), str(path))
@@ -369,7 +367,7 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
 def figures_from_table(table: object, where: str) -> dict[str, dict[str, Any]]:
     """The same from the parsed table ``sheets`` of a TOML file; `where` names the file in messages."""
     if not isinstance(table, Mapping) or not table:
-        raise InputError("{where_} holds no sheet: write at least one table [sheets.NAME]", where_=where)
+        raise InputError("{place} holds no sheet: write at least one table [sheets.NAME]", place=where)
     return {name: _fields(name, entry, where) for name, entry in table.items()}
 
 
@@ -378,8 +376,8 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
         raise InputError(
-            "{where_} must be a table [sheets.{name}], got {entry}",
-            where_=where,
+            "{place} must be a table [sheets.{name}], got {entry}",
+            place=where,
             name=name,
             entry=quoted(entry),
         )
@@ -388,8 +386,8 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
     for key, value in entry.items():
         if key not in keys:
             raise InputError(
-                "{where_}: unknown key {key!r}{advise_key}",
-                where_=where,
+                "{place}: unknown key {key!r}{advise_key}",
+                place=where,
                 key=key,
                 advise_key=_advise_key(key),
             )
@@ -399,19 +397,19 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
         elif kind in ("text", "either"):
             if not isinstance(value, str):
                 raise InputError(
-                    "{where_}: {key} is {value}; it must be text in quotes",
-                    where_=where,
+                    "{place}: {key} is {given}; it must be text in quotes",
+                    place=where,
                     key=key,
-                    value=quoted(value),
+                    given=quoted(value),
                 )
             values[field_name] = value
         elif kind == "list":
             if not isinstance(value, list) or len(value) != 2:
                 raise InputError(
-                    "{where_}: {key} is {value}; it must be two numbers, [lowest, highest]",
-                    where_=where,
+                    "{place}: {key} is {given}; it must be two numbers, [lowest, highest]",
+                    place=where,
                     key=key,
-                    value=quoted(value),
+                    given=quoted(value),
                 )
             values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
@@ -419,11 +417,11 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
     if NOMINAL_KEY in entry and "poisson_ratio" in entry:
         raise InputError(
-            "{where_}: poisson_ratio is given twice; leave out {nominal_key}, now that it is known",
-            where_=where,
+            "{place}: poisson_ratio is given twice; leave out {nominal_key}, now that it is known",
+            place=where,
             nominal_key=NOMINAL_KEY,
         )
     for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
         if key not in entry:
-            raise InputError("{where_}: {key} is missing; give it a number", where_=where, key=key)
+            raise InputError("{place}: {key} is missing; give it a number", place=where, key=key)
     return values

@@ -16,11 +16,11 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length
 
 MOST_LEAVES = 50
-"""More leaves are as good as a taper."""
+"""Largest number of leaves; more would be as good as a taper."""
 
 
 class FixedLaw:
-    """What laws answer whose stiffness bending does not change, unless they are of leaves that are laid."""
+    """Base of laws whose stiffness does not depend on the bend."""
 
     @property
     def follows_bend(self) -> bool:
@@ -72,7 +72,7 @@ class _PowerLaw(FixedLaw):
 
     @property
     def quantity(self) -> str:
-        """What the parameter is."""
+        """Name of the parameter."""
         raise NotImplementedError
 
     @property
@@ -246,7 +246,7 @@ class LeavesLaw(FixedLaw):
 
     @cached_property
     def relaxed(self) -> ThicknessLaw:
-        """The same stack where any thickness between the fewest leaves and all may be had."""
+        """The law of the same stack with any thickness between that of the fewest leaves and that of all."""
         h = self.sheet.thickness
         return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
 
@@ -255,7 +255,7 @@ class LeavesLaw(FixedLaw):
         return self.relaxed.bending_stiffness(self.thickness(count))
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """How many leaves (n,), not rounded, give the E I (n,), N mm2."""
+        """Number of leaves (n,), not rounded, that gives E I (n,), N mm2."""
         return self.relaxed.parameter(bending_stiffness) / self.sheet.thickness
 
     def weight_per_length(self, count: ArrayLike) -> FloatArray:
@@ -324,13 +324,13 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def steps(self) -> FloatArray:
-        """Where leaves begin or end inside the stack (m,), mm."""
+        """Arc lengths (m,), mm, at which leaves begin or end."""
         length = max(leaf.end for leaf in self.leaves)
         places = {s for leaf in self.leaves for s in (leaf.start, leaf.end) if 0 < s < length}
         return np.array(sorted(places))
 
     def counts(self, s: ArrayLike) -> FloatArray:
-        """How many leaves (n,) lie at arc lengths (n,), mm."""
+        """Number of leaves (n,) at arc lengths (n,), mm."""
         length = max(leaf.end for leaf in self.leaves)
         inside = np.minimum(np.asarray(s, dtype=float), np.nextafter(length, 0.0))
         lie = [(leaf.start <= inside) & (inside < leaf.end) for leaf in self.leaves]
@@ -338,10 +338,10 @@ class LaidLeaves(ThicknessLaw):
 
 
 SAME_SCALE = 1e-4
-"""Relative difference of bending stiffnesses that an optimal rod's own accuracy explains."""
+"""Relative difference of bending stiffnesses that is within the accuracy of an optimal rod."""
 
 BETWEEN_NODES = 1e-3
-"""Relative height by which the stiffness of a rod may rise between the nodes that a limit was kept at."""
+"""Largest relative amount by which the stiffness may exceed a limit between the nodes at which it was imposed."""
 
 
 class StiffnessLaw(Protocol):
@@ -371,7 +371,7 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def quantity(self) -> str:
-        """What the parameter is: "width", "thickness" or "diameter"."""
+        """Name of the parameter: "width", "thickness" or "diameter"."""
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -379,7 +379,8 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def follows_bend(self) -> bool:
-        """Does its stiffness hang on how sharply it is bent? Its scale is then known once the bend is."""
+        """Whether the stiffness depends on how sharply the section is bent. Its scale is then known only with
+        the bend."""
 
     @property
     def stack(self) -> LaidLeaves | None:
@@ -392,7 +393,7 @@ class BoundedLaw(StiffnessLaw, Protocol):
         """
 
     def curl(self, parameter: FloatArray, /) -> "BendFactor | None":
-        """How the stiffness of parameters (n,), mm, follows their bend; None where bending does not change it."""
+        """Dependence of the stiffness of parameters (n,), mm, on the bend; None where there is none."""
 
 
 class BendFactor(Protocol):

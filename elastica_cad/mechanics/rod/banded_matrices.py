@@ -1,5 +1,6 @@
 """Tridiagonal matrices bordered by a few rows: solves, inertia and lowest modes, all O(n) (LAPACK)."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -10,13 +11,13 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
 RANK_TOLERANCE = 1e-9
-"""Rows closer to dependent than this (relative) are one: a straight rod has rank 1."""
+"""Relative tolerance below which two rows count as dependent: a straight rod has rank 1."""
 
 _FEW = 40
-"""Edges below which dense algebra finds a mode, and no mode is smooth."""
+"""Number of edges below which a mode is found by dense algebra."""
 
 _SMOOTH = 10
-"""Polynomials among which compiled code seeks a lowest mode first."""
+"""Number of polynomials in which compiled code looks for a lowest mode first."""
 
 _EPS = float(np.finfo(float).eps)
 
@@ -202,8 +203,7 @@ def lowest_weighted(
     v^t W v = 1, its largest entry positive.
     """
     if _native.compiled is not None and diagonal.size >= _FEW:
-        powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, diagonal.size), _SMOOTH - 1)
-        found = _native.lowest_mode(diagonal, off, lengths, rows, np.linalg.qr(powers)[0])
+        found = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
         if found is not None:
             return ConstrainedMode(*found)
     root = np.sqrt(lengths)
@@ -218,6 +218,13 @@ def lowest_weighted(
     per_length = rows / lengths
     nu = np.linalg.lstsq(per_length @ rows.T, per_length @ left, rcond=1e-14)[0]
     return ConstrainedMode(float(values[0]), v, nu)
+
+
+@lru_cache(maxsize=4)
+def _polynomials(n: int) -> FloatArray:
+    """Orthonormal polynomials (n, _SMOOTH) on n equal steps; kept, as they take as long as the mode itself."""
+    powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
+    return np.asarray(np.linalg.qr(powers)[0])
 
 
 def _dense(

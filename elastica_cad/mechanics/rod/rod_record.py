@@ -42,7 +42,7 @@ SEARCH_SAMPLES = 201
 
 
 DUST_SHARE = 1e-12
-"""Of the largest value of the same unit: what rounding leaves of 0."""
+"""Values below this share of the largest one of the same unit are rounding errors."""
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
@@ -158,13 +158,13 @@ def _stiffness_profile_of(
 
 
 DIFFERENCE_SHARE = 1e-7
-"""Of the largest bend: step of the differences that tell how the stiffness follows."""
+"""Step of the differences by which the slope of the stiffness is found, as a share of the largest bend."""
 
 CURL_POINTS = 24
-"""Between rest and bend, where the energy is summed: right to 1e-9 for blanks that are flat, to 1e-3 for others."""
+"""Points between rest and bend at which the energy is summed; exact to 1e-9 for flat strips, 1e-3 for others."""
 
 CURL_STEPS = 8
-"""To the curvature that a moment belongs to; the stiffness follows slowly, so the last ones only round."""
+"""Iterations from a moment to its curvature; they converge fast, as the stiffness changes slowly."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,12 +197,12 @@ class CurlingLaw(MaterialLaw):
     below: MaterialLaw | None = None
 
     def share(self, curvature: ArrayLike) -> FloatArray:
-        """What the stiffness is times that of the design (..., n), for changes of curvature (..., n), 1/mm."""
+        """Stiffness divided by that of the design (..., n), for changes of curvature (..., n), 1/mm."""
         kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
         return np.asarray(self.factor(kappa) / self.designed)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; of all nodes (..., n)."""
+        """Effective curvature of all nodes (..., n), as in `MaterialLaw`."""
         return np.asarray(self._material(curvature) * self.share(curvature))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
@@ -264,7 +264,7 @@ GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(6)
 
 
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
-    """Are all edges of the polygon of nodes as long as the arc length between them?"""
+    """Whether all edges of the polygon of nodes are as long as the arc length between the nodes."""
     h = np.diff(s)
     return bool(np.all(np.abs(np.hypot(*np.diff(position, axis=0).T) - h) <= EVEN_EDGES * h))
 
@@ -581,13 +581,14 @@ class Rod:
 
     @property
     def effective_curvature(self) -> FloatArray:
-        """What K multiplies to give the moment (n,), 1/mm: kappa - kappa_0, or the law's m of it."""
+        """Curvature (n,), 1/mm, that gives the moment when multiplied by K: kappa - kappa_0, or the law's value
+        of it."""
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
     @property
     def follows_bend(self) -> bool:
-        """Is it of a section whose stiffness hangs on how sharply it is bent?"""
+        """Whether the stiffness of its section depends on how sharply it is bent."""
         return self.section is not None and self.section.follows_bend
 
     @cached_property
@@ -606,7 +607,7 @@ class Rod:
         return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
 
     def following(self) -> "Rod":
-        """The same rod, which keeps the law that its section follows when its shape is another one."""
+        """The same rod with the law of its section, to be bent to another shape."""
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
@@ -734,7 +735,7 @@ class Rod:
 
 
 def resample(rod: Rod, samples: int) -> Rod:
-    """The same rod on another number of nodes: stiffness from its profile, the rest interpolated, its law too."""
+    """Return the rod with another number of nodes: stiffness from its profile, all else interpolated."""
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
     K = _nodal_stiffness(rod.profile, s)
@@ -754,7 +755,7 @@ def resample(rod: Rod, samples: int) -> Rod:
 
 
 PROFILE_SHARE = 1e-6
-"""Error of the stiffness between the nodes, of its largest."""
+"""Error of the stiffness between the nodes, relative to its largest value."""
 
 
 def as_bent(rod: Rod) -> Rod:

@@ -124,7 +124,7 @@ class RodSystem:
         return RodState(self, angles, np.zeros(len(self.held)) if reactions is None else reactions)
 
     def loaded(self, factor: float) -> "RodSystem":
-        """The same rod under `factor` times its weight, dead force and moments."""
+        """Return the system with weight, dead force and moments multiplied by `factor`."""
         return replace(
             self, load=factor * self.load, force=factor * self.force, moments=factor * self.moments
         )
@@ -154,7 +154,7 @@ class RodState:
         )
 
     def under(self, system: RodSystem) -> "RodState":
-        """The same angles and reactions as a state of another system."""
+        """Return these angles and reactions as a state of another system."""
         return self if system is self.system else RodState(system, self.angles, self.reactions)
 
     @cached_property
@@ -192,14 +192,14 @@ class RodState:
 
     @cached_property
     def _lawful(self) -> tuple[FloatArray, FloatArray]:
-        """What the law makes of the nodes' change of curvature (n+1,), 1/mm, and its slope (n+1,)."""
+        """Effective curvature of the nodes (n+1,), 1/mm, by the law, and its slope (n+1,)."""
         system = self.system
         change = self._hooke_moments / system.stiffness
         return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)
 
     @cached_property
     def residual(self) -> Residual:
-        """What is missing to equilibrium."""
+        """Moments and end positions by which the state misses equilibrium."""
         system, rod = self.system, self.discrete
         reach = system.edge_length * rod.tangents.sum(axis=0)
         miss = np.array([reach[i] for i in system.held]) - system.chord
@@ -252,7 +252,7 @@ class RodState:
 
     @property
     def record(self) -> dict[str, Any]:
-        """What the `Rod` record of an equilibrium has of it by name: all but profile, weight and section."""
+        """Fields of the `Rod` record of this equilibrium, by name, without profile, weight and section."""
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
         force[1:-1] = (edge[:-1] + edge[1:]) / 2

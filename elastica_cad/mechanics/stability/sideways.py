@@ -18,10 +18,10 @@ from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
-"""Thicknesses by which a rectangle seems narrower in torsion (St Venant): G w h^3/3 (1 - 0.63 h/w)."""
+"""Width, in thicknesses, that a rectangle loses in torsion (St Venant): G w h^3/3 (1 - 0.63 h/w)."""
 
 LEAST_TORSION = 0.25
-"""Share of G w h^3/3 that is left of any rectangle that is bent flat: a square has 0.42."""
+"""Least share of G w h^3/3 that any rectangle keeps that is bent flat; a square has 0.42."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,14 +175,14 @@ def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
 
 
 EDGES = 200
-"""Of the rod that is examined: the margin's error falls with the square, here below 1e-3 of it."""
+"""Edges of the rod that is examined. The error of the margin falls with their square; here it is below 1e-3."""
 
 RIBBON_NUMBER = 16.0
-"""w^2 kappa / h from which on a section no longer keeps its shape: bending and twist couple, as in a ribbon. Then
-only an ample margin says something: by finite elements ribbons are the steadier ones."""
+"""w^2 kappa / h from which on a section does not keep its shape: bending and twist are coupled, as in a ribbon.
+Then only an ample margin is conclusive; by finite elements ribbons are more stable than the rod."""
 
 MOST_RIBBON_NUMBER = 80.0
-"""Beyond what was compared with finite elements."""
+"""Largest w^2 kappa / h that was compared with finite elements."""
 
 RIBBON_SLENDERNESS = 6.0
 """Length over width below which a strip is a plate."""
@@ -215,7 +215,8 @@ class SidewaysStability:
 
     @property
     def decided(self) -> bool:
-        """Does the margin mean something: is the strip a rod, and its margin known well enough?"""
+        """Whether the margin is conclusive: the strip is slender enough for a rod, and its margin is known well
+        enough."""
         return self._is_rod and not self._between
 
     @property
@@ -226,7 +227,7 @@ class SidewaysStability:
 
     @property
     def _between(self) -> bool:
-        """Do bounds on its stiffness leave the sign open?"""
+        """Whether the sign of the margin is unknown, because the stiffness is known only within bounds."""
         return self.most is not None and self.margin <= 0 < self.most
 
     @property
@@ -240,7 +241,7 @@ class SidewaysStability:
 
     @property
     def needs_guiding(self) -> bool:
-        """Does it tip, or may a push from the side tip it?"""
+        """Whether it tips sideways, or may do so when pushed."""
         return self.word in ("unstable", "low")
 
     def __str__(self) -> str:
@@ -253,7 +254,7 @@ class SidewaysStability:
 
     @property
     def meaning(self) -> str:
-        """What the margin means to a maker, in words."""
+        """What the margin means for a maker, in a sentence."""
         if self._is_rod and self._between:
             return "its holes leave open whether it tips over sideways: guide it at the sides, or try it out"
         return {

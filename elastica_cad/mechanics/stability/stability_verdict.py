@@ -334,7 +334,7 @@ class Stability:
 
     @property
     def meaning(self) -> str:
-        """What the margin means to a maker, in words."""
+        """What the margin means for a maker, in a sentence."""
         return {
             "unstable": "in balance but it will not stay: it snaps into another shape",
             "low": "it stays, but a push, a loose clamp or a cut that is off may make it snap",
@@ -390,9 +390,9 @@ def stability(rod: Rod) -> Stability:
     borderline = abs(margin.value) <= 64 * float(np.finfo(float).eps) * scale
     if not borderline and (negative == 0) != (margin.value > 0):
         raise NotConvergedError(
-            "stability is undecided: {negative} unstable modes counted, but the margin is {value:.6g}",
+            "stability is undecided: {negative} unstable modes counted, but the margin is {given:.6g}",
             negative=negative,
-            value=margin.value,
+            given=margin.value,
         )
 
     started_from: Literal["start", "end"] | None = None

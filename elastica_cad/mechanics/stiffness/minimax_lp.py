@@ -161,12 +161,12 @@ class MinimaxProgram:
     def demand(
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray
     ) -> None:
-        """From now on 1 <= low @ x + low_offset, and high @ x + high_offset <= R."""
+        """Add the rows 1 <= low @ x + low_offset and high @ x + high_offset <= R."""
         self._add(low, low_offset - 1, 1.0, 0.0)
         self._add(high, high_offset, -1.0, 1.0)
 
     def hold(self, rows: FloatArray, offset: FloatArray) -> None:
-        """From now on rows @ x + offset >= 0."""
+        """Add the rows rows @ x + offset >= 0."""
         self._add(rows, offset, 1.0, 0.0)
 
     def _add(self, rows: FloatArray, offset: FloatArray, sign: float, share: float) -> None:
@@ -302,7 +302,7 @@ def least_variation(
 def _least_variation_of_one(
     row: FloatArray, offset: FloatArray, bend: FloatArray, bend_offset: FloatArray, largest: float
 ) -> FloatArray:
-    """The same for a single number: the weighted median of where the terms vanish, moved into its bounds."""
+    """Solve it for a single number: the weighted median of the zeros of the terms, moved into its bounds."""
     counts = bend != 0
     zeros, steep = -bend_offset[counts] / bend[counts], np.abs(bend[counts])
     order = np.argsort(zeros)

@@ -70,7 +70,7 @@ class LineLoad:
 
     @property
     def is_proportional(self) -> bool:
-        """Is all the weight proportional to the stiffness?"""
+        """Whether all the weight is proportional to the stiffness."""
         return not (self.dead.any() or self.points.any())
 
 
@@ -214,7 +214,7 @@ _SLOPES_AT_NODES = VANDER @ SLOPES
 _SETTLED = 1e-9  # of the least ratio, by which it may still move
 
 _SAME = 4 * float(np.finfo(float).eps)
-"""Share of the numbers by which two solutions of one program differ, where its vertex is reached by another way."""
+"""Relative difference between two solutions of one program whose vertex was reached by different paths."""
 
 _ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
 
@@ -421,16 +421,16 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
 
 
 SMOOTHING_SHARE = 0.01
-"""How much ratio section 5.3 gives for smoothness."""
+"""Share of the ratio that section 5.3 trades for smoothness."""
 
 NO_GAIN_SHARE = 1e-6
 """Relative gain in ratio that counts as none."""
 
 WIDEST_RATIO = 1e10
-"""Ratio of stiffness that no strip can have, and that leaves double precision no digits."""
+"""Largest stiffness ratio that is computed with; no strip can have it."""
 
 RANK_SHARE = 1e-7
-"""Conditions that depend on each other to this accuracy count as dependent."""
+"""Relative accuracy to which conditions count as linearly dependent."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -617,7 +617,7 @@ def null_space(matrix: FloatArray) -> FloatArray:
 
 
 def _rank(sigma: FloatArray) -> int:
-    """How many singular values (falling) belong to conditions that do not depend on others."""
+    """Number of linearly independent conditions, from the singular values in falling order."""
     return int(np.count_nonzero(sigma > RANK_SHARE * max(1.0, sigma[0])))
 
 

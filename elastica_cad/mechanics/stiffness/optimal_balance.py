@@ -34,13 +34,13 @@ from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealiza
 from elastica_cad.refusals import Length, note
 
 COMPLIANCE_STEP = 0.2
-"""Of log(1 / B), on the way to lighter rods."""
+"""Step of log(1 / B) in the search for lighter rods."""
 
 FITTED_SHARE = 1e-3
-"""Of the largest stiffness: what is left for finer panels and for the spline that the width is."""
+"""Share of the largest stiffness that is left for finer panels and for the spline of the width."""
 
 BEYOND = 1e6
-"""Times the stiffness that there is room for: more is as bad."""
+"""Largest multiple of the allowed stiffness that is distinguished; more counts as this."""
 
 
 def balance_without_weight(
@@ -135,7 +135,7 @@ class WeightedPanels:
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:
-    """What is told of a curve of `length` mm that its weight bends beyond what numbers can tell."""
+    """Message for a curve of `length` mm whose weight is far too large for its stiffness."""
     return note(
         "The weight is far too much for the stiffness (a gravity length of {gravity_length} on a curve of "
         "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
@@ -185,7 +185,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """The same where an own weight in newtons makes tau enter twice: by search along tau."""
+    """The compliance where the own weight in newtons depends on tau too, found by a search along tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -265,34 +265,34 @@ def _raised(value: float | Profile, step: float) -> float | Profile:
 
 
 MOST_ROUNDS = 40
-"""Linear programs before the search for a section is given up."""
+"""Largest number of linear programs in the search for a section."""
 
 SETTLED_SHARE = 1e-7
-"""Relative change of E I that ends them: as weights are set tangent, they then err by its square."""
+"""Relative change of E I that ends the search. Weights are linearised, so their error is its square."""
 
 TANGENT_STEP = 1e-4
 """Relative step of E I for the slope of the weight, whose error only slows the rounds down."""
 
 FIT_SHARE = 1e-5
-"""By how much, relatively, E I may leave its limits."""
+"""Relative amount by which E I may exceed its limits."""
 
 HOPELESS_SHARE = 1e-4
-"""Of the E I of the least section: rounds that ask for less, and ever less, do not come back within the limits."""
+"""Share of the E I of the least section below which a search that asks for less and less is given up."""
 
 WIDEST_REACH = 0.1
-"""Of the limits of E I: what it may change in the mean by one step of a descent."""
+"""Largest mean change of E I in one step of a descent, as a share of its limits."""
 
 MOST_STEPS = 150
-"""Of a descent."""
+"""Largest number of steps of a descent."""
 
 SHORTER, LONGER = 0.5, 1.2
-"""What a step of a descent may change, where the last one went back, and where it went on."""
+"""Factors on the largest step of a descent after a step that turned back and after one that went on."""
 
 LONGEST_JUMP = float(np.log(4.0))
-"""In the logarithm of the scale: further off a sequence's limit is a guess."""
+"""Largest extrapolation to the limit of a sequence, in the logarithm of the scale."""
 
 SLOWEST_RATE = 0.99
-"""Of a sequence's steps from one to the next, above which they tell of no limit."""
+"""Largest ratio of successive steps of a sequence with which its limit is extrapolated."""
 
 
 def balance_with_section(
@@ -519,11 +519,11 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
         asked = law.parameter(EI)
         s = float(balance.panels.s.flat[int(asked.argmin())])
         raise InputError(
-            "the curve asks for a {quantity} of {value:.4g} at {s:.4g} where its largest is "
+            "the curve asks for a {quantity} of {given:.4g} at {s:.4g} where its largest is "
             "{largest:g}: the limits allow {least:g} at least; widen them, or give limits or "
             "keep and the curve may change",
             quantity=law.quantity,
-            value=Length(float(asked.min())),
+            given=Length(float(asked.min())),
             s=Length(s),
             largest=Length(largest),
             least=Length(least),

@@ -24,10 +24,10 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.refusals import Length
 
 _SETTLED_SHARE = 1e-5
-"""Relative change from round to round that ends them."""
+"""Relative change between rounds that ends the search."""
 
 _MOST_ROUNDS = 30
-"""Optimal rods before the search for a laminate is given up."""
+"""Largest number of optimal rods in the search for a laminate."""
 
 _STATIONS = 81  # of the weight law, a cubic spline in between
 _DENSE = 2001  # at which the backing must fit

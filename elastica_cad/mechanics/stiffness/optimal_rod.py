@@ -48,13 +48,14 @@ TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
 
 WORST_TOLERANCE = 0.01
-"""The same where rounding has spoilt the stiffness, as much weight and an inflection beside an end do."""
+"""Error that is accepted where rounding has spoilt the stiffness, as much weight and an inflection near an end
+do."""
 
 NOISE_TIMES = 4
-"""The fit errs by this many times what rounding has made of the stiffness under much weight."""
+"""Error of the fit, in multiples of the rounding errors of the stiffness under much weight."""
 
 SAME_PLACE_SHARE = 1e-9
-"""Of the length: a knot nearer to a zero of the curvature is there."""
+"""A knot nearer to a zero of the curvature than this share of the length is moved there."""
 
 STEP_LENGTH = 1e-5
 """A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
@@ -65,14 +66,14 @@ CELLS = 8
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
 
 _FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
-"""Fourth derivatives by x in the middles of the cells."""
+"""Matrix of the fourth derivatives by x in the middles of the cells."""
 
 BEST_CUBIC = 1 / 720
 """Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
 polynomial."""
 
 SPARE = 0.07
-"""Part of the tolerance that the first knots aim at: a second fit would cost more than the knots it saves."""
+"""Share of the tolerance for which the first knots are chosen, so that a second fit is rarely needed."""
 
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
@@ -190,7 +191,7 @@ def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
 
 
 TOLD_MOVE_MM = 1e-3
-"""Least move of the curve that is worth a sentence: smaller ones are neither seen nor cut."""
+"""Smallest move of the curve, mm, that is reported."""
 
 _LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments
 
@@ -383,9 +384,9 @@ def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> N
         )
     if not (is_number(value) and value > 0):
         raise InputError(
-            "{replace} is {value!r}: it must be positive, in N mm2",
+            "{replace} is {given!r}: it must be positive, in N mm2",
             replace=name.replace("_", " "),
-            value=value,
+            given=value,
         )
 
 
@@ -456,7 +457,7 @@ def _unbent_rod(problem: _Problem) -> Rod:
 
 
 def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
-    """A straight rod of the largest section throughout."""
+    """A straight rod with the largest allowed section everywhere."""
     law = section.bent(0.0)
     size = next(one for one in reversed(section.limits) if np.isfinite(one))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
@@ -485,6 +486,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
             note(
                 "The curve was moved by at most {moved} to bring its inflections onto one line.",
                 moved=Length(check.moved),
+                severity="warning",
             )
         )
     elif check.moved > TOLD_MOVE_MM:
@@ -492,6 +494,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
             note(
                 "The curve was moved by at most {moved} to take the last bend out of its ends.",
                 moved=Length(check.moved),
+                severity="warning",
             )
         )
     if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:

@@ -46,7 +46,7 @@ GRADED = 1.0  # distances from a zero beside it that a panel is long at most
 NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 
 ROUGH_AT_ZERO = 2
-"""Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
+"""Continuity up to which a knot divides panels, however near it is to a zero of the curvature."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -173,7 +173,7 @@ def cut_into_panels(
 
 
 def _distances(t: FloatArray, places: list[float]) -> FloatArray:
-    """How far (n,) the nearest of the places is from each of t (n,)."""
+    """Distance (n,) of each of t (n,) from the nearest of the places."""
     return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
 
 
@@ -204,7 +204,7 @@ def _graded(edges: list[float], zeros: list[float], close: float) -> FloatArray:
 
 
 def _steps_away(distance: float, width: float) -> Iterator[float]:
-    """Where panels end that begin at a distance from a zero and grow with it, up to a width."""
+    """Ends of panels whose widths grow with the distance from a zero, up to a largest width."""
     reached = GRADED * distance
     while reached + distance < width:
         yield reached
@@ -244,7 +244,7 @@ class _Cut:
 
 
 def _parts(tail: FloatArray) -> IntArray:
-    """How many parts a panel needs, 2, 4 or 8: halving divides the last coefficient by 2^p or so."""
+    """Number of parts (2, 4 or 8) that a panel needs: each halving divides the last coefficient by about 2^p."""
     halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
@@ -337,7 +337,7 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 
 
 REFINEMENTS = 6
-"""Rounds of solving anew on finer panels."""
+"""Largest number of times that a program is solved again on finer panels."""
 
 _ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, that call for smaller panels
 _SMOOTH = 4  # continuous derivatives of K from which on a knot of the load needs no edge of a panel
@@ -390,7 +390,8 @@ class CutCurve:
         )  # fmt: skip
 
     def for_weight(self, gravity: Gravity) -> "CutCurve":
-        """The same, panels longer than sqrt(kappa l_eg^3) cut, on which a heavy K varies."""
+        """Return the curve with panels longer than sqrt(kappa l_eg^3) divided, since K varies on them under
+        weight."""
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
         parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, _MOST_PARTS).astype(int)
@@ -399,7 +400,8 @@ class CutCurve:
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
-        """The same, panels halved on which a stiffness is not resolved; None where it is resolved everywhere."""
+        """Return the curve with panels halved where a stiffness is not resolved; None where it is resolved
+        everywhere."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
         return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None

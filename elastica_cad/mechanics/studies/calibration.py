@@ -19,13 +19,13 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length, Listed, note, sentences
 
 _NODES = 201
-"""Of the bent cantilever."""
+"""Number of nodes of the bent cantilever."""
 
 _STEEPEST_DROOP = (
     0.95  # droop/overhang beyond which the strip hangs like a rope and its stiffness can't be read
 )
 _FLATTEST_DROOP = 1e-4
-"""Droop over overhang below which it cannot be read."""
+"""Droop divided by overhang below which it cannot be measured."""
 
 
 @dataclass(frozen=True)
@@ -201,7 +201,7 @@ def calibrate_cantilever(
     errors = {"reading": reading_error, "thickness": thickness_error, "density": density_error}
     for name, value in errors.items():
         if not (is_number(value) and value >= 0):
-            raise InputError("{name} error is {value!r}: it can't be negative", name=name, value=value)
+            raise InputError("{name} error is {given!r}: it can't be negative", name=name, given=value)
     for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
         if number is not None:
             require_positive(number, name, unit)

@@ -37,7 +37,7 @@ class Creep:
 
     @property
     def force_share(self) -> float:
-        """What is left of the modulus, and of the clamps' forces where the shape stays: 1 / (1 + phi)."""
+        """Share of the modulus that remains, and of the clamps' forces where the shape stays: 1 / (1 + phi)."""
         return 1 / (1 + self.factor)
 
     @property
@@ -47,22 +47,22 @@ class Creep:
 
     @property
     def sag(self) -> float:
-        """How far the shape moves, mm; 0 without weight, dead force and dead moment."""
+        """Largest move of the shape, mm; 0 without weight, dead force and dead moment."""
         return float(np.hypot(*(self.later.position - self.rod.position).T).max())
 
     @property
     def end_forces(self) -> FloatArray:
-        """What is left in the long run of the forces on start and end (2, 2), in units of the first B, 1/mm2."""
+        """Forces on start and end (2, 2) that remain in the long run, in units of the first B, 1/mm2."""
         return np.asarray(self.later.force[[0, -1]] * self.force_share)
 
     @property
     def stays(self) -> bool:
-        """Does it creep without a jump, to a shape that stays?"""
+        """Whether it creeps to a stable shape without snapping."""
         return not has_snapped(self.later) and self.stability.stable
 
     @property
     def stability(self) -> Stability:
-        """Of the shape in the long run."""
+        """Stability of the shape in the long run."""
         return stability(self.later)
 
     def released(self) -> Rod:
@@ -174,7 +174,8 @@ def require_creep(factor: object) -> float:
 
 
 def _is_linear(law: MaterialLaw | None) -> bool:
-    """Does the material follow Hooke's law? Sections that curl do so by their shape, whatever the modulus."""
+    """Whether the material follows Hooke's law. Wide sections that curl count as linear: the effect is one of
+    shape, not of the modulus."""
     return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 

@@ -112,8 +112,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     margin = state.discrete.margin
     if margin.value <= 0:
         raise InputError(
-            "the rod is unstable from the start of the path (margin {value:.3g}): start from a stable shape",
-            value=margin.value,
+            "the rod is unstable from the start of the path (margin {given:.3g}): start from a stable shape",
+            given=margin.value,
         )
     visited = [(t, margin.value)]
     step = course.end / max(FIRST_STEPS * course.legs, 1)
@@ -252,7 +252,7 @@ def _bisected(course: _Course, low: Visit, high: Visit) -> tuple[Visit, bool]:
 
 
 def _lost(course: _Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
-    """The record of a loss of stability next to t."""
+    """Record of the loss of stability near path parameter t."""
     kind = _kind(course, t, state)
     beyond = min(t + 1e-4 * course.end, course.end)
     mode = state.discrete.margin.mode
@@ -307,13 +307,13 @@ def _entry(step: Any) -> dict[str, Any]:
     value = numbers(step, "a step of the path")
     if value.ndim == 0:
         if not (np.isfinite(value) and value >= 0):
-            raise InputError("load factors must be finite and not negative, got {value}", value=value)
+            raise InputError("load factors must be finite and not negative, got {given}", given=value)
         return {"load": float(value)}
     return as_steps(value[None])[0]
 
 
 def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
-    """What the rod is subject to now, for the names that a path changes."""
+    """Present values of the quantities that a path changes, by name."""
     system = system_of(rod, rod)
     if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
         raise InputError("a path of load factors needs a rod that carries weight, a dead force or a moment")

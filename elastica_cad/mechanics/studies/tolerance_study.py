@@ -20,7 +20,7 @@ from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod
 from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
-"""Of a rod's forces and moments: what is left of them at an end that bears none."""
+"""Forces and moments below this share of the largest count as 0 at a free end."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
 
 
 def feels_modulus(rod: Rod) -> bool:
-    """Does the shape hang on the sheet's modulus? Only where something pulls that is no support."""
+    """Whether the shape depends on the modulus of the sheet, which it does only under loads."""
     loads = system_of(rod, rod)
     pulls = np.abs(loads.force).max() > ROUNDED_SHARE * np.abs(rod.force).max()
     turns = np.abs(loads.moments).max() > ROUNDED_SHARE * np.abs(rod.moment).max()
@@ -180,7 +180,7 @@ def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
 _CHUNK = 16  # bends that one task of an executor does
 
 MOST_SAMPLES = 100_000
-"""Rods that are bent in one study."""
+"""Largest number of rods that are bent in one study."""
 
 
 @dataclass(frozen=True)
@@ -227,9 +227,9 @@ class ToleranceRanges:
             pair = numbers(getattr(self, name), f"the range of {name}")
             if pair.shape != (2,):
                 raise InputError(
-                    "range of {name} is {getattr!r}: give the lowest and the highest",
+                    "range of {name} is {given!r}: give the lowest and the highest",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
             low, high = pair.tolist()
             if not low <= high:
@@ -483,7 +483,7 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _run(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    """What comes of each imperfection; the same one is bent once."""
+    """Results for each imperfection; equal ones are bent once."""
     different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
     chunks = [different[i : i + _CHUNK] for i in range(0, len(different), _CHUNK)]
     if executor is None:

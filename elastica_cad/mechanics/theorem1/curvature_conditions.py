@@ -48,7 +48,7 @@ def require_bendable(curve: PlaneCurve) -> None:
 
 
 def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
-    """What is wrong with corners, and whether the digits of a file may have made them."""
+    """Describe the corners, and say whether the digits of a file may explain them."""
     drawn = curve.provenance
     maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
     if drawn is not None and all(corner.t in maybe for corner in corners):
@@ -59,14 +59,14 @@ def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     return note(
         "the curve has a corner at {places}, of {angle:.3g} degrees: a strip bends without kinks; round it, "
         "or draw two curves{smooth}" if shown is None else
-        "the curve has a corner at {places} ({shown}), of {angle:.3g} degrees: a strip bends without kinks; "
+        "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees: a strip bends without kinks; "
         "round it, or draw two curves{smooth}",
         places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_tell_smooth(curve),
     )  # fmt: skip
 
 
 def _tell_seam(curve: PlaneCurve) -> str:
-    """The same of a closed curve whose only corner is where it closes."""
+    """Describe the corner of a closed curve whose only corner is where it closes."""
     drawn = curve.provenance
     start = curve.evaluate(np.array(curve.domain[0]))
     for turn in () if drawn is None else drawn.undecided:
@@ -105,17 +105,18 @@ def _tell_smooth(curve: PlaneCurve) -> str:
 
 
 PLACES = 721
-"""Places along a curve that may be its flattest."""
+"""Number of places along a curve among which the flattest is chosen."""
 
 CLEAR_SHARE = 0.05
-"""Of the largest curvature: places that are bent less lie too near to an inflection to begin there."""
+"""A closed curve does not begin where its curvature is below this share of the largest: an inflection is too
+near."""
 
 PLACE_DIGITS = 6
-"""Of a place, mm: the same curve of two programs begins at the same one."""
+"""Digits to which a place (mm) is rounded, so that the same curve from two programs begins at the same place."""
 
 ALIKE = 1e-6
-"""Share of the largest curvature by which two places differ that are flat alike, and of its range by which a
-parameter differs from a knot: rounding and a little."""
+"""Relative difference of curvatures below which two places count as equally flat, and of parameters below which
+a place is a knot."""
 
 
 def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
@@ -170,7 +171,8 @@ def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
 
 
 def flattest_place(curve: PlaneCurve) -> float:
-    """Where (mm) a closed curve is bent least, clear of its inflections; its start where that is as flat."""
+    """Arc length (mm) at which a closed curve is bent least, away from its inflections; 0 where its start is as
+    flat."""
     nodes = curve.sample(PLACES)
     bent = np.abs(nodes.curvature)
     largest = float(bent.max())
@@ -180,31 +182,33 @@ def flattest_place(curve: PlaneCurve) -> float:
 
 
 AT_END_SHARE = 1e-6
-"""A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
+"""A zero of the curvature nearer to an end than this share of the length is at the end."""
 
 SEAM_SHARE = 0.01
-"""Of the largest curvature: a closed curve that is bent less where it begins is begun elsewhere."""
+"""A closed curve whose curvature at its start is below this share of the largest begins elsewhere."""
 
 PINNED_SHARE = 1e-6
-"""Curvature at a pinned end, relative to the largest, that counts as none."""
+"""Curvature at a pinned end, relative to the largest, below which it counts as 0."""
 
 GENTLE_SHARE = 1e-5
-"""Slope of the curvature in an inflection, relative to the largest curvature over the length, that counts as none:
-the stiffness would exceed that of other places by some ten thousand times."""
+"""Slope of the curvature in an inflection, relative to the largest curvature over the length, below which it
+counts as 0: the stiffness there would be some ten thousand times that of other places."""
 
 FAINT_SHARE = 1e-7
-"""Curvature in a dip, relative to the largest, that counts as none: as for the slope, whose square it goes with."""
+"""Curvature in a dip, relative to the largest, below which it counts as 0; it corresponds to the square of the
+slope."""
 
 ALL_BUT_UNBENT_SHARE = 1e-3
-"""Of the largest curvature: a zero beyond an end that is bent more is no zero of it."""
+"""A zero of the extended curve beyond an end counts for that end only if the curvature at the end is below this
+share of the largest."""
 
 STEP_SHARE = 1e-3
-"""Jump of the curvature, relative to the larger side, that is not told: of a strip 40 mm wide it is 0.04 mm, and
-ends of arcs that were drawn to micrometres make smaller ones."""
+"""Jump of the curvature, relative to the larger side, up to which nothing is reported: it changes the width of
+a strip of 40 mm by 0.04 mm, and arcs that were drawn to micrometres have smaller ones."""
 
 KINK_SHARE = 0.01
-"""The same for its slope, over the length: the edge of a strip a fifth as wide as long turns by 0.1 degree
-at most."""
+"""Jump of the slope of the curvature, over the length, up to which nothing is reported: the edge of a strip a
+fifth as wide as long turns by at most 0.1 degree."""
 
 _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
@@ -262,7 +266,7 @@ def examine_curvature(
 
 
 def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """The same; of a closed curve that begins where its bending vanishes, begun elsewhere, with a sentence."""
+    """Let a closed curve that begins where its bending is 0 begin elsewhere, and say so in a sentence."""
     curve = excess.curve
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):  # which counts from the start
         return excess, ()
@@ -403,7 +407,8 @@ def _tell_straight_parts(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
+    """Whether kappa - kappa_0 leaves zero at t without a slope, so that no strip can take even the bent piece
+    alone."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))
@@ -435,8 +440,8 @@ def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
 def _warn_of_widths(
     curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Where the width will jump or kink with the curvature; not where a straight part begins or ends, which no
-    strip takes: made fair, it would wave about its line.
+    """Warn of places where the width will jump or have a kink with the curvature, but not where a straight piece
+    begins or ends, since smoothing would not help there.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
@@ -469,7 +474,7 @@ def _warn_of_widths(
 
 
 def _is_seen(curve: PlaneCurve, place: Break) -> bool:
-    """Does the curvature jump there, or its slope, by so much that anyone sees it in the width?"""
+    """Whether the curvature or its slope jumps by so much that it can be seen in the width."""
     before = np.array(curve.domain[1] if place.t == curve.domain[0] else place.t)  # of a closed one's start
     after = np.array(place.t)
     kappa = float(curve.curvature_at(before, left=True)), float(curve.curvature_at(after))
@@ -481,7 +486,7 @@ def _is_seen(curve: PlaneCurve, place: Break) -> bool:
 
 
 def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
-    """Where the curve crosses itself."""
+    """Warn of places where the curve crosses itself."""
     pairs = curve.self_intersections()
     if not pairs.size:
         return ()

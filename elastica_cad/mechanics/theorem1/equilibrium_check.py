@@ -104,8 +104,8 @@ def examine(
 UNBENT_SHARE = 1e-12  # of the largest curvature: an end with less is not bent
 
 MEANT_SHARE = 0.01
-"""An end that is free to turn is meant to be unbent where the curvature vanishes this near to it, in lengths of the
-curve, or would beyond it: no pen draws it nearer."""
+"""An end that is free to turn counts as unbent where the curvature vanishes within this share of the length
+from it, also beyond it: a drawing is not more exact."""
 
 
 def _with_unbent_ends(
@@ -135,7 +135,7 @@ def _with_unbent_ends(
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    """Is an inflection at an end off it by more than rounding? The stiffness beside it would be noise."""
+    """Whether an inflection that belongs to an end is away from it by more than rounding."""
     return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
@@ -180,11 +180,11 @@ def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
 
 
 _SAME_PLACE_SHARE = 1e-6
-"""Places along the curve nearer than this, in lengths of the curve, are the same inflection."""
+"""Places nearer to each other than this share of the length are the same inflection."""
 
 _WIDEST_RATIO = 1e4
-"""Ratio of stiffness from which on no strip can be made, by far: such a curve lies on the border of what is
-realizable, and whether it is inside is then a question of rounding."""
+"""Stiffness ratio above which a curve counts as on the border of what can be bent: no strip of that ratio can
+be made, and rounding decides the verdict."""
 
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
@@ -304,7 +304,7 @@ def _with_line(
 def _moved_onto(
     line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
 ) -> EquilibriumCheck | None:
-    """What is found of the curve once its inflections are moved onto the line; None where they cannot be."""
+    """Check the curve again with its inflections moved onto the line; None where they cannot be moved."""
     if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:  # which moving would open
         return None
 
@@ -475,13 +475,13 @@ def _kind_of(normal: FloatArray | None) -> str:
 
 
 MOST_STEPS = 12
-"""Newton steps before the move counts as none."""
+"""Largest number of Newton steps for such a move."""
 
 ON_LINE_SHARE = 1e-12
-"""Distance from the line, in sizes of the curve, at which an inflection lies on it."""
+"""Distance from the line, in sizes of the curve, below which an inflection lies on it."""
 
 LARGEST_MOVE_SHARE = 0.05
-"""Move of a control point, in lengths of the curve, that is no small one any more."""
+"""Largest move of a control point, in lengths of the curve."""
 
 
 def project_inflections(
@@ -532,7 +532,7 @@ def _on_line(
 
 
 def _kept_ends(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """What else is held, most first: places and tangents of the ends that are not on the line."""
+    """Constraints to try, the strictest first: positions and tangents of the ends that are not on the line."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)

@@ -1,34 +1,13 @@
-// Questions to the server and its answers. Of equal questions only the newest is sure to be answered.
+// Questions to the core and its answers. Of equal questions only the newest is sure to be answered.
 
-export class Channel {
-  constructor(address) {
-    this.address = address;
+class Questions {
+  constructor() {
     this.waiting = new Map(); // by kind of question: the questions under way, by number
     this.number = 0;
     this.onstate = () => {};
-    this.opened = new Promise((resolve) => { this.greeted = resolve; });
-    this.connect();
   }
 
-  connect() {
-    this.socket = new WebSocket(this.address);
-    this.socket.binaryType = "arraybuffer";
-    this.socket.onmessage = (event) => this.take(event.data);
-    this.socket.onclose = () => {
-      this.onstate(false);
-      for (const under of this.waiting.values()) for (const done of under.values()) done(null);
-      this.waiting.clear();
-      setTimeout(() => this.connect(), 2000);
-    };
-  }
-
-  take(data) {
-    const [answer, content] = typeof data === "string" ? [JSON.parse(data)] : opened(data);
-    if (answer.do === "hello") {
-      this.greeted(answer);
-      this.onstate(true);
-      return;
-    }
+  take(answer, content) {
     const under = this.waiting.get(kindOf(answer)) ?? this.waiting.get(answer.do);
     if (!under) return;
     const done = under.get(answer.id);
@@ -40,16 +19,69 @@ export class Channel {
     done?.(content ? { ...answer, content } : answer);
   }
 
-  // The answer; null where a newer question overtook this one or the server has gone.
+  // The answer; null where a newer question overtook this one or nobody is there.
   ask(question) {
-    const id = ++this.number;
-    if (this.socket.readyState !== WebSocket.OPEN) return Promise.resolve(null);
-    const kind = kindOf(question);
+    const id = ++this.number, kind = kindOf(question);
+    if (!this.open) return Promise.resolve(null);
     if (!this.waiting.has(kind)) this.waiting.set(kind, new Map());
     return new Promise((resolve) => {
       this.waiting.get(kind).set(id, resolve);
-      this.socket.send(JSON.stringify({ ...question, id }));
+      this.send({ ...question, id });
     });
+  }
+}
+
+// To the server of the page.
+export class Channel extends Questions {
+  constructor(address) {
+    super();
+    this.address = address;
+    this.opened = new Promise((resolve) => { this.greeted = resolve; });
+    this.connect();
+  }
+
+  get open() { return this.socket.readyState === WebSocket.OPEN; }
+
+  send(question) { this.socket.send(JSON.stringify(question)); }
+
+  connect() {
+    this.socket = new WebSocket(this.address);
+    this.socket.binaryType = "arraybuffer";
+    this.socket.onmessage = ({ data }) => {
+      const [answer, content] = typeof data === "string" ? [JSON.parse(data)] : opened(data);
+      if (answer.do !== "hello") this.take(answer, content);
+      else {
+        this.greeted(answer);
+        this.onstate(true);
+      }
+    };
+    this.socket.onclose = () => {
+      this.onstate(false);
+      for (const under of this.waiting.values()) for (const done of under.values()) done(null);
+      this.waiting.clear();
+      setTimeout(() => this.connect(), 2000);
+    };
+  }
+}
+
+// To the kernel of a notebook, which answers one after the other: a question that is overtaken is never sent.
+export class KernelChannel extends Questions {
+  constructor(model) {
+    super();
+    Object.assign(this, { model, open: true, busy: false, next: new Map() });
+    model.on("msg:custom", (answer, [content]) => {
+      this.busy = false;
+      this.take(answer, content && new Uint8Array(content.buffer ?? content));
+      const [kind, question] = this.next.entries().next().value ?? [];
+      this.next.delete(kind);
+      if (question) this.send(question);
+    });
+  }
+
+  send(question) {
+    if (this.busy) this.next.set(kindOf(question), question);
+    else this.model.send(question);
+    this.busy = true;
   }
 }
 

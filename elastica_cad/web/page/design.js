@@ -65,7 +65,7 @@ export class History {
 
   keep() {
     const { past, future, now } = this;
-    try { sessionStorage.setItem(this.key, JSON.stringify({ past, future, now })); } catch { /* no room */ }
+    if (this.key) try { sessionStorage.setItem(this.key, JSON.stringify({ past, future, now })); } catch { /* no room */ }
   }
 }
 

@@ -15,7 +15,7 @@ export function element(name, attributes = {}, ...children) {
 
 export class Drawing {
   constructor(svg, t, on) {
-    Object.assign(this, { svg, t, on, points: [], answer: null, ghost: null, mode: "move", snap: 0, axis: false });
+    Object.assign(this, { svg, t, on, points: [], answer: null, ghost: null, mode: "move", snap: 0, axis: false, fitted: true });
     this.view = { scale: 1, x: 0, y: 0 }; // px per mm, and where the origin lies
     this.layers = Object.fromEntries(LAYERS.map((name) => [name, element("g", { class: name })]));
     svg.append(...Object.values(this.layers));
@@ -43,7 +43,7 @@ export class Drawing {
   }
 
   resized() {
-    if (this.fitted !== false) this.fit();
+    if (this.fitted) this.fit();
     else this.paint();
   }
 
@@ -76,6 +76,7 @@ export class Drawing {
     if (event.button > 0) return;
     this.svg.setPointerCapture(event.pointerId);
     this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    this.fitted = false;
     const hit = this.hit(event);
     if (this.fingers.size > 1) this.grabbed = null;
     else if (hit >= 0) {
@@ -110,7 +111,6 @@ export class Drawing {
     } else {
       this.view.x += now[0] - before[0];
       this.view.y += now[1] - before[1];
-      this.fitted = false;
       this.paint();
     }
   }
@@ -141,11 +141,9 @@ export class Drawing {
 
   focus(k) { this.layers.points.children[k]?.focus(); }
 
-  show({ points = this.points, answer = this.answer, ghost = this.ghost, editable = true }) {
-    const first = !this.points.length && points.length > 1;
-    Object.assign(this, { points, answer, ghost, editable });
-    if (first) this.fit();
-    else this.paint();
+  show({ points = this.points, answer = this.answer, ghost = this.ghost }) {
+    Object.assign(this, { points, answer, ghost });
+    this.paint();
   }
 
   path(points, closed = false) {
@@ -169,11 +167,12 @@ export class Drawing {
 
   // Control points stay the same elements while they are moved: the focus stays where it is.
   paintPoints() {
-    const shown = this.editable ? this.points : [], group = this.layers.points;
+    const shown = this.points, group = this.layers.points, r = shown.length > 30 ? 3.5 : 6;
     while (group.children.length > shown.length) group.lastChild.remove();
     shown.forEach((point, k) => {
-      const made = group.children[k] ?? element("circle", { r: 6, tabindex: 0, role: "button" });
+      const made = group.children[k] ?? element("circle", { tabindex: 0, role: "button" });
       const [x, y] = this.toScreen(point);
+      made.setAttribute("r", r);
       made.setAttribute("cx", x.toFixed(1));
       made.setAttribute("cy", y.toFixed(1));
       made.setAttribute("aria-label", `${this.t("Control point")} ${k + 1}: ${point.map((v) => +v.toFixed(2)).join(", ")} mm`);

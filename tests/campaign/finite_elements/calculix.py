@@ -10,7 +10,18 @@ import numpy as np
 
 from tests.campaign.finite_elements.bricks import Bricks
 
-__all__ = ["Answer", "Material", "displaced", "model_cards", "run", "solve", "strict", "weight_cards"]
+__all__ = [
+    "Answer",
+    "Material",
+    "Printed",
+    "displaced",
+    "model_cards",
+    "run",
+    "run_deck",
+    "solve",
+    "strict",
+    "weight_cards",
+]
 
 GRAVITY_MM_S2 = 9806.65
 
@@ -88,16 +99,36 @@ def solve(
     return run(deck, len(body.nodes), folder)
 
 
+@dataclass(frozen=True, eq=False)
+class Printed:
+    """What a deck of several steps prints: displacements (k, n, 3), mm, and total forces of a set (m, 3), N."""
+
+    displacements: np.ndarray
+    forces: np.ndarray
+
+
+def run_deck(deck: Sequence[str], folder: Path, count: int) -> Printed:
+    """What ccx prints of a deck whose first `count` nodes are the body's."""
+    said = _said(deck, folder)
+    rows = re.findall(r"total force[^\n]*\n\s*\n\s*(\S+)\s+(\S+)\s+(\S+)", said)
+    return Printed(_displacements(said, count), np.array(rows, dtype=float).reshape(-1, 3))
+
+
 def run(deck: Sequence[str], count: int, folder: Path) -> Answer:
     """What ccx answers to a deck whose first `count` nodes are the body's."""
+    said = _said(deck, folder)
+    moved = _displacements(said, count)
+    return Answer(moved[0], _eigenvalues(said), moved[1:])
+
+
+def _said(deck: Sequence[str], folder: Path) -> str:
+    """The file that ccx prints into."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "strip.inp").write_text("\n".join(deck) + "\n")
     done = subprocess.run(["ccx", "strip"], cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode or "*ERROR" in done.stdout:
         raise RuntimeError(f"ccx in {folder}: {done.stdout[-1500:]}")
-    said = (folder / "strip.dat").read_text()
-    moved = _displacements(said, count)
-    return Answer(moved[0], _eigenvalues(said), moved[1:])
+    return (folder / "strip.dat").read_text()
 
 
 def model_cards(body: Bricks, materials: Sequence[Material]) -> list[str]:

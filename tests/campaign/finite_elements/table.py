@@ -43,6 +43,11 @@ as their side view is high. The tabs are held in the drawn pose; asked are 1e-03
 JOINED = """Strips 20 or 30 mm wide of two pieces: the base is cut through, a plate of the same sheet, as wide as
 the strip, is glued over the joint. Shares of the length, held by the tabs in the drawn pose."""
 
+FLEXURES = """Cut in the plane of a sheet, meshed from their DXF and put into each state, then let go but for their
+pads: the largest distance of the centre line from the drawn curve, as a share of the length; asked are 3e-03.
+Bistable ones are pushed at their middle from either state into the other: the largest push, which is to be within
+a tenth of what is told."""
+
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
 says. Strips of the Pavilion are of card, with their slots and weight; six minutes and more of processor each."""
@@ -148,6 +153,10 @@ def written(everything: dict[str, list[dict[str, Any]]]) -> str:
         lines += ["", "## Joined of two pieces by a plate", "", JOINED, ""]
         head = ("strip", "plate (mm)", "strayed", "told", "made up for: strayed", "told")
         lines += _table(head, everything["joined"], _joined)
+    if everything.get("flexures"):
+        lines += ["", "## Parts with two states", "", FLEXURES, ""]
+        head = ("strip", "first state", "second state", "push told (N)", "found", "back told (N)", "found")
+        lines += _table(head, everything["flexures"], _flexed)
     if everything.get("pockets"):
         lines += ["", "## In pockets with play", "", POCKETS, ""]
         head = ("strip", "length (mm)", "finite elements (mm)", "told (mm)")
@@ -195,6 +204,15 @@ def _thinned(row: dict[str, Any]) -> tuple[str, ...]:
 def _joined(row: dict[str, Any]) -> tuple[str, ...]:
     shares = (row[name] for name in ("strayed", "told", "made_up", "told_made_up"))
     return row["name"], f"{row['lap']:g}", *(f"{share:.1e}" for share in shares)
+
+
+def _flexed(row: dict[str, Any]) -> tuple[str, ...]:
+    pushes = [
+        f"{force:.3g}" if force else ""
+        for both in zip(row["told"], row["found"], strict=True)
+        for force in both
+    ]
+    return row["name"], *(f"{share:.1e}" for share in row["deviation"]), *pushes
 
 
 def _pocketed(row: dict[str, Any]) -> tuple[str, ...]:

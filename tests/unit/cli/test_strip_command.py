@@ -2,6 +2,7 @@
 
 import json
 import re
+from contextlib import chdir
 
 import numpy as np
 import pytest
@@ -12,8 +13,9 @@ from elastica_cad.cli import commands
 from elastica_cad.formats.curve_files.json_curves import curves_json
 
 
-def elastica(*arguments):
-    return CliRunner().invoke(commands.elastica, [*map(str, arguments)], catch_exceptions=False)
+def elastica(*arguments, cwd="."):
+    with chdir(cwd):
+        return CliRunner().invoke(commands.elastica, [*map(str, arguments)], catch_exceptions=False)
 
 
 @pytest.fixture

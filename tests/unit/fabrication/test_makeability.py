@@ -59,8 +59,9 @@ def test_a_slot_that_leaves_a_neck():
 
 
 def test_a_hole_near_the_edge_of_a_tab():
-    fault, *_ = find_strip_faults(strip(ends=(Tab(20, holes=(Hole(10, 15.0),)), Tab(12))))
-    assert "only 2.51 mm wide" in fault.what
+    fault, *_ = find_strip_faults(strip(ends=(Tab(20, holes=(Hole(10, 17.0),)), Tab(12))))
+    assert "only 1.51 mm are left between a hole and the edge 19.2 mm into the tab" in fault.what
+    assert "move the hole 0.49 mm away from the edge" in fault.cure
 
 
 def test_wide_corners_are_no_necks():
@@ -137,3 +138,21 @@ def test_strain_that_is_just_beyond_its_limit_differs_from_it():
     strain, limit, radius, least = map(float, found.groups())
     assert strain > limit
     assert radius < least
+
+
+def test_a_thin_web_is_told_with_how_far_to_move_the_hole():
+    arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    ends = (Tab(20, holes=(Hole(6, 4), Hole(11, 4))), Tab(10))
+    with pytest.raises(InputError, match=r"between two holes 8.5\d mm into the tab at its start") as refused:
+        make_strip(arch, "birch-plywood-0.8", max_width=30, ends=ends)
+    assert "move the holes 1 mm apart" in str(refused.value) or "move the holes 0.9" in str(refused.value)
+    wide = replace(ends[0], holes=(Hole(5, 4), Hole(11.1, 4)))
+    make_strip(arch, "birch-plywood-0.8", max_width=30, ends=(wide, ends[1]))
+
+
+def test_a_narrow_tab_is_told_as_a_tab():
+    arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    with pytest.raises(
+        InputError, match=r"into the tab at its start, 3 mm are needed.*give the tab a larger width"
+    ):
+        make_strip(arch, "birch-plywood-0.8", max_width=30, ends=(Tab(20, width=2), Tab(10)))

@@ -76,12 +76,14 @@ above = [0, 0, 1]
 sheet_size = [600, 400]
 margin = 2
 [cut]
+colors = "boxes"
 kerf = "sheet"
 curves = "arc"
 tolerance = 0.05
 version = "R12"
 holding = { width = 0.4, spacing = 90, least = 2, inner = true }
 [extras]
+pages = "A4"
 coupon = true
 reference_bar = 80
 [[patterns]]
@@ -227,6 +229,7 @@ foot = 20
 foot_height = 4
 screw = 3.2
 [stand]
+name = "foot"
 strips = "S*"
 sheet = "mdf-3"
 thickness = 3

@@ -57,7 +57,10 @@ def test_a_blank_that_varies_is_listed_along_the_strip():
     assert np.interp([0, 25, 50, 75, 100], record["s"], record["curvature"]) == pytest.approx(
         [0, -0.004, -0.008, -0.002, 0.004], abs=1e-4
     )
-    assert "125 mm at 50.0 mm, its sharpest, the other way than it stands bent there" in tell_blank(found)
+    assert (
+        "125 mm at its sharpest, 50 mm from its start, the other way than it stands bent there"
+        in tell_blank(found)
+    )
 
 
 def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):

@@ -19,7 +19,7 @@ from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_fea
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.words import translated
+from freecad.elastica_wb.host.words import Unit, Words, user_language
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
 from elastica_cad.errors import InputError
@@ -120,7 +120,8 @@ def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
     if not any(blanks):
         return text
     stream = io.StringIO()
-    rows = zip(csv.reader(io.StringIO(text)), ["bent_beforehand", *map(translated, blanks)], strict=True)
+    words = Words(user_language(), Unit("mm", 1.0), ".")
+    rows = zip(csv.reader(io.StringIO(text)), ["bent_beforehand", *map(words.sentence, blanks)], strict=True)
     csv.writer(stream, lineterminator="\n").writerows([*row, blank] for row, blank in rows)
     return stream.getvalue()
 

@@ -1,0 +1,83 @@
+"""Typed options of the CAD libraries: made by `make generate` from the fields of `StripSpec`."""
+
+from typing import TYPE_CHECKING, Any, TypedDict
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from elastica_cad.fabrication.makeability.shop import Shop
+    from elastica_cad.fabrication.slots.slot import Slot
+    from elastica_cad.fabrication.strip.outline import Tab
+    from elastica_cad.fabrication.strip.styles import Style
+    from elastica_cad.forming.limits import Keep, Limits
+    from elastica_cad.kernel.strip_body import Point
+    from elastica_cad.mechanics.loads.gravity import Gravity
+    from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
+    from elastica_cad.mechanics.loads.supports import Supports
+    from elastica_cad.mechanics.loads.weight import PointMass, Weight
+    from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+
+
+class StripOptions(TypedDict, total=False):
+    """What every skin takes besides path, sheet and max_width; see `StripSpec`.
+
+    `plane` is the plane of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`.
+    `gravity` may be a vector of the library too, a direction in space.
+    """
+
+    plane: Any
+    min_width: "float | None"
+    """Width of the narrowest place, or its limit (mm)."""
+    style: "Style"
+    """How stiffness becomes material."""
+    limits: "Limits | None"
+    """The curve may change, as little as these limits ask for."""
+    keep: "Keep | None"
+    """What a curve that may change keeps."""
+    gravity: "Gravity | bool | Sequence[float] | Point | None"
+    """The strip carries its own weight: true, the direction in which it falls, or a length of its own."""
+    loads: "PointMass | Sequence[PointMass] | Weight"
+    """Masses hung on the strip, or all weight in newtons."""
+    supports: "Supports"
+    """What holds the start and the end of the curve."""
+    natural_curvature: "float | RestCurvature"
+    """Curvature of the strip before it is bent, or a blank that is bent beforehand (1/mm)."""
+    samples: "int | None"
+    """Nodes of the rod; chosen unless given."""
+    ends: "Tab | Sequence[Tab]"
+    """Tab of both ends, or the two of start and end."""
+    joint: "float | None"
+    """Where a closed strip is joined, along its curve; where it is bent least unless given (mm)."""
+    straight_ends: "bool"
+    """Straight first and last pieces of the curve become the tabs; false: the whole curve is bent."""
+    slots: "Slot | Sequence[Slot]"
+    """Slots from the edge."""
+    label: "str"
+    """Text engraved on the strip, and its name in messages."""
+    smooth: "float | None"
+    """How far the curve may be moved to become fair; 0 follows it exactly as drawn (mm)."""
+    shop: "Shop"
+    """What the workshop can make."""
+    compensate: "bool | None"
+    """Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone."""
+    creep: "float"
+    """Creep factor of the sheet in the long run; 0 leaves creep out."""
+    law: "BoundedLaw | None"
+    """What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves."""
+    ignore_limits: "bool"
+    """Make a strip that cannot be cut or handled, and say so."""
+
+
+class FixtureSizes(TypedDict, total=False):
+    """Sizes of an end fixture; see `fabrication.EndFixture`."""
+
+    clearance: "float"
+    """Room around the tab in its pocket (mm)."""
+    wall: "float"
+    """Thickness around the pocket (mm)."""
+    foot: "float"
+    """Width of the foot; 0 for none (mm)."""
+    foot_height: "float"
+    """Height of the foot (mm)."""
+    screw: "float"
+    """Diameter of the screw holes in the foot; 0 for none (mm)."""

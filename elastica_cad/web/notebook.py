@@ -1,0 +1,100 @@
+"""The studio in a notebook: the same page, answered by the notebook's own kernel."""
+
+import json
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+from elastica_cad.errors import MissingDependencyError, how_to_install
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.web.answers import asked_spec
+from elastica_cad.web.saved_design import curve_table
+from elastica_cad.web.vocabulary import page_words
+from elastica_cad.web.worker import reply
+
+if TYPE_CHECKING:
+    from anywidget import AnyWidget
+
+MODULES = (
+    "channel.js", "colors.js", "design.js", "drawing.js", "flat.js", "forms.js", "vendor/three.module.min.js",
+    "space.js", "starts.js", "words.js", "studio.js",
+)  # fmt: skip
+"""Files of the page, those before that others import."""
+
+
+def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
+    """The studio as a widget of a notebook (Jupyter, with anywidget): draw a curve, and go on with what was drawn.
+
+    Parameters
+    ----------
+    curve : PlaneCurve, optional
+        To begin with; an empty drawing unless given.
+    **keys
+        As in a design file: `sheet="pom-1"`, `max_width=20`, `limits={"ratio": 3}`; lengths in mm.
+
+    Returns
+    -------
+    AnyWidget
+        Its `value` is the curve (PlaneCurve) and the request (StripSpec) as they are drawn, `design` the tables of
+        a design file.
+
+    Raises
+    ------
+    MissingDependencyError
+        anywidget is not installed.
+
+    Examples
+    --------
+    >>> drawn = studio(PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]), max_width=30)
+    >>> curve, spec = drawn.value
+    >>> round(curve.length, 1), spec.max_width
+    (202.2, 30.0)
+    """
+    table: dict[str, Any] = {"spline": [], "degree": 4} if curve is None else curve_table(curve)
+    design = {"schema": 1, "name": "strip", "sheet": "birch-plywood-0.8", "max_width": 30.0, **keys}
+    made: AnyWidget = _widget()(
+        design=design | {"strips": [{"label": "A1", "curve": table}]}, hello=page_words() | {"starts": {}}
+    )
+    return made
+
+
+@cache
+def _widget() -> type["AnyWidget"]:
+    try:
+        from anywidget import AnyWidget
+        from traitlets import Dict
+    except ImportError:
+        raise MissingDependencyError(
+            "the studio in a notebook needs anywidget: {install}", install=how_to_install("anywidget")
+        ) from None
+    page = files("elastica_cad.web").joinpath("page")
+    texts = {f"./{name}": page.joinpath(name).read_text(encoding="utf-8") for name in MODULES}
+
+    class Studio(AnyWidget):
+        """A page whose questions this process answers."""
+
+        _esm = (
+            f"const MODULES = {json.dumps(texts)};\n{page.joinpath('widget.js').read_text(encoding='utf-8')}"
+        )
+        _css = page.joinpath("studio.css").read_text(encoding="utf-8")
+        design = Dict().tag(sync=True)
+        hello = Dict().tag(sync=True)
+
+        def __init__(self, **values: Any) -> None:
+            super().__init__(**values)
+            self.on_msg(self._answer)
+
+        def _answer(self, _: Any, question: Mapping[str, Any], __: Any) -> None:
+            kind, content = reply(json.dumps(question).encode())
+            head, _, file = content.partition(b"\n") if kind == b"file" else (content, b"", b"")
+            self.send(json.loads(head), [file] if kind == b"file" else None)
+
+        @property
+        def value(self) -> tuple[PlaneCurve, StripSpec]:
+            """The curve and the request as they are drawn."""
+            spec = asked_spec(self.design)
+            return spec.curve, spec
+
+    return Studio

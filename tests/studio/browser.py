@@ -1,0 +1,142 @@
+"""The studio in Chromium, by mouse, keyboard and sight, as a person uses it."""
+
+import time
+from contextlib import contextmanager
+from importlib.resources import files
+
+import numpy as np
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import Select
+
+AXE = """
+const done = arguments[arguments.length - 1];
+axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]})
+   .then(found => done(found.violations.map(v => v.id + ": " + v.nodes.map(n => n.target.join(" ")).join(", "))));
+"""
+
+TIMED = """
+window.painted = [];
+let moved = 0;
+addEventListener("pointermove", event => { moved = event.timeStamp; }, true);
+new MutationObserver(() => {
+  const since = moved;
+  requestAnimationFrame(() => setTimeout(() => window.painted.push(performance.now() - since)));
+}).observe(document.querySelector("g.strip"), { childList: true });
+"""
+"""Milliseconds from the last move of the pointer to each strip that is painted."""
+
+
+@contextmanager
+def chromium(downloads, size=(1400, 1000), language="en"):
+    options = webdriver.ChromeOptions()
+    for flag in (
+        "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader", f"--window-size={size[0]},{size[1]}", f"--lang={language}",
+    ):  # fmt: skip
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    options.add_experimental_option(
+        "prefs", {"download.default_directory": str(downloads), "intl.accept_languages": language}
+    )
+    browser = webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
+    browser.set_script_timeout(60)
+    try:
+        yield Studio(browser, downloads)
+    finally:
+        browser.quit()
+
+
+class Studio:
+    def __init__(self, browser, downloads):
+        self.browser, self.downloads = browser, downloads
+
+    def open(self, address):
+        self.browser.get(address)
+        self.until(lambda: self.all(".tools button"))
+
+    def until(self, seen, seconds=60):
+        """What `seen` gives once that is something."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if found := seen():
+                return found
+            time.sleep(0.05)
+        raise AssertionError(f"not seen in {seconds} s; the page says {self.text('.told')!r}")
+
+    def all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def text(self, selector):
+        read = "return [...document.querySelectorAll(arguments[0])].map(one => one.innerText).join(' ')"
+        return self.browser.execute_script(read, selector)
+
+    def click(self, text, selector="button"):
+        (one,) = [one for one in self.all(selector) if one.text == text and one.is_displayed()]
+        one.click()
+
+    def mouse(self, kind, at, **more):
+        more = {"button": "left", "buttons": 1} | more
+        self.browser.execute_cdp_cmd(
+            "Input.dispatchMouseEvent", {"type": kind, "x": at[0], "y": at[1], **more}
+        )
+
+    def press(self, at, *ways):
+        """Press the mouse there, lead it to places so far away, let it go."""
+        self.mouse("mouseMoved", at, buttons=0)
+        self.mouse("mousePressed", at, clickCount=1)
+        places = [np.add(at, way) for way in ways]
+        for place in places:
+            self.mouse("mouseMoved", place)
+        self.mouse("mouseReleased", places[-1] if places else at, clickCount=1)
+
+    def box(self, selector):
+        return self.browser.execute_script(
+            "const r = document.querySelector(arguments[0]).getBoundingClientRect();"
+            "return [r.x, r.y, r.width, r.height]",
+            selector,
+        )
+
+    def center(self, selector):
+        x, y, wide, high = self.box(selector)
+        return np.array([x + wide / 2, y + high / 2])
+
+    def point(self, k):
+        return self.center(f"g.points circle:nth-child({k})")
+
+    def verdict(self):
+        return self.text(".verdict strong")
+
+    def shape(self):
+        """What the drawing shows of the strip, to tell whether it has changed."""
+        return self.browser.execute_script("return document.querySelector('g.strip').innerHTML")
+
+    def scene(self):
+        """The picture of the strip in space."""
+        return self.all(".scene canvas")[0].screenshot_as_png
+
+    def choose(self, selector, value):
+        Select(self.all(selector)[0]).select_by_value(value)
+
+    def type(self, selector, text):
+        (one,) = self.all(selector)
+        one.clear()
+        one.send_keys(text, "\t")
+
+    def download(self, kind, name):
+        if self.browser.execute_script("return !document.querySelector('.downloads').open"):
+            self.all(".downloads summary")[0].click()
+        self.all(f".downloads [data-kind={kind}]")[0].click()
+        path = self.downloads / name
+        self.until(lambda: path.exists() and not list(self.downloads.glob("*.crdownload")), 120)
+        return path
+
+    def complaints(self):
+        self.browser.execute_script(
+            files("axe_core_python").joinpath("axe.min.js").read_text(encoding="utf-8")
+        )
+        return self.browser.execute_async_script(AXE)
+
+    def logged(self):
+        return [entry["message"] for entry in self.browser.get_log("browser")]

@@ -1,0 +1,203 @@
+"""Walks through the studio in Chromium, by mouse and keyboard; the long ones are a campaign."""
+
+import statistics
+import subprocess
+import sys
+import tomllib
+from math import sin
+from zipfile import ZipFile
+
+import ezdxf
+import pytest
+
+import elastica_cad as ec
+from tests.studio.browser import TIMED, chromium
+
+CURVE = [(0.12, 0.75), (0.2, 0.6), (0.3, 0.25), (0.5, 0.15), (0.7, 0.25), (0.8, 0.6), (0.88, 0.75)]
+"""Places on the drawing, in shares of its size."""
+
+
+def drawn(studio, places):
+    x, y, wide, high = studio.box(".plane > svg")
+    for across, down in places:
+        studio.press((x + wide * across, y + high * down))
+
+
+def by_command(design, folder):
+    """The cutting file that the command line makes of the same request."""
+    curve, (strip,) = design["strips"][0]["curve"], design["strips"]
+    ec.write_curves([ec.PlaneCurve.spline(curve["spline"], curve["degree"])], folder / "strip.json")
+    words = [
+        "strip",
+        "strip.json",
+        "--sheet",
+        design["sheet"],
+        "--max-width",
+        design["max_width"],
+        "--label",
+        strip["label"],
+    ]
+    words += ["--gravity"] if design.get("gravity") else []
+    command = [
+        sys.executable,
+        "-m",
+        "elastica_cad",
+        *map(str, words),
+        "--no-step",
+        "--no-pictures",
+        "-o",
+        "out",
+    ]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return (folder / "out" / "strip.dxf").read_bytes()
+
+
+def test_from_an_empty_drawing_to_the_cutting_file(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        assert "token" not in studio.browser.current_url
+        drawn(studio, CURVE)
+        studio.until(lambda: studio.verdict().startswith("It can be made"))
+
+        before = studio.shape()
+        studio.press(studio.point(4), *((k, k / 2) for k in range(1, 20)))
+        studio.until(lambda: studio.shape() not in ("", before))
+
+        scene = studio.scene()
+        studio.press(studio.center(".scene canvas"), (60, 20))
+        studio.until(lambda: studio.scene() != scene)
+
+        design = tomllib.loads(studio.download("design", "strip.toml").read_text())
+        assert studio.download("dxf", "strip.dxf").read_bytes() == by_command(design, tmp_path)
+        assert studio.logged() == []
+
+
+@pytest.mark.campaign
+def test_all_that_a_page_can_do(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.click("Start from")
+        studio.all("[data-name=arch]")[0].click()
+        studio.until(lambda: studio.verdict() == "It can be made")
+
+        for k in range(300):
+            if not k % 30:
+                studio.press(studio.point(5), *((9 * sin(j), j / 3) for j in range(30)))
+        studio.until(lambda: "It can" in studio.verdict())
+
+        widths = studio.text(".numbers")
+        studio.choose("#field-sheet", "pom-1")
+        studio.until(lambda: studio.text(".numbers") != widths)
+        studio.choose("#field-gravity", "true")
+        studio.until(lambda: "gravity" in studio.download_design()["_text"])
+
+        studio.press(studio.point(2), (0, -90))
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+        studio.click("Nearest curve", ".tools button")
+        studio.until(lambda: studio.all(".take"))[0].click()
+        studio.until(lambda: studio.verdict().startswith("It can be made"))
+
+        studio.browser.execute_script("document.querySelector('.bend input').focus()")
+        studio.all(".bend input")[0].send_keys("\ue012")  # Left
+        forces = studio.until(lambda: studio.text(".forces"))
+        assert " N mm" in forces
+        for _ in range(2):
+            studio.click("Undo")
+        studio.until(studio.verdict)
+
+
+@pytest.mark.campaign
+def test_the_address_alone_restores_the_design(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.click("Start from")
+        studio.all("[data-name=s-curve]")[0].click()
+        studio.until(lambda: studio.verdict() and "#" in studio.browser.current_url)
+        length = studio.until(lambda: studio.text(".numbers dd:nth-of-type(1)"))
+        fragment = studio.until(lambda: studio.browser.current_url.partition("#")[2])
+    with chromium(tmp_path) as fresh:
+        fresh.open(f"{server.address}#{fragment}")
+        assert fresh.until(lambda: fresh.text(".numbers dd:nth-of-type(1)")) == length
+        fresh.press(fresh.point(2), (5, 5))
+        fresh.until(lambda: fresh.text(".numbers dd:nth-of-type(1)") != length)
+        fresh.browser.execute_script("history.pushState(null, '', location.href)")
+        moved = fresh.shape()
+        fresh.until(lambda: fragment not in fresh.browser.current_url)
+        fresh.open(fresh.browser.current_url)
+        fresh.browser.refresh()
+        fresh.until(lambda: fresh.all("g.strip path"))
+        fresh.click("Undo")
+        assert fresh.until(lambda: fresh.text(".numbers dd:nth-of-type(1)")) == length
+        assert moved
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(
+    ("language", "said"), [("de", "Machbar"), ("zh", "可以制作"), ("en", "It can be made")]
+)
+@pytest.mark.parametrize("size", [(1400, 1000), (500, 900)])
+def test_the_page_is_accessible_in_every_language(server, tmp_path, language, said, size):
+    with chromium(tmp_path, size, language) as studio:
+        studio.open(server.address)
+        studio.all("[data-do=starts]")[0].click()
+        studio.all("[data-name=arch]")[0].click()
+        studio.until(lambda: studio.verdict() == said)
+        assert studio.complaints() == []
+        assert studio.browser.execute_script("return document.documentElement.scrollWidth - innerWidth") <= 0
+        studio.browser.execute_script("document.querySelector('g.points circle').focus()")
+        shape = studio.shape()
+        studio.browser.switch_to.active_element.send_keys("\ue013")  # Up
+        studio.until(lambda: studio.shape() != shape)
+
+
+@pytest.mark.campaign
+def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
+    """In the words of the README: draw, set copies and rings, take the zip."""
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.click("Start from")
+        studio.all("[data-name=lamp]")[0].click()
+        studio.until(lambda: "12 strips" in studio.text(".said"))
+        path = studio.download("kit", "lamp.zip")
+    with ZipFile(path) as packed:
+        names = packed.namelist()
+        packed.extractall(tmp_path)
+    sheets = [name for name in names if "/sheets/" in name and name.endswith(".dxf")]
+    assert len(sheets) == 2
+    assert all(len(ezdxf.readfile(tmp_path / name).modelspace()) for name in sheets)
+    assert any(name.endswith("cut-list.csv") for name in names)
+
+
+@pytest.mark.campaign
+def test_the_end_of_the_server_is_told_and_the_design_stays(tmp_path):
+    from tests.studio.conftest import running
+
+    with chromium(tmp_path) as studio:
+        with running() as server:
+            studio.open(server.address)
+            studio.click("Start from")
+            studio.all("[data-name=arch]")[0].click()
+            studio.until(lambda: studio.verdict() == "It can be made" and "#" in studio.browser.current_url)
+        studio.until(lambda: "server has ended" in studio.text(".said"))
+        assert len(studio.all("g.points circle")) == 9
+
+
+@pytest.mark.campaign
+def test_the_strip_follows_the_pointer(server, tmp_path, record_property):
+    """From pointer to painted strip: the numbers are written down, a slow machine is no fault."""
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.click("Start from")
+        studio.all("[data-name=arch]")[0].click()
+        studio.until(lambda: studio.verdict() == "It can be made")
+        studio.browser.execute_script(TIMED)
+        place = studio.point(5)
+        studio.mouse("mousePressed", place, clickCount=1)
+        for k in range(300):
+            seen = studio.browser.execute_script("return painted.length")
+            studio.mouse("mouseMoved", (place[0] + 30 * sin(k / 9), place[1] + 20 * sin(k / 13)))
+            studio.until(lambda: studio.browser.execute_script("return painted.length") > seen)  # noqa: B023
+        times = sorted(studio.browser.execute_script("return painted"))
+    print(f"median {statistics.median(times):.0f} ms, 95 % {times[int(0.95 * len(times))]:.0f} ms")
+    record_property("median_ms", statistics.median(times))

@@ -1,0 +1,70 @@
+"""What is declared once arrives wherever it is read: in design files, options, forms, types and pages."""
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Literal
+
+import pytest
+
+from elastica_cad.declared import Asked, declared, kind_of
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.formats.design_files.records import described, read_line
+from elastica_cad.formats.design_files.strip_table import StripKeys
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@dataclass(frozen=True)
+class Ring:
+    radius: Annotated[float, Asked("Radius of the ring.", "mm", least=0)]
+    side: Annotated[Literal["upper", "lower"], Asked("Where it opens.")] = "upper"
+    places: Annotated[tuple[tuple[float, float], ...], Asked("Points on it.", "mm")] = ()
+    inner: "Annotated[Ring | None, Asked('A ring within.')]" = None
+
+
+def test_a_record_is_read_from_a_table_of_its_declared_fields():
+    made = read_line("radius = '2 * 5', places = [[0, 1], [2, 3]], inner = { radius = 1 }", "ring", Ring)
+    assert made == Ring(10.0, places=((0, 1), (2, 3)), inner=Ring(1.0))
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ("", "radius is missing: radius of the ring"),
+        ("radius = true", "radius is True: it must be a number or a formula"),
+        ("radius = 1, sied = 'upper'", "unknown key 'sied'; did you mean side"),
+        ("radius = 1, side = 'left'", "side is 'left': use one of upper, lower"),
+        ("radius = 1, places = [[1]]", r"places\[1\] is \[1\]: it must be 2 numbers"),
+        ("radius = 1, inner = { radius = 'a' }", "inner: radius: unknown name 'a'"),
+    ],
+)
+def test_what_a_table_lacks_or_has_too_much_is_told_at_its_place(line, sentence):
+    with pytest.raises(InputError, match=f"ring: {sentence}"):
+        read_line(line, "ring", Ring)
+
+
+def test_forms_know_all_fields_of_a_strip():
+    fields = {one["name"]: one for one in described(StripKeys)}
+    assert {one.name for one in declared(StripSpec)} <= set(fields)
+    ratio = next(one for one in fields["limits"]["fields"] if one["name"] == "ratio")
+    assert (ratio["kind"], ratio["least"], ratio["common"]) == ("number", 1, True)
+    words = [one["word"] for one in fields["style"]["of"]]
+    assert words == ["plain", "perforated", "laminated"]
+
+
+def test_what_no_file_can_hold_is_declared_by_what_is_written():
+    assert kind_of(float | None).name == "number"
+    with pytest.raises(TypeError, match="say what stands in files"):
+        kind_of(3)
+
+
+def test_typed_options_are_those_of_the_declarations(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    import generated_options
+
+    assert generated_options.FILE.read_text(encoding="utf-8") == generated_options.text(), (
+        "run: make generate"
+    )
+    assert sys.modules.pop("generated_options")
