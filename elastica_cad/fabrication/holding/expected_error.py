@@ -25,7 +25,7 @@ PHASES = 8
 """Of a wave along the strip that are tried."""
 
 OPEN_SHARES: Mapping[str, float] = {
-    "slots": 0.15,
+    "slots": 0.22,
     "narrow tabs": 0.3,
     "steps of width": 0.3,
     "leaning ligaments": 0.7,
@@ -44,7 +44,12 @@ as those of a sheet without, in proportion to what sqrt(E / G) has more."""
 
 
 def open_deviation(
-    length: float, sheet: Sheet, parts: Mapping[str, float], *, approximated: bool = False
+    length: float,
+    sheet: Sheet,
+    parts: Mapping[str, float],
+    *,
+    approximated: bool = False,
+    crowded: bool = False,
 ) -> float:
     """How far, mm, a strip of a perfect sheet may lie from where the model has it.
 
@@ -57,12 +62,15 @@ def open_deviation(
         What each cause does to the strip before widths make up for it, mm.
     approximated : bool
         Does the drawing only come near to the stiffness, as holes and backings do?
+    crowded : bool
+        Do slots lie so near to each other that what they do together is not known?
     """
     nu = sheet.poisson_ratio
     shares = OPEN_PLAIN + OPEN_CURLED * (nu / 0.3) ** 2
     if approximated:
         shares += OPEN_BUILT + OPEN_GRAINED * max(0.0, (even_shear_ratio(nu) / sheet.shear_ratio) ** 0.5 - 1)
-    return shares * length + sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
+    left = parts.get("slots", 0.0) * crowded
+    return shares * length + left + sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
 
 
 @dataclass(frozen=True)
