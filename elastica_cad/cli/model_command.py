@@ -140,7 +140,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
             f"{nest.grain and f', {nest.grain}'}"
         )
     if kit.held:
-        worst = max(kit.held, key=lambda name: kit.held[name].deviation)
+        worst = max(kit.held, key=lambda name: kit.held[name].expected)
         say(f"{worst}, the one that strays most: {kit.held[worst]}")
     said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *_warnings(kit))))
     most = len(said) if voice().verbose else MOST_SAID

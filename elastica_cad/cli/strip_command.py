@@ -39,6 +39,7 @@ from elastica_cad.errors import (
 )
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.holders.holding_template import tell_ends
+from elastica_cad.fabrication.holding.held_shape import about
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
@@ -232,7 +233,8 @@ def _tell_compensation(kit: StripKit) -> None:
         return
     better = compensate_within(made, kit.spec.shop)
     if better.correction is not None and better.held_deviation < made.held_deviation / 2:
-        say(f"--compensate makes up for that in the widths: {better.held_deviation:.2g} mm are left")
+        left = about(better.held().expected)
+        say(f"--compensate makes up for that in the widths: about {left} are left, model and sheet included")
 
 
 def _tell(kit: StripKit, written: Iterable[Path]) -> None:

@@ -38,6 +38,11 @@ from elastica_cad.fabrication.holders.slotted_frame import (
     slotted_frame as slotted_frame,
 )
 from elastica_cad.fabrication.holders.held_tabs import held_shapes as held_shapes, tab_seats as tab_seats
+from elastica_cad.fabrication.holding.expected_error import (
+    MakingTolerance as MakingTolerance,
+    open_deviation as open_deviation,
+    sheet_effects as sheet_effects,
+)
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
 from elastica_cad.fabrication.holding.held_shape import Reactions as Reactions
 from elastica_cad.fabrication.holding.tab_seat import EndPose as EndPose, TabSeat as TabSeat

@@ -11,6 +11,7 @@ from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_flag, require_positive, require_record, several
 from elastica_cad.declared import Asked
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
+from elastica_cad.fabrication.holding.expected_error import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
@@ -119,6 +120,8 @@ class StripSpec(EqualByValue):
         station by station, and so carries its weight. Its limits stand for `max_width` and `min_width`.
     ignore_limits : bool
         Make a strip that the workshop cannot, and say so in its warnings.
+    tolerance : MakingTolerance
+        What is assumed to be off in sheet, cut and clamps; what that adds to how far the strip strays is told.
 
     Raises
     ------
@@ -254,6 +257,9 @@ class StripSpec(EqualByValue):
     ignore_limits: Annotated[
         bool, Asked("Make a strip that cannot be cut or handled, and say so.", group="limits", common=True)
     ] = False
+    tolerance: Annotated[
+        MakingTolerance, Asked("What is off in sheet, cut and clamps; what that adds is told.", group="sheet")
+    ] = USUAL_TOLERANCE
 
     def __new__(cls, *_: Any, **fields: Any) -> "StripSpec":
         """Refuse old names of fields with what they are called now."""
@@ -503,6 +509,7 @@ class StripSpec(EqualByValue):
             slots=self.slots,
             label=self.label,
             creep=self.creep,
+            tolerance=self.tolerance,
         )
         return make_within(
             made, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits

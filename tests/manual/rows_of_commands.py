@@ -328,7 +328,7 @@ PROVOKED = {
     "unstable": (r"\(unstable\)", *NEAR),
     "margin ... low, ample": (r"margin [\d.]+ \((low|ample)\)", *MAKE),
     "sideways low, undecided": (r"sideways (low|undecided)", *NEAR),
-    "strays ... from its design": (r"strays [\d.]+ mm from its design", *MAKE),
+    "strays ... from its design": (r"strays about [\d.]+ mm from its design", *MAKE),
     "only ... mm, ... mm are needed": (r"only [\d.]+ mm .* mm are needed", *MAKE, "--max-width", "2"),
     "larger than the stock": (r"larger than the stock", *MAKE, "--set", "shop.stock=[100,80]"),
 }

@@ -94,9 +94,8 @@ def test_a_drawing_passes_the_file_checks(slotted, check_drawing):
 
 
 def test_slots_move_the_shape_a_little(pavilion):
-    """The deepest cuts leave four fifths of the stiffness; the arch gives way by half a millimetre."""
+    """The arch gives way by half a millimetre."""
     strips = pavilion(7).interlock().strips
-    assert all(0.75 < strip.as_made.shares["slots"].min() < 0.95 for strip in strips)
     assert all(0 < strip.held().parts["slots"] < 1.5 for strip in strips)
     assert "slots" not in pavilion(1).strips[0].held().parts
 

@@ -10,6 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.holding.expected_error import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.fabrication.holding.held_shape import Reactions, closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
@@ -119,6 +120,9 @@ class Strip:
     plates : LapPlates, optional
         What joins the pieces of a strip that is longer than the stock.
 
+    tolerance : MakingTolerance
+        What is assumed to be off in sheet, cut and clamps: see `held`.
+
     Raises
     ------
     InputError
@@ -148,6 +152,7 @@ class Strip:
     creep: float = 0.0
     correction: Profile | None = None
     plates: "LapPlates | None" = None
+    tolerance: MakingTolerance = USUAL_TOLERANCE
 
     def __post_init__(self) -> None:
         if not isinstance(self.rod, Rod):
@@ -163,6 +168,7 @@ class Strip:
             if value is not None:
                 require_positive(value, name)
         require_printable(self.label, "the label")
+        require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")
         if self.correction is not None:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
         object.__setattr__(self, "ends", pair_of_tabs(self.ends))
@@ -441,7 +447,7 @@ class Strip:
             if seat is not None:
                 require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
         asked = self.as_made if self.correction is None else replace(self, correction=None).as_made
-        return self.as_made.held((start, end), asked)
+        return self.as_made.held((start, end), asked, self.tolerance)
 
     @cached_property
     def held_deviation(self) -> float:

@@ -301,15 +301,20 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
 
 
 def report_held(shape: HeldShape) -> dict[str, Any]:
-    """How far a strip strays as made and held, and by what, ready for JSON."""
+    """How far a strip strays as made and held, and by what, ready for JSON; what is expected has two digits."""
     return {
+        "expected": float(f"{shape.expected:.2g}"),
         "deviation": round_numbers(shape.deviation),
+        "open": float(f"{shape.open:.2g}"),
+        "sheet": {"all": float(f"{shape.sheet_adds:.2g}")}
+        | {cause: float(f"{mm:.2g}") for cause, mm in shape.sheet.items()},
         "parts": {cause: round_numbers(mm) for cause, mm in shape.parts.items()},
         "made_up_for": list(shape.made_up_for),
         "ends": {
             end: {"shift": round_numbers(pose.shift), "turn": round_numbers(pose.turn)}
             for end, pose in (("start", shape.start), ("end", shape.end))
         },
+        "notes": list(shape.notes),
     }
 
 

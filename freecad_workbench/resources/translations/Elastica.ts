@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>What is off in sheet, cut and clamps, rad and mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How it strays as made and held, and by what</source>
         <translation type="unfinished"></translation>
     </message>

@@ -31,17 +31,25 @@ RESIDUAL = 1e-7
 
 @dataclass(frozen=True)
 class Material:
-    """E in MPa, nu, density in kg/m3."""
+    """E along the strip in MPa, nu, density in kg/m3; of plywood also G in the plane and E across, MPa."""
 
     youngs_modulus: float
     poisson_ratio: float
     density: float
+    shear_modulus: float | None = None
+    across: float | None = None
 
     @property
     def cards(self) -> list[str]:
-        """Its lines in the deck; t, mm, s."""
-        return ["*ELASTIC", f"{self.youngs_modulus:.12g}, {self.poisson_ratio:.12g}",
-                "*DENSITY", f"{self.density * 1e-12:.12g}"]  # fmt: skip
+        """Its lines in the deck; t, mm, s. Along x, across y and through z; through it nothing couples."""
+        E, nu, G = self.youngs_modulus, self.poisson_ratio, self.shear_modulus
+        density = ["*DENSITY", f"{self.density * 1e-12:.12g}"]
+        if G is None:
+            return ["*ELASTIC", f"{E:.12g}, {nu:.12g}", *density]
+        across = self.across or E
+        figures = (E, across, across, nu, 0.0, 0.0, G, G, G)
+        first = ", ".join(f"{one:.12g}" for one in figures[:8])
+        return ["*ELASTIC, TYPE=ENGINEERING CONSTANTS", f"{first},", f"{figures[8]:.12g}, 293.", *density]
 
 
 @dataclass(frozen=True, eq=False)

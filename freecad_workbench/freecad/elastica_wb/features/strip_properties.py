@@ -209,6 +209,14 @@ PROPERTIES = (
         0.0,
         result=True,
     ),
+    Property(
+        "Length",
+        "ExpectedDeviation",
+        "Result",
+        "How far a real strip strays from its design, by the model, what that leaves open, and its sheet",
+        0.0,
+        result=True,
+    ),
     Property("String", "Held", "Result", "How it strays as made and held, and by what", "", result=True),
     Property(
         "Float",
