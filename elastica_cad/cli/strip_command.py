@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from elastica_cad.cli.asking.asked_curves import AskedCurve, asked_curves, curve_argument
 from elastica_cad.cli.asking.settings import FileKeys
@@ -207,7 +208,7 @@ def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Ca
     if other is not None:
         yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
     scale = rounded_up(1.01 * used, 2)
-    larger = spec.curve.transformed([[scale, 0, 0], [0, scale, 0], [0, 0, 1]])
+    larger = spec.curve.transformed(np.diag([scale, scale, 1.0]))
     yield f"{own.name} on the same curve drawn {scale:g} times as large", lambda: [spec.changed(curve=larger)]
 
 
@@ -268,12 +269,15 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     with suppress(NotConvergedError):
         say(str(made.held()))
         _tell_compensation(kit)
+    run_ins = kit.spec.run_ins.told
+    if run_ins is not None:
+        say(run_ins)
     say(made.joint or tell_ends(made))
     if blank := tell_blank(made):
         say(blank)
     for warning in made.warnings:
-        if near is not None and warning == near.status.value:
-            continue  # told with the distance
+        if warning == run_ins or (near is not None and warning == near.status.value):
+            continue  # told above
         warn(f"Warning: {warning}", told=is_told(warning))
     if kit.asked.pictures and "png" not in kit.files:
         say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")

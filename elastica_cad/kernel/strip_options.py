@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from elastica_cad.fabrication.holding.expected_error import MakingTolerance
     from elastica_cad.fabrication.makeability.shop import Shop
     from elastica_cad.fabrication.slots.slot import Slot
     from elastica_cad.fabrication.strip.outline import Tab
@@ -66,6 +67,8 @@ class StripOptions(TypedDict, total=False):
     """What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves."""
     ignore_limits: "bool"
     """Make a strip that cannot be cut or handled, and say so."""
+    tolerance: "MakingTolerance"
+    """What is off in sheet, cut and clamps; what that adds is told."""
 
 
 class FixtureSizes(TypedDict, total=False):

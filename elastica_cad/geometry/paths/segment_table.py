@@ -92,7 +92,7 @@ def _bezier_parts(points: FloatArray, a: FloatArray, b: FloatArray) -> FloatArra
     return np.stack(parts, axis=1)
 
 
-def _kind(segment: Segment) -> Hashable:
+def _kind(segment: Segment) -> object:
     """What segments have in common that are evaluated together: clamped splines without weights their degree."""
     if isinstance(segment, Spline):
         curve = segment.curve
@@ -109,7 +109,7 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
     splines = [segment for segment in segments if isinstance(segment, Spline)]
     if lines:
         ends = np.array([[line.start, line.end] for line in lines])
-        return _on_splines(np.tile([0.0, 0.0, 1.0, 1.0], (len(lines), 1)), ends, 1)
+        return _on_splines([*np.tile([0.0, 0.0, 1.0, 1.0], (len(lines), 1))], [*ends], 1)
     first = splines[0]
     if len(splines) == 1:
         return lambda _, u, derivative: first.velocity_at(u) if derivative else first.at(u)

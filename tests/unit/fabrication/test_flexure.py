@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 
 from elastica_cad.errors import InputError, StrainError
 from elastica_cad.fabrication.flexure import Flexure, Pad, curved_beam_factor
@@ -56,8 +57,8 @@ def test_curved_beams_are_strained_more_inside():
     h, R = 0.2, 1.0
     y = np.linspace(-h / 2, h / 2, 20001)
     bend, shift = 1.0, np.linalg.lstsq(
-        np.array([[np.trapezoid(1 / (R + y), y) if hasattr(np, "trapezoid") else np.trapz(1 / (R + y), y)]]),
-        np.array([-(np.trapezoid(y / (R + y), y) if hasattr(np, "trapezoid") else np.trapz(y / (R + y), y))]),
+        np.array([[trapezoid(1 / (R + y), y)]]),
+        np.array([-trapezoid(y / (R + y), y)]),
         rcond=None,
     )[0][0]  # fmt: skip
     strain = bend * (y + shift) / (R + y)  # no force in all
@@ -114,7 +115,7 @@ def test_the_push_is_the_slope_of_the_energy_and_ends_in_the_other_state(clip):
 
 
 def test_a_pushed_arch_gives_as_half_of_it_led_does():
-    """Pushed in its middle an arch stays symmetrical at first: half of it, its end led without turning, is another."""
+    """Pushed in its middle an arch stays symmetrical at first: half of it, led without turning, is another."""
     from elastica_cad.mechanics.bending.bend_forward import bend
     from elastica_cad.mechanics.rod.rod_record import Rod
 
