@@ -138,7 +138,7 @@ def section_curves(
             try:
                 curve, told = _curve(line, tolerance, wavelength, false_turn)
             except (InputError, NotConvergedError) as error:
-                reports.append(note("{name}: {why}", name=line.name, why=error.refusal))
+                reports.append(error.at(strip=line.name).refusal)
                 continue
             found.append(curve)
             reports += told
