@@ -95,11 +95,18 @@ campaign-bodies: programs $(VENV)/test-installed
 campaign-galleries: $(VENV)/test-installed
 	$(RECORD) galleries $(SUITE) -n 2 tests/examples
 
+# Sentences are random letters: nobody may read one.
+campaign-letters: $(VENV)/test-installed
+	$(RECORD) letters $(BIN)/python -m pytest -n 2 -p tests.campaign.letters tests/unit tests/contract tests/properties
+
 campaign-manual: programs $(VENV)/test-installed
 	$(RECORD) manual $(SUITE) -n 2 tests/manual
 
 campaign-programs: programs $(VENV)/test-installed
 	$(RECORD) programs $(SUITE) tests/smoke
+
+campaign-studio: programs $(VENV)/test-installed
+	$(RECORD) studio $(SUITE) -s tests/studio
 
 campaign-elements: programs .venv-campaign/installed
 	$(RECORD) elements .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign
