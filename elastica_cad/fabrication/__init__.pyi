@@ -38,6 +38,7 @@ from elastica_cad.fabrication.holders.slotted_frame import (
     slotted_frame as slotted_frame,
 )
 from elastica_cad.fabrication.holders.held_tabs import held_shapes as held_shapes, tab_seats as tab_seats
+from elastica_cad.fabrication.measuring import Measuring as Measuring
 from elastica_cad.fabrication.holding.expected_error import (
     MakingTolerance as MakingTolerance,
     open_deviation as open_deviation,

@@ -204,7 +204,8 @@ class Limits:
             )
         if self.ratio is not None and not (is_number(self.ratio) and self.ratio >= 1):
             raise InputError(
-                "limit ratio={ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4",
+                "the ratio limit is {ratio}: the largest stiffness over the least cannot be below 1; plain strips "
+                "allow 2 to 4",
                 ratio=self.ratio,
             )
         if self.margin is not None and not is_number(self.margin):
