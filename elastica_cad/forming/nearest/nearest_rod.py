@@ -177,6 +177,7 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     found = [minimize(problem, _start(task, problem))]
+    # a margin that the first start misses is refused sooner than what is far
     tight = found[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(found, key=_rank)
