@@ -42,7 +42,7 @@ class SearchSettings(NamedTuple):
     ----------
     steps, unmet_steps : int
         In all, after which no new start is tried, and the same where no start has met the limits so far or the
-        first has missed the margin. A search that stalled counts as if it had taken all its steps.
+        first has missed the margin. A search that stalled counts as half of the steps that it might have taken.
     tensions : tuple of float
         Starts under a share of the tension that alone keeps the margin in a straight rod: taut ones are stable,
         unloaded ones do not buckle.
@@ -182,7 +182,7 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     for enough, start in _starts(task, problem):
         best = min(found, key=_rank)
         off = task.off(best.point) / task.target.diagonal
-        spent = sum(SQP.steps if one.stalled else one.iterations for one in found)
+        spent = sum(SQP.steps // 2 if one.stalled else one.iterations for one in found)
         done = best.settled and best.violation <= MET
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         if (spent < most or enough == np.inf) and not (done and off < enough):
