@@ -7,7 +7,6 @@ in the current directory: who imports whom, with all arrows in one direction.
 
 import ast
 import sys
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -83,14 +82,17 @@ def absolute(node: ast.ImportFrom, name: str, is_package: bool) -> str:
     return ".".join([*kept, *([node.module] if node.module else [])])
 
 
-def imported(name: str, file: Path) -> Iterator[tuple[str, str]]:
+@cache
+def imported(name: str, file: Path) -> tuple[tuple[str, str], ...]:
     """(module, name) of every import statement of a module: at the top, in functions, for types."""
+    found = []
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            yield from ((alias.name, "") for alias in node.names)
+            found += [(alias.name, "") for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             home = absolute(node, name, file.name == "__init__.py")
-            yield from ((home, alias.name) for alias in node.names)
+            found += [(home, alias.name) for alias in node.names]
+    return tuple(found)
 
 
 @cache

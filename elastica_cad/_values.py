@@ -138,7 +138,7 @@ def require_flag(value: object, what: str) -> bool:
         `what` names the value.
     """
     if not isinstance(value, bool | np.bool_ | int):
-        raise InputError("{what} is {value}: give True or False", what=what, value=quoted(value))
+        raise InputError("{what} is {given}: give True or False", what=what, given=quoted(value))
     return bool(value)
 
 
@@ -197,10 +197,10 @@ def several(
     for one in found:
         if not isinstance(one, record):
             raise InputError(
-                "{name} hold {one}: give {kind_} records{cure}",
+                "{name} hold {one}: give {thing} records{cure}",
                 name=name,
                 one=quoted(one),
-                kind_=kind,
+                thing=kind,
                 cure=cure and f", {cure}",
             )
     return found

@@ -140,27 +140,28 @@ class DensePair:
         return float(result.x[-1])
 
 
-def marched(rod: Rod) -> np.ndarray:
-    """The rod's positions (n, 2) from its middle, its first moment, force, stiffness and natural curvature."""
+def astray(rod: Rod, pieces: int = 8) -> float:
+    """How far marches by its first moment, force, stiffness and natural curvature leave the rod, in lengths.
+
+    In pieces, each from the rod itself: a held strip may be as sensitive to its start as a pencil on its tip.
+    """
     K, rest = (
         CubicSpline(rod.s, np.broadcast_to(v, rod.s.shape)) for v in (rod.stiffness, rod.natural_curvature)
     )
-    force = rod.force[0]
-    b = np.array([force[1], -force[0]])  # lambda = R b
+    b = np.array([rod.force[0, 1], -rod.force[0, 0]])  # lambda = R b
 
     def slope(s, state):
-        x, y, angle = state
-        moment = rod.moment[0] + b @ (np.array([x, y]) - rod.position[0])
-        return [np.cos(angle), np.sin(angle), moment / K(s) + rest(s)]
+        moment = rod.moment[0] + b @ (state[:2] - rod.position[0])
+        return [np.cos(state[2]), np.sin(state[2]), moment / K(s) + rest(s)]
 
-    # from the middle, as a strip that is held may be as sensitive to its start as a pencil on its tip
-    middle = rod.s.size // 2
-    start = [*rod.position[middle], rod.angle[middle]]
-    found = [
-        solve_ivp(slope, (s[0], s[-1]), start, t_eval=s, rtol=1e-11, atol=1e-11 * rod.length).y[:2].T
-        for s in (rod.s[middle::-1], rod.s[middle:])
-    ]
-    return np.concatenate([found[0][::-1], found[1][1:]])
+    missed = 0.0
+    for one in np.array_split(np.arange(rod.s.size - 1), pieces):
+        nodes = np.append(one, one[-1] + 1)
+        start = [*rod.position[nodes[0]], rod.angle[nodes[0]]]
+        s = rod.s[nodes]
+        found = solve_ivp(slope, (s[0], s[-1]), start, t_eval=s, rtol=1e-11, atol=1e-11 * rod.length)
+        missed = max(missed, float(np.hypot(*(found.y[:2].T - rod.position[nodes]).T).max()))
+    return missed / rod.length
 
 
 def dense_margin(rod: Rod, elements: int = 400) -> float:

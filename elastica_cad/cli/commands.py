@@ -20,12 +20,14 @@ COMMANDS = {
     "new": "new_command:new",
     "check": "check_command:check",
     "strip": "strip_command:strip",
+    "pair": "pair_command:pair",
     "model": "model_command:model",
     "batten": "batten_command:batten",
     "bend": "bend_command:bend_command",
     "reshape": "reshape_command:reshape",
     "sections": "sections_command:sections",
     "coupon": "coupon_command:coupon",
+    "compare": "compare_command:compare",
     "sheets": "sheets_command:sheets",
     "studio": "studio_command:studio",
     "help": "help_command:help_command",
@@ -60,6 +62,7 @@ GONE_VALUES = {
 
 FILES = {
     "curve": "give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or - for standard input",
+    "first": "give the file in which the first rest shape is drawn, or a design file with a table [pair]",
     "design": "give a design file; `elastica new pavilion` writes one to start from",
     "mesh": "give the file of a mesh (OBJ, STL, PLY) or of a STEP body",
 }
@@ -166,7 +169,8 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         if known:
             return f"{typed} is now called {typed_new}"
     if context is not None and any(one.name == "settings" for one in context.command.params):
-        from elastica_cad.cli.asking.settings import CommandKeys, near_path, paths_of
+        from elastica_cad.cli.asking.settings import CommandKeys
+        from elastica_cad.formats.design_files.key_paths import near_path, paths_of
 
         if path := GONE.get(typed) or near_path(name, paths_of(CommandKeys)):
             example = GONE_VALUES.get(path, "VALUE")

@@ -118,8 +118,12 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     voice().files += [str(output / name) for name in kit.files]
     listed = kit.cut_list
     pieces = f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}"
-    say(f"{kit.model.name}: {count_strips(kit.model)}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
-               f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
+    say(
+        f"{kit.model.name}: {count_strips(kit.model)}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
+        f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g"
+    )
+    used = sum(nest.share * nest.sheet_size[0] * nest.sheet_size[1] for nest in kit.nests)
+    say(f"{counted(len(kit.nests), 'sheet')} needed, {used / 1e6:.3g} m2 of them in parts")
     drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
     moved = [
         (largest_deviation(drawn[part.strip.label], part.strip.rod.curve), part.name)
@@ -136,7 +140,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
             f"{nest.grain and f', {nest.grain}'}"
         )
     if kit.held:
-        worst = max(kit.held, key=lambda name: kit.held[name].deviation)
+        worst = max(kit.held, key=lambda name: kit.held[name].expected)
         say(f"{worst}, the one that strays most: {kit.held[worst]}")
     said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *_warnings(kit))))
     most = len(said) if voice().verbose else MOST_SAID

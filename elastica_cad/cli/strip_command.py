@@ -1,6 +1,6 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import islice
@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from elastica_cad.cli.asking.asked_curves import AskedCurve, asked_curves, curve_argument
 from elastica_cad.cli.asking.settings import FileKeys
@@ -20,6 +21,7 @@ from elastica_cad.cli.asking.strip_options import (
 )
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
+    Candidate,
     changed_requests,
     first_that_holds,
     first_told,
@@ -28,9 +30,17 @@ from elastica_cad.cli.running.suggestions import (
 )
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.declared import kind_of
-from elastica_cad.errors import Change, ElasticaError, NotConvergedError, how_to_install
+from elastica_cad.errors import (
+    Change,
+    ElasticaError,
+    NotConvergedError,
+    StrainError,
+    how_to_install,
+    rounded_up,
+)
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.holders.holding_template import tell_ends
+from elastica_cad.fabrication.holding.held_shape import about
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import step_trouble
@@ -43,6 +53,7 @@ from elastica_cad.formats.file_access.write_files import write_text, write_toget
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
+from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 from elastica_cad.refusals import is_told
 
 STRAYED_SHARE = 3e-4
@@ -181,8 +192,24 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
         return ""
     found = ((change, option_words(change)) for change in problem.refusal.changes)
     return first_that_holds(
-        (f"`{typed_line(*words)}`", partial(requests, change)) for change, words in found if words
+        ((f"`{typed_line(*words)}`", partial(requests, change)) for change, words in found if words),
+        _nearest_to_working(spec, problem),
     )
+
+
+def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Candidate]":
+    """Of a strip that would break: the thickest sheet that bears this curve, and the size that its own bears."""
+    if not isinstance(problem, StrainError):
+        return
+    used, own = problem.refusal.values["percent"] / 100, spec.material
+    bears = used * own.max_strain / own.thickness
+    sheets = sorted(map(Sheet.named, sheet_names()), key=lambda one: -one.thickness)
+    other = next((one for one in sheets if one.max_strain / one.thickness >= bears), None)
+    if other is not None:
+        yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
+    scale = rounded_up(1.01 * used, 2)
+    larger = spec.curve.transformed(np.diag([scale, scale, 1.0]))
+    yield f"{own.name} on the same curve drawn {scale:g} times as large", lambda: [spec.changed(curve=larger)]
 
 
 def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
@@ -207,7 +234,8 @@ def _tell_compensation(kit: StripKit) -> None:
         return
     better = compensate_within(made, kit.spec.shop)
     if better.correction is not None and better.held_deviation < made.held_deviation / 2:
-        say(f"--compensate makes up for that in the widths: {better.held_deviation:.2g} mm are left")
+        left = about(better.held().expected)
+        say(f"--compensate makes up for that in the widths: about {left} are left, model and sheet included")
 
 
 def _tell(kit: StripKit, written: Iterable[Path]) -> None:
@@ -241,12 +269,15 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     with suppress(NotConvergedError):
         say(str(made.held()))
         _tell_compensation(kit)
+    run_ins = kit.spec.run_ins.told
+    if run_ins is not None:
+        say(run_ins)
     say(made.joint or tell_ends(made))
     if blank := tell_blank(made):
         say(blank)
     for warning in made.warnings:
-        if near is not None and warning == near.status.value:
-            continue  # told with the distance
+        if warning == run_ins or (near is not None and warning == near.status.value):
+            continue  # told above
         warn(f"Warning: {warning}", told=is_told(warning))
     if kit.asked.pictures and "png" not in kit.files:
         say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")

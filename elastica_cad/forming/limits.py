@@ -74,8 +74,8 @@ class Box:
         lower, upper = _pair("lower corner of a box", self.lower), _pair("upper corner of a box", self.upper)
         if np.any(lower >= upper):
             raise InputError(
-                "box corners {tolist} and {tolist_2}: the first must be lower left",
-                tolist=lower.tolist(),
+                "box corners {given} and {tolist_2}: the first must be lower left",
+                given=lower.tolist(),
                 tolist_2=upper.tolist(),
             )
         object.__setattr__(self, "lower", (float(lower[0]), float(lower[1])))
@@ -100,7 +100,7 @@ class Box:
 Row: TypeAlias = tuple[float, ...]
 
 
-def bounds_along_strip(
+def _bounds_along_strip(
     lower: Annotated[float | Row | None, Asked("Least value, or values at equal distances.", least=1)] = None,
     upper: Annotated[
         float | Row | None, Asked("Largest value, or values at equal distances.", least=1)
@@ -189,7 +189,7 @@ class Limits:
         Asked(
             "Bounds of the stiffness over its least value, along the strip.",
             group="limits",
-            written=bounds_along_strip,
+            written=_bounds_along_strip,
         ),
     ] = None
 
@@ -197,14 +197,15 @@ class Limits:
         for name in ("ratio", "margin", "curvature", "strain"):
             value = getattr(self, name)
             if not (value is None or isinstance(value, Real)):
-                raise InputError("limit {name}={value!r} must be a number, or None", name=name, value=value)
+                raise InputError("limit {name}={given!r} must be a number, or None", name=name, given=value)
         if not (self.sheet is None or isinstance(self.sheet, Sheet)):
             raise InputError(
                 'limit sheet={sheet!r}: give a Sheet record, such as Sheet.named("pom-1")', sheet=self.sheet
             )
         if self.ratio is not None and not (is_number(self.ratio) and self.ratio >= 1):
             raise InputError(
-                "limit ratio={ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4",
+                "the ratio limit is {ratio}: the largest stiffness over the least cannot be below 1; plain strips "
+                "allow 2 to 4",
                 ratio=self.ratio,
             )
         if self.margin is not None and not is_number(self.margin):
@@ -215,7 +216,7 @@ class Limits:
         for name in ("curvature", "strain"):
             value = getattr(self, name)
             if value is not None and not (is_number(value) and value > 0):
-                raise InputError("limit {name}={value} must be positive", name=name, value=value)
+                raise InputError("limit {name}={given} must be positive", name=name, given=value)
         if self.strain is not None and self.sheet is None:
             raise InputError("a strain limit needs sheet=: the curvature it allows is 2 strain / thickness")
         for name in ("width", "length"):
@@ -225,9 +226,9 @@ class Limits:
             low, high = _pair(f"limit {name}", value)
             if not 0 < low <= high:
                 raise InputError(
-                    "limit {name}={value!r} must be a range (least, largest) of positive mm",
+                    "limit {name}={given!r} must be a range (least, largest) of positive mm",
                     name=name,
-                    value=value,
+                    given=value,
                 )
             object.__setattr__(self, name, (float(low), float(high)))
         several = is_series(self.keep_out)
@@ -328,9 +329,9 @@ class Keep:
             both = (value, value) if alone else tuple(value) if is_series(value) else ()
             if len(both) != 2 or not all(isinstance(v, (bool, np.bool_)) for v in both):
                 raise InputError(
-                    "keep {name}={value!r}: use True, False, or a pair for (start, end)",
+                    "keep {name}={given!r}: use True, False, or a pair for (start, end)",
                     name=name,
-                    value=value,
+                    given=value,
                 )
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
         if not is_one_of(self.symmetry, (None, "mirror", "turn")):
@@ -367,7 +368,7 @@ def _both(value: bool | tuple[bool, bool]) -> tuple[bool, bool]:
 def _pair(what: str, value: ArrayLike) -> FloatArray:
     pair = _numbers(what, value)
     if pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise InputError("{what} must be two finite numbers, not {value!r}", what=what, value=value)
+        raise InputError("{what} must be two finite numbers, not {given!r}", what=what, given=value)
     return pair
 
 
@@ -375,4 +376,4 @@ def _numbers(what: str, value: ArrayLike) -> FloatArray:
     try:
         return np.asarray(value, dtype=float)
     except (TypeError, ValueError, OverflowError):
-        raise InputError("{what} must be numbers, not {value}", what=what, value=quoted(value)) from None
+        raise InputError("{what} must be numbers, not {given}", what=what, given=quoted(value)) from None

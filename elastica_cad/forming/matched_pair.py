@@ -86,8 +86,9 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     keep : "ends" or "shape"
         "ends": each keeps the places and directions of its ends, and takes the new length as an even elastic strip
         would: its curvature changes by an affine function of the position, the smallest that will do. The common
-        length is that of the least change of both together. Where the ends of both lie alike (to 1 % of the
-        length and 2 degrees, with the same total turning), they become the same clamps exactly.
+        length is that of the least change of both together. Where the ends of both lie alike, wherever they
+        are drawn (to 1 % of the length and 2 degrees, with the same total turning), they become the same clamps
+        exactly.
         "shape": each is scaled about its start.
 
     Returns
@@ -119,8 +120,13 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     drawn = _Drawn.of(first), _Drawn.of(second)
     alike = _are_alike(*drawn)
     if alike:
-        start, end, angles = ((a + b) / 2 for a, b in zip(drawn[0].clamps, drawn[1].clamps, strict=True))
-        drawn = replace(drawn[0], clamps=(start, end, angles)), replace(drawn[1], clamps=(start, end, angles))
+        chord = sum((one.chord for one in drawn), np.zeros(2)) / 2
+        angles = sum((one.clamps[2] for one in drawn), np.zeros(2)) / 2
+        first_start, second_start = (one.clamps[0] for one in drawn)
+        drawn = (
+            replace(drawn[0], clamps=(first_start, first_start + chord, angles)),
+            replace(drawn[1], clamps=(second_start, second_start + chord, angles)),
+        )
     lengths = [curve.length for curve in (first, second)]
     length = _least_change(drawn, lengths)
     changed = [one.of_length(length) for one in drawn]
@@ -149,10 +155,9 @@ def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
-    """Whether both are held by the same clamps, to a share of the length."""
+    """Whether both are held by the same clamps, wherever they are drawn, to a share of the length."""
     size = max(first.curve.length, second.curve.length)
-    (start, end, angles), (other_start, other_end, other_angles) = first.clamps, second.clamps
-    apart = max(np.hypot(*(start - other_start)), np.hypot(*(end - other_end)))
+    apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
     return bool(
         apart <= share * size and np.abs(angles - other_angles).max() <= ALIKE_RAD / ALIKE_SHARE * share
     )
@@ -198,6 +203,11 @@ class _Drawn:
     def of(cls, curve: PlaneCurve) -> "_Drawn":
         ends = curve.at(np.array([0.0, curve.length]))
         return cls(curve, (ends.position[0], ends.position[1], ends.angle))
+
+    @property
+    def chord(self) -> FloatArray:
+        """From start to end (2,), mm."""
+        return self.clamps[1] - self.clamps[0]
 
     @cached_property
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:

@@ -105,9 +105,9 @@ class RodSpec(EqualByValue):
             value = getattr(self, name)
             if not (value is None or isinstance(value, record)):
                 raise InputError(
-                    "{name} is {value!r}: give a {name_2} record, or None",
+                    "{name} is {given!r}: give a {name_2} record, or None",
                     name=name,
-                    value=value,
+                    given=value,
                     name_2=record.__name__,
                 )
         self._require_agreement()

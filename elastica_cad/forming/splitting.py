@@ -177,7 +177,7 @@ class _Cut:
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
-        """Can a strip take the piece, within the ratio?"""
+        """Whether a strip can take the piece within the ratio."""
         if end - start < self.short:
             return True
         if self.ratio is not None:

@@ -142,5 +142,5 @@ def _row(name: str, given: ArrayLike) -> FloatArray:
 def _require_finite(name: str, row: FloatArray) -> None:
     if row.shape != (3,) or not all(map(isfinite, row.tolist())):
         raise InputError(
-            "frame {name} must be three finite numbers, got {tolist}", name=name, tolist=row.tolist()
+            "frame {name} must be three finite numbers, got {given}", name=name, given=row.tolist()
         )

@@ -120,10 +120,10 @@ def _has_many_wires(shape: Shape) -> bool:
 
 
 def _with_wires_apart(shape: Shape) -> Shape:
-    """The shape with a corner of its own for every wire of a face, as OpenCASCADE writes it.
+    """Give every wire of a face vertices of its own, as OpenCASCADE does when it writes the shape.
 
-    It looks for corners that wires share pair by pair of wires, in the square of their number; here only wires that
-    do share one are shown to it.
+    OpenCASCADE compares all pairs of wires for this, which takes time in the square of their number. Here only
+    wires that share a vertex are copied.
     """
     k = kernel()
     context, found = k.ShapeBuild_ReShape(), False

@@ -1,7 +1,7 @@
 """A kit written into one folder: all files together, or none."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -13,7 +13,7 @@ from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
@@ -134,7 +134,7 @@ def save_model(
     parts: bool = True,
     force: bool = False,
     done: Callable[[str, int], None] | None = None,
-    shop: Shop = DEFAULT_SHOP,
+    shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> SavedKit:
     """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
@@ -158,7 +158,7 @@ def save_model(
         Overwrite files that exist.
     done : callable, optional
         Called with the name of each file that has been written, and how many there are in all.
-    shop : Shop
+    shop : FabricationLimits
         What the workshop can make.
     ignore_limits : bool
         Write strips that it cannot, and say so in the report.
@@ -212,6 +212,8 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     table, text, report, page = _lists(name)
     if pictures:
         files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, listed, path))
+    if kit.spec.pages and find_spec("matplotlib"):
+        files[f"{name}-pages.pdf"] = ("parts at full size on paper", lambda path: _draw_pages(kit, path))
     files[table] = ("cut list", lambda path: write_text(path, listed.csv))
     files[text] = ("cut list", lambda path: write_text(path, str(listed)))
     if step:
@@ -238,6 +240,17 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
         files.update(_blocks(kit))
     files[report] = ("report", lambda path: write_json(path, kit_report(kit)))
     files[page] = ("this page", lambda path: write_text(path, _start_page(kit)))
+
+
+def _draw_pages(kit: Kit, path: Path) -> None:
+    """Every part once at full size; how often it is needed stands in its name."""
+    from elastica_cad.plot.template_pages import save_templates
+
+    drawings = [
+        replace(piece.drawing, name=f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name)
+        for piece in kit.pieces
+    ]
+    save_templates(drawings, path, title=f"{kit.model.name}: parts", paper=str(kit.spec.pages))
 
 
 def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:

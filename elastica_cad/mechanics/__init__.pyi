@@ -25,7 +25,7 @@ from elastica_cad.mechanics.material.moment_curvature import (
     PolynomialLaw as PolynomialLaw,
     TabulatedLaw as TabulatedLaw,
 )
-from elastica_cad.mechanics.material.plain_section import dead_zone_slope as dead_zone_slope
+from elastica_cad.mechanics.material.plain_section import crack_energy as crack_energy
 from elastica_cad.mechanics.material.section_limits import (
     LayerStrain as LayerStrain,
     ScaleRange as ScaleRange,

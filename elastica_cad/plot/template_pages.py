@@ -1,6 +1,6 @@
 """Paper templates: a drawing at full size as PDF, in tiles of a home printer's paper with marks to join them by."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import Any
@@ -161,6 +161,21 @@ def save_template(
     tiling = _tile_drawing(drawing, paper, overlap=overlap)
     write_pages(_pages(drawing, tiling, overlap), path, drawing.name, what="PDF templates", force=force)
     return tiling
+
+
+def save_templates(
+    drawings: Sequence[Drawing],
+    path: str | PathLike[str],
+    *,
+    title: str,
+    paper: str = "A4",
+    force: bool = False,
+) -> None:
+    """Write several drawings 1:1 into one PDF, one after the other: see `save_template`."""
+    pages = (
+        page for drawing in drawings for page in _pages(drawing, _tile_drawing(drawing, paper), OVERLAP_MM)
+    )
+    write_pages(pages, path, title, what="PDF templates", force=force)
 
 
 def _pages(drawing: Drawing, tiling: Tiling, overlap: float) -> Iterator[Any]:

@@ -15,6 +15,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.drawing import LAYERS
+from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.model.assembly import assembly_parts
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -38,6 +39,7 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.refusals import note
 from elastica_cad.web.saved_design import OF_MODELS, curve_table, open_design
 
 Record = dict[str, Any]
@@ -91,12 +93,19 @@ def answer(request: Mapping[str, Any]) -> Record | Download:
     design = request.get("design")
     if design is not None and not isinstance(design, Mapping):
         raise InputError("the design is no table of keys and values")
-    with TemporaryDirectory(prefix="elastica-studio-") as folder, read_below(folder):
-        try:
-            _refuse_files(design)
+    try:
+        _refuse_files(design)
+        if asked not in WITH_FILES:
+            return asked(request)
+        with TemporaryDirectory(prefix="elastica-studio-") as folder, read_below(folder):
             return asked(request, FilePath(folder))
-        except ElasticaError as problem:
-            return {"refused": problem.refusal.record}
+    except ElasticaError as problem:
+        return refused(problem)
+
+
+def refused(problem: ElasticaError) -> Record:
+    """The record of a refusal, with the message that is to be put in the user's language."""
+    return {"refused": problem.refusal.record | {"message": problem.refusal}}
 
 
 def _refuse_files(value: object, key: str = "") -> None:
@@ -108,7 +117,7 @@ def _refuse_files(value: object, key: str = "") -> None:
         for one in value:
             _refuse_files(one, key)
     elif isinstance(value, str) and (key in (*FILE_KEYS, "curve") or ".toml" in value):
-        raise InputError("the page opens no file by its name: drop {value!r} on the drawing", value=value)
+        raise InputError("the page opens no file by its name: drop {given!r} on the drawing", given=value)
 
 
 def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:
@@ -138,20 +147,25 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
     return asked_spec(request["design"], request.get("strip", 0))
 
 
-def _strip(request: Mapping[str, Any], _: FilePath) -> Record:
+def _strip(request: Mapping[str, Any]) -> Record:
     """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
     spec = _spec(request)
     check = check_equilibrium(spec.curve, spec.supports, spec.natural_curvature)
-    drawn = spec.curve.sample(DRAWN_NODES + 1)
-    told = {"drawn": _rounded(drawn.position, 3), "theorem": _theorem(check), "text": str(check)}
+    told: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
         if not (check.realizable or spec.may_change):
             raise NotRealizable(check)
         found = spec.rod_spec.solve()
         made = spec.make(found)
     except ElasticaError as problem:
-        return told | {"refused": problem.refusal.record}
-    return told | _shape(made) | _numbers(made, found)
+        return told | _drawn(spec) | refused(problem)
+    told |= _shape(made) | {"flat": _flat(made)} | _numbers(made, found)
+    told |= _drawn(spec) if spec.may_change else {}
+    return told if request.get("live") else told | _steadiness(made)
+
+
+def _drawn(spec: StripSpec) -> Record:
+    return {"drawn": _rounded(spec.curve.sample(DRAWN_NODES + 1).position, 3)}
 
 
 def _theorem(check: EquilibriumCheck) -> Record:
@@ -195,31 +209,32 @@ def _natural(rod: Rod) -> FloatArray:
 
 
 def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
-    """The flat part, what is to be known of the strip, and whether all of that is well."""
-    rod, verdict = made.rod, stability(made.rod)
+    """What is to be known of the strip at once."""
     low, high = made.width.extremes
     forces = made.reactions()
-    warnings = [str(text) for text in made.warnings]
-    if not verdict.stable:
-        warnings.insert(0, verdict.meaning)
-    if made.sideways.needs_guiding:
-        warnings.append(str(made.sideways))
     near = found if isinstance(found, NearestRod) else None
     return {
-        "flat": _flat(made),
-        "warnings": warnings,
+        "warnings": list(made.warnings),
         "deviation": None if near is None else round(near.deviation, 3),
-        "length": round(rod.length, 2),
+        "length": round(made.rod.length, 2),
         "widths": [round(low, 2), round(high, 2)],
-        "ratio": round(rod.ratio, 3),
+        "ratio": round(made.rod.ratio, 3),
         "used": round(made.strain_verdict.used, 3),
         "strain": round(made.max_strain, 5),
-        "margin": float(f"{verdict.margin:.3g}"),
-        "stable": verdict.word,
         "mass": float(f"{made.mass:.4g}"),
         "force": float(f"{np.hypot(*forces.end_force):.3g}"),
         "moment": float(f"{abs(forces.end_moment):.3g}"),
-    } | _shape(made)
+    }
+
+
+def _steadiness(made: Strip) -> Record:
+    """Whether the strip stays, which is asked once the pointer rests."""
+    verdict, warnings = stability(made.rod), list(made.warnings)
+    if not verdict.stable:
+        warnings.insert(0, note(verdict.meaning))
+    if made.sideways.needs_guiding:
+        warnings.append(str(made.sideways))
+    return {"margin": float(f"{verdict.margin:.3g}"), "stable": verdict.word, "warnings": warnings}
 
 
 def _flat(made: Strip) -> list[Record]:
@@ -227,15 +242,14 @@ def _flat(made: Strip) -> list[Record]:
     drawn: list[Record] = []
     below = 0.0
     for drawing in made.drawings():
-        (_, low), (_, high) = drawing.bounds
+        lines = [(item.layer, _line(item.path)) for item in drawing.paths]
+        lines += [(text.layer, _line(stroke)) for text in drawing.texts for stroke in text_strokes(text)]
+        heights = np.concatenate([points[:, 1] for _, points in lines])
+        shift = np.array([0.0, below - heights.max()])
         for layer in LAYERS:
-            loops = [
-                _rounded(_line(item.path) + np.array([0.0, below - high]), 2)
-                for item in drawing.strokes
-                if item.layer == layer
-            ]
+            loops = [_rounded(points + shift, 2) for name, points in lines if name == layer]
             drawn += [{"layer": layer, "loops": loops}] if loops else []
-        below -= 1.1 * (high - low)
+        below -= 1.1 * np.ptp(heights)
     return drawn
 
 
@@ -245,7 +259,7 @@ def _line(path: Path) -> FloatArray:
     return np.concatenate([points, points[:1]]) if path.closed else points
 
 
-def _nearest(request: Mapping[str, Any], _: FilePath) -> Record:
+def _nearest(request: Mapping[str, Any]) -> Record:
     """The nearest curve that can be made, stays, and keeps the sheet whole, or within the limits of the design."""
     spec = _spec(request)
     if not spec.may_change:
@@ -268,12 +282,12 @@ def _nearest(request: Mapping[str, Any], _: FilePath) -> Record:
         "curve": curve_table(curve),
         "drawn": _rounded(curve.sample(DRAWN_NODES + 1).position, 3),
         "deviation": round(near.deviation, 3),
-        "text": str(near.status.value),
-        "advice": [str(text) for text in islice(advise(near), 2)],
+        "text": near.status.value,
+        "advice": list(islice(advise(near), 2)),
     }
 
 
-def _sheets(request: Mapping[str, Any], _: FilePath) -> Record:
+def _sheets(request: Mapping[str, Any]) -> Record:
     """What each sheet makes of the strip: the share of what it bears, or why it cannot."""
     spec, rows = _spec(request), []
     for name in sheet_names():
@@ -282,14 +296,14 @@ def _sheets(request: Mapping[str, Any], _: FilePath) -> Record:
         try:
             made = spec.changed(sheet=Sheet.named(name)).make()
         except ElasticaError as problem:
-            row["text"] = str(problem.verdict)
+            row["text"] = problem.verdict
             continue
         row |= {"used": round(made.strain_verdict.used, 3), "mass": float(f"{made.mass:.4g}")}
         row |= {"fits": made.strain_verdict.allowed}
     return {"sheets": rows}
 
 
-def _bend(request: Mapping[str, Any], _: FilePath) -> Record:
+def _bend(request: Mapping[str, Any]) -> Record:
     """The shapes of the strip from flat to its design and on, with the forces at its end; where it snaps."""
     spec = _spec(request)
     made = spec.make()
@@ -299,11 +313,13 @@ def _bend(request: Mapping[str, Any], _: FilePath) -> Record:
         raise InputError("a closed strip is not led by its ends: open it to bend it here")
     out = np.arctan2(way[1], way[0])
     flat = start + NEARLY_FLAT * made.rod.length * np.array([np.cos(out), np.sin(out)])
+    held = [support.angle for support in made.rod.supports.ends]
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
     def led(part: float, there: FloatArray, turn: float) -> Record:
-        turned = angles + turn * part * (level - angles)
-        return {"end": end + part * (there - end), "angles": tuple(turned.tolist())}
+        turned = (angles + turn * part * (level - angles)).tolist()
+        turned = [angle if clamped else None for angle, clamped in zip(turned, held, strict=True)]
+        return {"end": end + part * (there - end), "angles": tuple(turned)}
 
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(made, [led(part, flat, 1.0) for part in parts])
@@ -326,7 +342,7 @@ def _frame(made: Strip, travel: Any, k: int, part: float) -> Record:
     }
 
 
-def _model(request: Mapping[str, Any], _: FilePath) -> Record:
+def _model(request: Mapping[str, Any]) -> Record:
     """Every strip in its place, with what holds it."""
     design = _design(request)
     kit = kit_of(design.model(), design.kit, entries=design.entries)
@@ -358,7 +374,7 @@ def _model(request: Mapping[str, Any], _: FilePath) -> Record:
         ],
         "text": f"{count_strips(kit.model)}, {listed.count} pieces on {len(kit.nests)} sheets, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
-        "warnings": list(dict.fromkeys(str(text) for text in (*kit.notes, *kit.model.reports))),
+        "warnings": list(dict.fromkeys((*kit.notes, *kit.model.reports))),
     }
 
 
@@ -377,7 +393,7 @@ def _matrix(frame: Frame) -> list[float]:
     return [round(float(x), 6) for x in rows.T.ravel()]
 
 
-def _edit(request: Mapping[str, Any], _: FilePath) -> Record:
+def _edit(request: Mapping[str, Any]) -> Record:
     """The curve of the strip with one control point more, which leaves its shape as it is, or with one less."""
     curve, k = _spec(request).curve, request.get("remove")
     if k is None:
@@ -441,7 +457,7 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     curves = read_curves(path)
     return {
         "curves": [{"called": f"{name} {i}", "curve": curve_table(one)} for i, one in enumerate(curves, 1)],
-        "notes": [str(text) for text in curves.notes],
+        "notes": list(curves.notes),
     }
 
 
@@ -489,7 +505,7 @@ def _rounded(values: Any, digits: int) -> list[Any]:
     return rows
 
 
-QUESTIONS: Mapping[str, Callable[[Mapping[str, Any], FilePath], Record | Download]] = {
+QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "strip": _strip,
     "nearest": _nearest,
     "sheets": _sheets,
@@ -500,3 +516,6 @@ QUESTIONS: Mapping[str, Callable[[Mapping[str, Any], FilePath], Record | Downloa
     "file": _file,
 }
 """What the page may ask."""
+
+WITH_FILES = (_read, _file)
+"""They are given a folder of their own, and read from nowhere else."""

@@ -81,6 +81,7 @@ def test_step_names_both_sheets(laminate, tmp_path):
 
 @pytest.mark.build123d
 class TestBuild123d:
+    @pytest.mark.campaign
     def test_laminate(self, laminate):
         from elastica_cad.build123d import BentStrip, FlatStrip, model_compound
 
@@ -120,6 +121,7 @@ class TestBuild123d:
 
 @pytest.mark.cadquery
 class TestCadQuery:
+    @pytest.mark.campaign
     def test_laminate(self, laminate):
         from elastica_cad.cadquery import StripCompound, bent_strip, model_assembly
 
@@ -158,6 +160,7 @@ def volumes_beside(strip, measure, cutter):
     return whole - inside, inside, whole - inside + measure.volume(cutter)
 
 
+@pytest.mark.campaign
 @pytest.mark.cadquery
 def test_booleans_of_bent_laminates_in_cadquery(wide_laminate, measure):
     import cadquery as cq

@@ -79,6 +79,7 @@ def test_every_file_is_sound(folder, check_drawing_file):
             check_drawing_file(path)
 
 
+@pytest.mark.campaign
 def test_the_cut_list_names_every_file(folder):
     rows = list(csv.DictReader(io.StringIO((folder / "pavilion-cut-list.csv").read_text())))
     assert len(rows) == 35

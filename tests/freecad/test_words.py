@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length, Listed, Point, Span, note, sentences
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
-CATALOGUES = ROOT / "freecad_workbench" / "resources" / "words"
+CATALOGUES = ROOT / "elastica_cad" / "words"
 SPOKEN = """
     _counts.py refusals.py geometry/curves/curve_derivatives.py geometry/pen_curves mechanics/bending
     mechanics/loads/rest_curvature.py mechanics/material/section_limits.py mechanics/stability
@@ -154,8 +154,8 @@ def test_lengths_are_said_in_the_users_unit():
 
 def test_fields_have_freecads_names():
     kink = note(
-        "The width of the strip has a kink at {places}, where the slope of the curvature jumps: smooth = 0.1, or "
-        "--smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm.",
+        "The width of the strip has a kink at {places}, where the slope of the curvature jumps: smooth = 0.1 "
+        "(--set smooth=0.1) makes it a fair curve of degree 4 within 0.1 mm.",
         places=Listed([Length(20)]),
     )
     assert worded(kink).endswith("jumps: Smooth = 0.1 mm makes it a fair curve of degree 4 within 0.1 mm.")
@@ -226,7 +226,8 @@ def test_refused_properties_are_told_in_german(document, sketch, asked):
 
 def test_a_line_that_cannot_be_read_is_told_what_its_property_takes(document, sketch):
     from freecad.elastica_wb.features import strip
-    from freecad.elastica_wb.features.strip_request import KEEP_OUT_LINE, MASS_LINE, TAB_LINE, WEIGHT_LINE
+    from freecad.elastica_wb.features.strip_properties import EXAMPLES
+    from freecad.elastica_wb.features.strip_request import MASS_LINE, TAB_LINE, WEIGHT_LINE
 
     made = strip.create(document, sketch)
     made.Gravity, made.GravityDirection = True, (0, -1, 0)
@@ -241,7 +242,7 @@ def test_a_line_that_cannot_be_read_is_told_what_its_property_takes(document, sk
         setattr(made, name, [] if name == "Loads" else "")
     made.Gravity, made.Follow, made.KeepOut = False, "Nearest", ["junk"]
     document.recompute()
-    assert KEEP_OUT_LINE in made.Reasons[0]
+    assert EXAMPLES["KeepOut"] in made.Reasons[0]
 
 
 BLANKS = [

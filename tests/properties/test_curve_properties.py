@@ -10,7 +10,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve, line_crossings
 
 pytestmark = pytest.mark.core
 
-EXAMPLES = settings(max_examples=40, deadline=None)
+EXAMPLES = settings(max_examples=25, deadline=None)
 
 
 @st.composite

@@ -111,7 +111,7 @@ def read(path, name, label):
         assert json.loads(path.read_text(encoding="utf-8"))["name"] == name
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(texts)
 def test_words_of_file_names(text):
     word = file_word(text)

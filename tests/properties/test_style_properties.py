@@ -42,7 +42,7 @@ def made(rod, sheet, style, **options):
         raise
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=8, deadline=None)
 @given(
     length=lengths,
     stiffness=numbers,
@@ -73,7 +73,7 @@ def test_perforated_strips_leave_what_they_should(length, stiffness, outline, si
         assert max(-y0, y1) < width.extremes[1] / 2
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=8, deadline=None)
 @given(
     length=lengths,
     stiffness=numbers,
@@ -98,7 +98,7 @@ def test_laminates_have_the_stiffness_they_should(length, stiffness, outline, si
     assert np.abs(found / (strip.bending_stiffness * rod.profile(s)) - 1).max() < 1e-8
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(at=st.floats(4.0, 196.0), lean=st.floats(-0.9, 0.9), side=st.sampled_from(["upper", "lower"]))
 def test_slots_anywhere_find_their_way_through_the_holes(at, lean, side):
     rod = ec.Rod.straight(200.0, [2.0, 1.0, 1.5, 1.0])

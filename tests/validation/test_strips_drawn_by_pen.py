@@ -43,13 +43,16 @@ def as_cubics(rod, pieces):
 
 
 @pytest.mark.parametrize(
-    ("pieces", "decimals"),
-    [(5, 3), *(pytest.param(*one, marks=pytest.mark.campaign) for one in ((12, 2), (16, 3), (40, 3)))],
+    ("count", "pieces", "decimals"),
+    [
+        (12, 5, 3),
+        *(pytest.param(30, *one, marks=pytest.mark.campaign) for one in ((12, 2), (16, 3), (40, 3))),
+    ],
 )
-def test_bent_strips_drawn_again_are_strips(tmp_path, pieces, decimals):
+def test_bent_strips_drawn_again_are_strips(tmp_path, count, pieces, decimals):
     """Drawn up to 150 m from the origin, as in plans of sites: rounding there must not hide a strip."""
     rng = np.random.default_rng(pieces)
-    rods = [bent_strip(rng) for _ in range(30)]
+    rods = [bent_strip(rng) for _ in range(count)]
     path = tmp_path / "drawn.svg"
     drawn = {str(k): as_cubics(rod, pieces) for k, rod in enumerate(rods)}
     written(path, decimals, "mm", relative=False, curves=drawn)

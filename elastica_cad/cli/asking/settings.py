@@ -1,20 +1,19 @@
 """Keys of requests by their path, such as `limits.ratio`: what `--set` gives and `elastica help` tells."""
 
-import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
 from typing import Annotated, Any, ClassVar, Literal, TypeVar
 
 import click
 
-from elastica_cad.declared import REQUIRED, Asked, Field, Kind, Record
-from elastica_cad.errors import InputError, near_names, quoted
+from elastica_cad.declared import REQUIRED, Asked, Kind, Record
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.design_files.design_schema import told
+from elastica_cad.formats.design_files.key_paths import paths_of, put, require_path_of
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.design_files.model_tables import DesignKeys
-from elastica_cad.formats.design_files.records import fields_of, title, word_of, written
+from elastica_cad.formats.design_files.records import title, written
 from elastica_cad.formats.design_files.strip_table import StripKeys
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -65,69 +64,6 @@ class CommandKeys(StripKeys):
     files: Annotated[FileKeys, Asked("Which files are written.", group="files")] = FileKeys()
 
 
-@cache
-def paths_of(record: Record) -> Mapping[str, Field]:
-    """All keys below a record by their paths; those of tables in a list follow the name of the list.
-
-    Examples
-    --------
-    >>> paths_of(CommandKeys)["limits.ratio"].asked.least, "slots.at" in paths_of(CommandKeys)
-    (1, True)
-    """
-    found: dict[str, Field] = {}
-    for path, field in _walked(record):
-        found.setdefault(path, field)
-    return found
-
-
-def _walked(record: Record) -> Iterator[tuple[str, Field]]:
-    without = getattr(record, "WITHOUT", ())
-    for one in fields_of(record):
-        if one.name in without:
-            continue
-        yield one.name, one
-        for inner in _tables(written(one.kind)):
-            if word := word_of(inner):
-                yield (
-                    f"{one.name}.kind",
-                    Field("kind", Kind("choice", choices=_words(one.kind)), one.asked, word),
-                )
-            for path, field in _walked(inner):
-                yield f"{one.name}.{path}", field
-
-
-def _tables(kind: Kind) -> list[Record]:
-    found = [inner for one in kind.of for inner in _tables(written(one))]
-    return [*found, *([kind.record] if kind.record is not None else [])]
-
-
-def _words(kind: Kind) -> tuple[str, ...]:
-    """The words of the kinds that a table may have."""
-    return tuple(word for one in written(kind).alternatives if one.record and (word := word_of(one.record)))
-
-
-def put(table: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value at a path of nested tables.
-
-    Raises
-    ------
-    InputError
-        On the way there stands something that is no table.
-    """
-    *way, last = path.split(".")
-    for key in way:
-        inner = table.setdefault(key, {})
-        if not isinstance(inner, dict):
-            raise InputError(
-                "{key} is {inner}, and {path} asks for a table: give one of them",
-                key=key,
-                inner=quoted(inner),
-                path=path,
-            )
-        table = inner
-    table[last] = value
-
-
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
     """The table that `KEY=VALUE` texts give: values are TOML, a bare word is a text.
 
@@ -151,30 +87,6 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
         require_path_of(path, record)
         put(table, path, _value(value))
     return table
-
-
-def require_path_of(path: str, record: Record) -> Field:
-    """The field at a path.
-
-    Raises
-    ------
-    InputError
-        There is none; the message names the nearest.
-    """
-    known = paths_of(record)
-    if path not in known:
-        near = near_path(path, known)
-        hint = f"did you mean {near}?" if near else "`elastica help` lists them"
-        raise InputError("there is no key {path}: {hint}", path=quoted(path), hint=hint)
-    return known[path]
-
-
-def near_path(path: str, known: Iterable[str]) -> str:
-    """The known path that one may have been meant for: with the same last name, or the nearest; empty for none."""
-    ends = {one.rpartition(".")[2]: one for one in reversed(list(known))}
-    last = path.rpartition(".")[2]
-    near = near_names(path, known) or near_names(last, ends)
-    return ends.get(last) or (near[0] if near and near[0] in known else ends.get(near[0], "") if near else "")
 
 
 def _value(text: str) -> Any:
@@ -228,24 +140,24 @@ def _values(kind: Kind) -> list[str]:
     return found
 
 
-def in_words(kind: Kind) -> str:
+def _in_words(kind: Kind) -> str:
     """What a value may be, for people.
 
     Examples
     --------
-    >>> in_words(paths_of(CommandKeys)["limits.strain"].kind)
+    >>> _in_words(paths_of(CommandKeys)["limits.strain"].kind)
     'true or false, or a number'
     """
     kind = written(kind)
     if kind.name == "either":
-        return ", or ".join(dict.fromkeys(in_words(one) for one in kind.of))
+        return ", or ".join(dict.fromkeys(_in_words(one) for one in kind.of))
     if kind.name == "choice":
         return " or ".join(str(one) for one in kind.choices)
     if kind.name == "table":
         assert kind.record is not None
         return f"table {title(kind.record)}"
     if kind.name == "list":
-        inner, size = in_words(kind.of[0]), "" if kind.size is None else f"{kind.size} "
+        inner, size = _in_words(kind.of[0]), "" if kind.size is None else f"{kind.size} "
         plural = {"a number": "numbers", "true or false": "times true or false"}.get(inner, f"times {inner}")
         return f"[{size}{plural}]" if inner in ("a number", "true or false") else f"list of {inner}"
     plain = {"number": "a number", "count": "a whole number", "flag": "true or false", "text": "a text"}
@@ -263,7 +175,7 @@ def explained(path: str, option: str) -> str:
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
     field = require_path_of(path.removeprefix("strips."), record)
     asked = field.asked
-    lines = [told(field.help, asked.unit), f"Value: {in_words(field.kind)}."]
+    lines = [told(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
     bounds = [f"least {asked.least:g}"] if asked.least is not None else []
     bounds += [f"most {asked.most:g}"] if asked.most is not None else []
     if bounds:
@@ -287,6 +199,10 @@ def explained(path: str, option: str) -> str:
     return "\n".join([path, *(f"  {line}" for line in [*lines, here])])
 
 
+DEEPEST = 1
+"""Dots in the paths that `elastica help` lists; it explains those below by their tables."""
+
+
 def listed() -> str:
     """All keys in their groups, each with what it says: `elastica help`."""
     known = paths_of(CommandKeys)
@@ -296,12 +212,12 @@ def listed() -> str:
         lines += [
             f"  {path:<24} {told(field.help, field.asked.unit)}"
             for path, field in known.items()
-            if known[path.partition(".")[0]].asked.group == group
+            if known[path.partition(".")[0]].asked.group == group and path.count(".") <= DEEPEST
         ]
     lines += ["", "whole models, in design files:"]
     lines += [
         f"  {path:<24} {told(field.help, field.asked.unit)}"
         for path, field in paths_of(DesignKeys).items()
-        if path.partition(".")[0] not in {*known, "strips"} or re.match(r"cut$", path)
+        if path.partition(".")[0] not in {*known, "strips"} and path.count(".") <= DEEPEST
     ]
     return "\n".join(lines[1:])

@@ -20,8 +20,6 @@ from elastica_cad.cli.asking.settings import (
     GROUPS,
     CommandKeys,
     parsed_settings,
-    paths_of,
-    put,
     set_option,
     twice,
 )
@@ -31,6 +29,7 @@ from elastica_cad.declared import Field
 from elastica_cad.errors import Change, InputError
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.formats.design_files.key_paths import paths_of, put
 from elastica_cad.formats.design_files.records import Reader, written
 from elastica_cad.formats.design_files.strip_table import read_request
 from elastica_cad.formats.design_files.tables import Table, merged
@@ -96,8 +95,9 @@ def _ways(path: str) -> list[str]:
 
 
 _OWN_OPTIONS = {
-    "limits": "nearest", "limits.strain": "keep_strain", "keep": "keep_ends", "keep.ends": "keep_ends",
-    "keep.tangents": "keep_tangents", "supports": "start", "ends": "tab", "gravity": "gravity",
+    "style": "style", "limits": "nearest", "limits.strain": "keep_strain", "keep": "keep_ends",
+    "keep.ends": "keep_ends", "keep.tangents": "keep_tangents", "supports": "start", "ends": "tab",
+    "gravity": "gravity",
     "natural_curvature": "natural_curvature",
 }  # fmt: skip
 OPTIONS = _common()

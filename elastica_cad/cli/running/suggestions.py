@@ -120,15 +120,21 @@ def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]"
     return [] if changed is None else [changed]
 
 
-def first_that_holds(candidates: Iterable[Candidate]) -> str:
-    """A sentence with the first candidate of which strips were made that hold; empty where none was in time."""
+def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidate] = ()) -> str:
+    """A sentence with the first candidate of which strips were made that hold; else with all of `nearest` that do,
+    which change more than the request; empty where none was in time.
+    """
     if time.perf_counter() - voice().since > LONGEST_REFUSED_S:
         return ""
+    found = []
     with suppress(KeyboardInterrupt, _OutOfTimeError, MemoryError), _limits():
         for told, requests in islice(candidates, MOST_TRIED):
             if held := _held(requests):
                 return f"This works: {told} ({held})."
-    return ""
+        for told, requests in nearest:
+            if held := _held(requests):
+                found.append(f"{told} ({held})")
+    return f"Nearest to working: {'; or '.join(found)}." if found else ""
 
 
 @contextmanager

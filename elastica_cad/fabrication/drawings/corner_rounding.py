@@ -14,22 +14,22 @@ from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, chord_poi
 from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02
-"""Corners that turn by less stay: fitted sides meet so."""
+"""Corners that turn by less than this, rad, stay; fitted sides meet with such angles."""
 
 MOST_STEPS = 40
-"""Of the search for an arc's ends: the sides bend little, so few serve."""
+"""Largest number of steps of the search for an arc's ends."""
 
 MOST_TURNED_BACK = 6
-"""Steps that lead out of a side and are taken half way to its end, before it counts as too short."""
+"""Number of steps beyond the end of a side that are shortened, before the side counts as too short."""
 
 CLOSE_MM = 1e-9
-"""The arc's two centres agree to this: rounding."""
+"""Accuracy, mm, to which the two centres of the arc agree."""
 
 PARALLEL = 1e-200
-"""In place of a zero that is divided by: between parallel sides the ends of the arc go out of them."""
+"""Replacement for a zero divisor: between parallel sides the ends of the arc leave the sides."""
 
 CLOSE_SHARE = 1e-3
-"""Of the radius: an arc may come so far over a side that is left out for it, and its points are as flat."""
+"""Share of the radius by which an arc may cross a side that it replaces, and the flatness of its points."""
 
 
 def round_corners(path: Path, radius: float) -> Path:
@@ -126,7 +126,7 @@ class _Ring:
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
-    """Does the arc cut off the sides that were left out for it, and not run across them?"""
+    """Whether the arc cuts off the sides that it replaces and does not cross them."""
     if not gap:
         return True
     if arc is None:

@@ -18,7 +18,7 @@ from elastica_cad.geometry.paths.segments import Segment, Spline, place, trim_se
 from elastica_cad.refusals import Length as Mm
 
 WIDEST_KERF_MM = 15.0
-"""A router's bit of half an inch is 12.7 mm wide."""
+"""Largest kerf, mm; a router's bit of half an inch is 12.7 mm wide."""
 
 
 def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
@@ -112,10 +112,10 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
 
 CORNER_RAD = 0.05
-"""Turn between two segments from which on a bridge keeps off: smaller ones come from fitting."""
+"""Angle between two segments, rad, from which on bridges avoid the corner; smaller ones come from fitting."""
 
 SAME_PLACE_MM = 1e-9
-"""Arc lengths nearer than this are one: rounding."""
+"""Arc lengths nearer to each other than this are the same."""
 
 
 @dataclass(frozen=True)

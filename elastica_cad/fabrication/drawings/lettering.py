@@ -52,21 +52,21 @@ class Text:
 
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
-            raise InputError("the text to engrave is {text_}: give a text", text_=quoted(self.text))
+            raise InputError("the text to engrave is {typed}: give a text", typed=quoted(self.text))
         place = tuple(self.position) if is_series(self.position) else ()
         sizes = (*place, self.height, self.angle)
         if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
             raise InputError(
-                "text {text_!r} needs a finite position and angle, and a positive height in mm",
-                text_=self.text,
+                "text {typed!r} needs a finite position and angle, and a positive height in mm",
+                typed=self.text,
             )
         object.__setattr__(self, "position", tuple(map(float, place)))
         missing = sorted(set(self.text) - _glyphs().keys())
         if missing:
             raise InputError(
-                "text {text_!r}: the engraving alphabet has no {names}; use A-Z, a-z, 0-9 and common "
+                "text {typed!r}: the engraving alphabet has no {names}; use A-Z, a-z, 0-9 and common "
                 "punctuation",
-                text_=self.text,
+                typed=self.text,
                 names=", ".join(map(repr, missing)),
             )
 

@@ -27,7 +27,7 @@ from elastica_cad.geometry.paths.segments import Arc, Segment
 from elastica_cad.refusals import Length, Listed, note
 
 LEAST_WALL_MM = 0.8
-"""Two lines of a 0.4 mm nozzle."""
+"""Thinnest printed wall, mm: two lines of a 0.4 mm nozzle."""
 
 GROOVE_SHARE = 0.16, 0.075
 """Width and depth of engraved strokes over the height of the letters: at 4 mm a 0.4 mm nozzle still prints the
@@ -37,10 +37,10 @@ LABEL_MM = 4.0
 """Height of the part number, where there is room."""
 
 LEVEL = 1e-6
-"""Rounding of heights, mm, and of directions."""
+"""Tolerance for heights, mm, and directions."""
 
 BEYOND_MM = 1.0
-"""How far holes and pockets are drawn beyond the faces that they open."""
+"""Distance by which holes and pockets extend beyond the faces that they open, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +109,7 @@ class EndFixture:
             value = getattr(self, name.replace(" ", "_"))
             if not (is_number(value) and value >= smallest):
                 raise InputError(
-                    "{who}: {name} is {value!r}: it must be positive, in mm", who=who, name=name, value=value
+                    "{who}: {name} is {given!r}: it must be positive, in mm", who=who, name=name, given=value
                 )
         if self.wall < LEAST_WALL_MM:
             raise InputError(
@@ -139,9 +139,9 @@ class EndFixture:
             )
         if self.lowest < -LEVEL:
             raise InputError(
-                "{who}: the block reaches {value:.4g} below the floor: lower the floor or shorten the tab",
+                "{who}: the block reaches {given:.4g} below the floor: lower the floor or shorten the tab",
                 who=who,
-                value=Length(-self.lowest),
+                given=Length(-self.lowest),
             )
 
     @classmethod
@@ -178,7 +178,7 @@ class EndFixture:
 
     @property
     def label(self) -> str:
-        """What assemblies call it."""
+        """Name in assemblies."""
         return f"fixture {self.number or self.tab.name}"
 
     @property
@@ -197,7 +197,8 @@ class EndFixture:
 
     @cached_property
     def _profile(self) -> Frame:
-        """Where profiles are drawn: x out of the strip, y off its upper side; z runs across, from the middle."""
+        """Frame in which profiles are drawn: x points out of the strip, y away from its upper side, z across it
+        from the middle."""
         return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
 
     @cached_property
@@ -209,7 +210,7 @@ class EndFixture:
 
     @cached_property
     def _up(self) -> tuple[FloatArray, FloatArray, float]:
-        """In the profile's frame: unit vectors up and along the floor (2,), and the floor's height."""
+        """Unit vectors up and along the floor (2,), and the floor's height, in the profile's frame."""
         n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
@@ -371,10 +372,10 @@ def _require_end(strip: object, end: object) -> None:
 
 
 TOUCHING_MM = 0.1
-"""Blocks may reach so far into each other: a file takes it off."""
+"""Depth, mm, by which blocks may overlap; it can be filed off."""
 
 PITCH_MM = 0.5
-"""Between the points of strips and of the edges of blocks that are looked for in blocks."""
+"""Distance, mm, between the points of strips and edges of blocks that are tested for overlap with blocks."""
 
 
 def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tuple[str, ...]:
@@ -425,7 +426,7 @@ def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Seque
 
 
 def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
-    """Is any of the points (n, 3) deep enough within one of the parts?"""
+    """Whether any of the points (n, 3) is deep enough within one of the parts."""
     return any(bool((part.depths(points) > TOUCHING_MM).any()) for part in parts)
 
 
@@ -452,6 +453,6 @@ class _Prism:
         return cls(edges.reshape(-1, 3), np.concatenate([lower, upper[:1], lower[:1]]), outward)
 
     def depths(self, points: FloatArray) -> FloatArray:
-        """How deep points (n, 3) lie within it, mm: negative outside."""
+        """Depth of points (n, 3) within the prism, mm; negative outside."""
         heights = (self.faces * self.outward).sum(axis=1)
         return np.asarray((heights - points @ self.outward.T).min(axis=1))

@@ -117,7 +117,7 @@ def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tup
 def hold_each(
     placed: Sequence[Placed], holders: Iterable[object] = ()
 ) -> Iterator[HeldShape | NotConvergedError]:
-    """The same one by one, with the reason where a strip finds no rest; strips held alike are bent once."""
+    """Hold the strips one by one, with the reason where a strip finds no rest; strips held alike are bent once."""
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
@@ -132,15 +132,15 @@ def hold_each(
 
 
 def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
-    """What holds an end of a placed strip."""
+    """Seat of an end of a placed strip; None where nothing holds it."""
     return seats.get(PlacedTab.of(one.strip, end, one.frame).key)
 
 
 ROCKING_RAD = np.radians(3.0)
-"""A tab that turns farther in its holder rocks: at the mouth of a strip it moves the shape by percents."""
+"""A tab that can turn farther than this in its holder is reported as rocking; it moves the shape by percents."""
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
-"""What is told as no play."""
+"""Largest play that is reported as none."""
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
@@ -171,12 +171,12 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 
 def _lies_on(holder: object) -> TypeGuard[Ring]:
-    """Is this a ring on which tabs lie?"""
+    """Whether this is a ring on which tabs lie."""
     return isinstance(holder, Ring) and bool(holder.seats)
 
 
 def _turn(degrees: float) -> str:
-    """With its sign; 0 for a turn too small to be seen."""
+    """Format a turn with its sign; 0 for one too small to be seen."""
     return "0" if abs(degrees) < NO_PLAY_DEGREES else note("{turn:+.2g}", turn=degrees)
 
 
@@ -212,7 +212,7 @@ def _by_holder(
 
 
 def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
-    """What becomes of a strip in its seats."""
+    """Sentence about a strip in its seats."""
     try:
         strayed = one.strip.held(*(_seat_of(seats, one, end) for end in ENDS)).deviation
     except NotConvergedError:
@@ -225,7 +225,7 @@ def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
 
 
 def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
-    """What would hold a tab: two plates in place of the one that does, or what else there is."""
+    """Suggest what would hold a tab: two plates instead of one, or another fixture."""
     key = PlacedTab.of(one.strip, end, one.frame).key
     others = note("end fixtures or feet (feet = 10) glued at its angle")
     lengths = [

@@ -57,7 +57,7 @@ class HeldEnd:
 
     @property
     def tip(self) -> FloatArray:
-        """Where the tab ends (2,), mm."""
+        """End point of the tab (2,), mm."""
         return self.position + self.tab * self.outward
 
 
@@ -101,7 +101,7 @@ def _turned(degrees: float) -> float:
 
 
 def distance_between(ends: Sequence[HeldEnd]) -> float:
-    """How far the two ends are apart, mm."""
+    """Distance of the two ends, mm."""
     return float(np.linalg.norm(ends[1].position - ends[0].position))
 
 

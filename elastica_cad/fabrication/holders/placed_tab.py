@@ -78,7 +78,7 @@ class PlacedTab:
 
     @cached_property
     def key(self) -> Key:
-        """Where it is, rounded: how holders and strips are matched."""
+        """Rounded position, by which holders and strips are matched."""
         return tuple(np.round([*self.frame.origin, *self.frame.x_axis], 6).tolist())
 
     @property
@@ -103,7 +103,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 
 
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """The same, for holders to be made; refuses strips that none of ours fits."""
+    """Place the tabs for which holders are to be made; refuses strips that none of our holders fits."""
     require_ends(ends)
     for one, name in zip(require_placed(placed), strip_names(placed), strict=True):
         require_holdable(one.strip, name)

@@ -29,7 +29,7 @@ from elastica_cad.fabrication.holders.plates import (
 )
 from elastica_cad.fabrication.holding.rest_in_seats import Lean, lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
@@ -39,10 +39,10 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length
 
 LEAN_ROUNDS = 6
-"""Most rounds of moving slots: three serve."""
+"""Largest number of rounds of moving slots; three are usually enough."""
 
 LEANED_MM = 0.03
-"""The last round moves slots by less: each leaves a tenth of what it moved."""
+"""Rounds end when they move slots by less than this, mm; each leaves a tenth of what it moved."""
 
 Plate = TypeVar("Plate", BasePlate, Ring)
 
@@ -210,7 +210,7 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
 
 def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """How the holder of each tab is to be moved, ends that are cut and held alike computed once."""
+    """Shift of the holder of each tab; ends that are cut and held alike are computed once."""
     found, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for one in placed:
         cut = cut_key(one.strip)
@@ -250,7 +250,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""Tabs that begin this much more level are worth a plate that is not square to their mean direction."""
+"""Gain in level, mm, from which on a plate is tilted against the mean direction of the tabs."""
 
 
 @refusing_old_names
@@ -266,7 +266,7 @@ def end_plates(
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
     name: Annotated[str, Asked("Name of its files.")] = "ring",
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> tuple[BasePlate, ...]:
     """A plate for the tabs of each end of any strips, in the plane that suits these tabs.
@@ -290,7 +290,7 @@ def end_plates(
     gap : float, optional
         Two plates instead of each, so far apart, mm, that hold inclined tabs at their angle; the second is called
         NAME-start-outer and so on.
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make.
     ignore_limits : bool
         Make plates that the workshop cannot, and say so in their warnings.

@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_ends, tabs_to_hold
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     accept_faults,
     find_plate_faults,
@@ -38,13 +38,13 @@ FLATTEST_RAD = np.radians(15.0)
 """Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
 
 LEAST_OPENING_SHARE = 0.4
-"""A round plate whose opening would be smaller than this share of it has none: it would save little."""
+"""A round plate has an opening only if the opening is larger than this share of it."""
 
 LABEL_MM = 4.0
 """Height of engraved names, where there is room."""
 
 BELOW_MM = 1e-6
-"""A tab that ends no farther below a plate's face does not go through it: rounding."""
+"""A tab goes through a plate if it ends farther below its face than this, mm."""
 
 Shape = Literal["hull", "rectangle", "ring"]
 
@@ -168,7 +168,7 @@ def base_plate(
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
     ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     name: Annotated[str, Asked("Name of its files.")] = "base",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> BasePlate:
     """One plate with a slot for every tab that stands on it.
@@ -197,7 +197,7 @@ def base_plate(
     ends : sequence of "start" and "end"
         Which tabs may stand on it.
     name : str
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make: bridges between slots, the largest sheet.
     ignore_limits : bool
         Make a plate that the workshop cannot, and say so in its warnings.
@@ -252,15 +252,15 @@ def _check_sizes(name: str, **sizes: float) -> None:
     for what, value in sizes.items():
         if not (is_number(value) and value >= 0):
             raise InputError(
-                "{name}: {replace} is {value!r}: it must be 0 mm or more",
+                "{name}: {replace} is {given!r}: it must be 0 mm or more",
                 name=name,
                 replace=what.replace("_", " "),
-                value=value,
+                given=value,
             )
 
 
 def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
-    """How deep the end of a strip `wide` mm wide would stand in the plate, mm, where its tab begins."""
+    """Depth, mm, to which the end of a strip of width `wide` would reach into the plate where its tab begins."""
     height = float(ground.local(tab.frame.origin)[2])
     return wide / 2 * abs(float(ground.z_axis @ tab.frame.y_axis)) - height
 
@@ -273,7 +273,7 @@ def plate_with(
     border: float,
     shape: Shape = "hull",
     name: str = "base",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> BasePlate:
     """The plate around slots; refused where two meet, and without `ignore_limits` where it cannot be made."""
@@ -296,10 +296,10 @@ def _check_slots(
     slots: Sequence[TabSlot],
     others: Sequence[Path] = (),
     *,
-    shop: Shop | None,
+    shop: FabricationLimits | None,
     ignore_limits: bool,
 ) -> tuple[str, ...]:
-    """What is said of a plate with slots, and other cuts, that was made all the same; see `accept_faults`."""
+    """Warnings for a plate with slots and other cuts that was made in spite of faults; see `accept_faults`."""
     _refuse_meetings(slots, name)
     loops = (*(slot.path for slot in slots), *others)
     called = [note("the slot of {name}", name=slot.name) for slot in slots]
@@ -318,7 +318,7 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
 
 
 def _stands_in(tab: PlacedTab, ground: Frame) -> bool:
-    """Does the tab begin on or above a plate's upper face and end below it?"""
+    """Whether the tab begins on or above a plate's upper face and ends below it."""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -337,11 +337,11 @@ def tab_slot(
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(
-            "{name}: the tab of {name_2} leans to {value:.3g} degrees from the plate: at "
+            "{name}: the tab of {name_2} leans to {given:.3g} degrees from the plate: at "
             "{flattest_rad:.0f} degrees or less a slot cannot hold it; use a fixture there",
             name=name,
             name_2=tab.name,
-            value=np.degrees(np.arcsin(max(0.0, down))),
+            given=np.degrees(np.arcsin(max(0.0, down))),
             flattest_rad=np.degrees(FLATTEST_RAD),
         )
     edges = ground.local(tab.edges)
@@ -411,25 +411,25 @@ def _outline(points: FloatArray, border: float, shape: Shape) -> Path:
 
 
 PLAY_MM = 0.3
-"""Room beside a tab in its slot on either side; narrow, for tabs that stand close."""
+"""Clearance beside a tab in its slot on either side, mm; it is small, since tabs may be close to each other."""
 
 GAP_MM = 20.0
-"""Between two plates, unless told."""
+"""Default distance between two plates, mm."""
 
 BORDER_MM = 8.0
-"""Least width of material beside slots and seats, unless told."""
+"""Default width of material beside slots and seats, mm."""
 
 LYING_RAD = np.radians(5.0)
-"""Tabs at no larger angle to the ring lie on it: glue fills the wedge."""
+"""Tabs at a smaller angle than this to the ring, rad, lie on it; glue fills the wedge."""
 
 CLEAR_MM = 0.5
-"""Between a name and slots or rim."""
+"""Distance between a name and slots or rim, mm."""
 
 TAILS = 1 / 3
-"""How far letters like g reach below their line, in heights."""
+"""Depth of letters like g below their line, in heights."""
 
 LEAST_LABEL_MM = 1.5
-"""Smaller names are left out: they could not be read."""
+"""Smallest names, mm; smaller ones could not be read and are left out."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -484,7 +484,7 @@ class Ring:
     def _inner(self) -> tuple[Path, ...]:
         return (*(slot.path for slot in self.slots), *self._others)
 
-    def checked(self, shop: Shop | None = None, *, ignore_limits: bool = False) -> "Ring":
+    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> "Ring":
         """The ring with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
@@ -559,7 +559,7 @@ def ring_plate(
     play: float = PLAY_MM,
     clearance: float = CLEARANCE_MM,
     name: str = "ring",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> Ring:
     """The ring or cap about the z axis that holds one end of all strips of a surface of revolution.
@@ -582,7 +582,7 @@ def ring_plate(
     clearance : float
         Added to the width of slots, mm.
     name : str
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make: bridges between slots, the largest sheet.
     ignore_limits : bool
         Make a ring that the workshop cannot, and say so in its warnings.
@@ -643,7 +643,7 @@ def ring_around(
     *,
     border: float = BORDER_MM,
     name: str = "ring",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> Ring:
     """The ring about the axis of its frame that has these slots; see `ring_plate`."""
@@ -665,7 +665,8 @@ def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
 
 
 def _radii(loops: Sequence[FloatArray], border: float) -> tuple[float, float]:
-    """Of the ring around loops (4, 2): inner, 0 where too little would be left open, and outer."""
+    """Inner and outer radius of the ring around loops (4, 2); the inner one is 0 where the opening would be too
+    small."""
     inner, outer = around(loops, np.zeros(2), border)
     return (inner if inner > LEAST_OPENING_SHARE * outer else 0.0), outer
 

@@ -16,7 +16,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, centred_text
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pairs import lean_pair, require_gap, tab_plane, through_slots
 from elastica_cad.fabrication.holders.plates import PLAY_MM, BasePlate, TabSlot, plate_with
-from elastica_cad.fabrication.makeability.shop import Shop, shop_or_default
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits, limits_or_default
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_plate_faults
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct
@@ -31,19 +31,20 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length as Mm
 
 SHOULDER_MM = 5.0
-"""How far a rib reaches beside its tongue, to rest against the rail."""
+"""Width, mm, by which a rib is wider than its tongue on each side, to rest against the rail."""
 
 SLOT_ROOM_MM = 3.0
-"""Between the slots of ribs and of tabs, or what the sheet asks for between slots if that is more."""
+"""Least distance between the slots of ribs and of tabs, mm; the sheet may need more."""
 
 LABEL_MM = 6.0
 """Height of a rib's name, where there is room."""
 
 MOST_RIBS = 200
-"""Of one frame."""
+"""Largest number of ribs of one frame."""
 
 STEP_MM = 2.5
-"""By which a tongue is narrower at either side in the first of two rails: the step keeps the gap between them."""
+"""Step, mm, on each side by which a tongue is narrower in the first of two rails: it keeps the gap between
+them."""
 
 ON_SIDE_MM = 1e-6
 """Points of a tongue this near to a side of the rib lie on it: rounding."""
@@ -77,7 +78,7 @@ class Rib:
     label: Text
     warnings: tuple[str, ...] = ()
 
-    def checked(self, shop: Shop | None = None, *, ignore_limits: bool = False) -> "Rib":
+    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> "Rib":
         """The rib with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
@@ -117,7 +118,7 @@ class SlottedFrame:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """What must be cut."""
+        """Pieces to be cut."""
         return (*(rail.piece for rail in self.rails), *(rib.piece for rib in self.ribs))
 
     @cached_property
@@ -139,7 +140,7 @@ def slotted_frame(
     clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
     border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:
     """A frame of plates: each rail follows the tabs of one end, ribs hold the rails apart at their angle.
@@ -163,7 +164,7 @@ def slotted_frame(
     gap : float, optional
         Two rails instead of each, so far apart, mm, that hold inclined tabs at their angle; the steps of the ribs'
         tongues keep the gap.
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make: bridges between slots, the largest sheet.
     ignore_limits : bool
         Make rails and ribs that the workshop cannot, and say so in their warnings.
@@ -192,9 +193,9 @@ def slotted_frame(
         least = 0.0 if name in ("play", "clearance", "border") else 1.0
         if not (is_number(value) and value >= least):
             raise InputError(
-                "frame {name} is {value!r}: it must be {least:g} or more",
+                "frame {name} is {given!r}: it must be {least:g} or more",
                 name=name,
-                value=value,
+                given=value,
                 least=Mm(least),
             )
     if not (is_whole(ribs) and 2 <= ribs <= MOST_RIBS):
@@ -217,7 +218,7 @@ def slotted_frame(
         _RailPlan.of(placed, end, sheet, play=play, clearance=clearance, behind=behind) for end in ENDS
     ]  # fmt: skip
     across = _across(rails)
-    room = max(SLOT_ROOM_MM, shop_or_default(shop).bridge_for(sheet))
+    room = max(SLOT_ROOM_MM, limits_or_default(shop).bridge_for(sheet))
     stations = _stations([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
     plans = [
         _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
@@ -265,7 +266,7 @@ class _RailPlan:
         return cls(name, frame, slots)
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Where a rib across direction `across` (3,) meets the upper face: in the middle of the rail."""
+        """Place where a rib across direction `across` (3,) meets the upper face, in the middle of the rail."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -285,14 +286,15 @@ class _RailPlan:
         return TabSlot(corners, name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
-        """From where to where each slot reaches (n, 2), along a direction (3,)."""
+        """Begin and end of each slot (n, 2) along a direction (3,)."""
         corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
         return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
 
 
 @dataclass(frozen=True, eq=False)
 class _Seat:
-    """Where a rib goes through a rail: a point of the rail's upper face, along the rib, and off the face."""
+    """Place where a rib goes through a rail: a point of the rail's upper face, the directions along the rib and
+    off the face."""
 
     point: FloatArray
     along: FloatArray
@@ -404,7 +406,7 @@ def _with_tongue(
 
 
 LEAST_GLUED_MM = 4.0
-"""Of a tab behind its plate: less is no joint."""
+"""Least length of a tab behind its plate, mm, that can be glued."""
 
 FOOT_LABEL_MM = 3.0
 """Height of a foot's name, where there is room."""

@@ -1,7 +1,7 @@
 """How a strip is held: its reactions, its lap if it closes, and the shape that it takes as it is made."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -13,11 +13,11 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length, note, sentences
 
 MEETING_SHARE = 1e-4
-"""Of the length: ends that are nearer meet; rods on few nodes close as well as that."""
+"""Ends nearer to each other than this share of the length meet; rods with few nodes close to this accuracy."""
 
 
 def closes(rod: Rod) -> bool:
-    """Do the ends of a rod meet, one going on in the other?"""
+    """Whether the ends of a rod meet with the same direction."""
     gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
     return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
@@ -95,10 +95,17 @@ class Reactions:
 Seats = tuple[TabSeat | None, TabSeat | None]
 
 ANTICLASTIC = "anticlastic bending"
-"""A wide strip curls across as it bends, and is stiffer for it."""
+"""Name of the cause that a wide strip curls across as it bends, and is stiffer."""
+
+LEAF_ENDS = "ends of leaves"
+"""Where a glued leaf ends, the neutral axis of the stack jumps by half its thickness."""
 
 LEAST_TOLD_MM = 0.005
-"""Deviations below it are not told one by one."""
+"""Deviations below this, mm, are not listed one by one."""
+
+
+MOST = np.sqrt(0.5)
+"""Of what a strip strays in all: more than this is most of it, as independent causes add by their squares."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +117,7 @@ class HeldShape:
     rod : Rod
         The shape it takes, with all causes together.
     deviation : float
-        Largest distance of any place of the strip from where it was designed to be, mm.
+        Largest distance of any place of the strip from where it was designed to be, mm, as the model has it.
     parts : mapping of str to float
         What each cause alone adds to first order, mm: "slots", "narrow tabs", "leaning ligaments", "anticlastic
         bending", "start: pocket" and so on.
@@ -120,6 +127,12 @@ class HeldShape:
         Do the widths make up for the causes? `parts` are then those of the strip without the correction.
     as_plate : bool
         Are the widths made by how the strip curls across? Anticlastic bending is then no cause.
+    open : float
+        How far a strip of a perfect sheet may lie from where the model has it, mm: see `open_deviation`.
+    sheet : mapping of str to float
+        What the sheet, its cut and its clamps add, mm, by cause: see `sheet_effects`.
+    notes : tuple of str
+        What the model takes for granted of this strip.
     """
 
     rod: Rod
@@ -129,33 +142,68 @@ class HeldShape:
     end: EndPose
     corrected: bool = False
     as_plate: bool = False
+    open: float = 0.0
+    sheet: Mapping[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     @property
     def made_up_for(self) -> tuple[str, ...]:
         """The causes that widths make up for."""
         return (*(self.parts if self.corrected else ()), *((ANTICLASTIC,) if self.as_plate else ()))
 
+    @property
+    def sheet_adds(self) -> float:
+        """What sheet, cut and clamps add together, mm; they are independent of each other."""
+        return float(np.linalg.norm([*self.sheet.values(), 0.0]))
+
+    @property
+    def expected(self) -> float:
+        """How far a real strip strays, mm: as modelled, by what the model leaves open, and by its sheet."""
+        return float(np.linalg.norm([self.deviation, self.open, self.sheet_adds]))
+
     def __str__(self) -> str:
-        """One sentence."""
+        """One sentence, and one for each note."""
+        figures = {
+            "most of it as modelled": self.deviation,
+            "most of it left open by the model": self.open,
+            "most of it from the sheet": self.sheet_adds,
+        }
+        largest = max(figures, key=lambda words: figures[words])
+        strays = note(
+            "as made and held, its widths made for anticlastic bending, the strip strays about {far} from its "
+            "design, {percent:g} % of its length" if self.as_plate else
+            "as made and held the strip strays about {far} from its design, {percent:g} % of its length",
+            far=about(self.expected), percent=_two_digits(100 * self.expected / self.rod.length),
+        )  # fmt: skip
+        if figures[largest] > MOST * self.expected:
+            strays = note("{strays}, {most}", strays=strays, most=note(largest))
+        said = note(
+            "{strays}: the model says {modelled} and leaves {open} open, and sheet, cut and clamps add {sheet}",
+            strays=strays, modelled=about(self.deviation), open=about(self.open),
+            sheet=about(self.sheet_adds),
+        )  # fmt: skip
         told = [
             note("{far:.2g} by {cause}", far=Length(mm), cause=note(cause))
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
             if mm >= LEAST_TOLD_MM
         ]
-        said = note(
-            "as made and held, its widths made for anticlastic bending, the strip strays {far:.2g} from its "
-            "design, {percent:.2g} % of its length" if self.as_plate else
-            "as made and held the strip strays {far:.2g} from its design, {percent:.2g} % of its length",
-            far=Length(self.deviation), percent=100 * self.deviation / self.rod.length,
-        )  # fmt: skip
-        if not told:
-            return said
-        each = (
-            "{strays}; each cause alone, without its correction: {causes}"
-            if self.corrected
-            else "{strays}; each cause alone: {causes}"
-        )
-        return note(each, strays=said, causes=sentences(told))
+        if told:
+            each = (
+                "{strays}; each cause alone, without its correction: {causes}"
+                if self.corrected
+                else "{strays}; each cause alone: {causes}"
+            )
+            said = note(each, strays=said, causes=sentences(told))
+        return sentences((said, *self.notes), ". ")
+
+
+def _two_digits(value: float) -> float:
+    return float(f"{value:.2g}")
+
+
+def about(mm: float) -> Length:
+    """A length to two digits."""
+    return Length(_two_digits(mm))
 
 
 def strayed(design: Rod, place: FloatArray) -> float:

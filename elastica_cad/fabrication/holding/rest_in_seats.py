@@ -52,7 +52,7 @@ class SeatedEnd:
 
     @property
     def pieces(self) -> int:
-        """How many the tab has; none where it is stiff."""
+        """Number of pieces of the tab; 0 where it is stiff."""
         return TAB_PIECES if np.isfinite(self.stiffness) else 0
 
     @cached_property
@@ -67,7 +67,7 @@ class SeatedEnd:
 
     @cached_property
     def sideways(self) -> FloatArray:
-        """How far (k, m) each edge's gap closes for the angle of each piece, mm."""
+        """Amount (k, m), mm, by which the gap at each edge closes per angle of each piece."""
         into, _, side = self.seat.edges
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
@@ -79,7 +79,8 @@ class SeatedEnd:
         return np.array([-np.sin(angle), np.cos(angle)])
 
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
-        """What its holder does to a rod along shift and turn, over B, 1/mm2; `left` is a unit vector (2,)."""
+        """Force and moment of the holder on a rod along shift and turn, over B, 1/mm2; `left` is a unit vector
+        (2,)."""
         k, sign = -self.index, -1.0 if self.index else 1.0
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
 
@@ -245,7 +246,7 @@ class _Held:
 
     @cached_property
     def slices(self) -> list[slice]:
-        """Where in q the unknowns of each end are."""
+        """Slices of q with the unknowns of each end."""
         ends = np.cumsum([2 + one.pieces for one in self.seated]).tolist()
         return [slice(end - 2 - one.pieces, end) for one, end in zip(self.seated, ends, strict=True)]
 
@@ -272,7 +273,7 @@ class _Held:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
-        """What the holders do to the strip along shift and turn of each end, over B: 1/mm2."""
+        """Forces and moments of the holders on the strip along shift and turn of each end, over B, 1/mm2."""
         found = [one.load(rod, one.left(self.design), self.design.length) for one in self.seated]
         return np.array(found).ravel()
 
@@ -284,7 +285,7 @@ class _Held:
         return np.asarray((ends + ends.T) / 2)
 
     def without_room(self, q: FloatArray) -> str:
-        """What to say of the tab that overlaps its holder most."""
+        """Message about the tab that overlaps its holder most."""
         each = [(one, float(one.walls(part, self.design.length)[1].min())) for one, part in self.parts(q)]
         one, gap = min(each, key=lambda pair: pair[1])
         end = "end" if one.index else "start"
@@ -353,10 +354,10 @@ FREE = 1e-4
 """The same in all others, which end where it is of no account: each leaves this share of what it moved."""
 
 MOST_LEANS = 36
-"""Half a dozen are usual."""
+"""Largest number of iterations; about six are usual."""
 
 LEANED_SHARE = 1e-7
-"""Of the length: what a step moves when the contacts have been found."""
+"""Move of the last step, as a share of the length, when the contacts have been found."""
 
 
 @dataclass(frozen=True)

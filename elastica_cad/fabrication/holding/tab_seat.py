@@ -10,18 +10,19 @@ from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 
 STEEPEST_RAD = np.radians(80.0)
-"""A tab that can turn as far is not held at all."""
+"""A tab that can turn this far counts as not held."""
 
 STOP_RAD = np.radians(0.01)
-"""Steps of the turns that are tried."""
+"""Step of the turns that are tried."""
 
 WALL_PLACES = 17
-"""Places at which a wall along the tab is felt: a tab bends in its pocket and may lie against the middle."""
+"""Number of places of a wall at which contact is checked: a tab bends in its pocket and may touch it in the
+middle."""
 
 
 @dataclass(frozen=True)
 class EndPose:
-    """Where an end comes to rest: `shift` mm to the left of the design, `turn` rad anticlockwise."""
+    """Rest position of an end: `shift` mm to the left of the design, `turn` rad anticlockwise."""
 
     shift: float = 0.0
     turn: float = 0.0
@@ -95,12 +96,13 @@ class TabSeat:
 
     @property
     def depth(self) -> float:
-        """How far into the tab the holder reaches, mm."""
+        """Depth to which the holder reaches into the tab, mm."""
         return float(max(self.left[:, 0].max(), self.right[:, 0].max()))
 
     @property
     def room(self) -> float:
-        """How far the tab shifts across between its edges, turned as designed, mm; none where they press it."""
+        """Distance by which the tab can shift across between the edges, in its designed direction, mm; 0 where
+        they press it."""
         return max(0.0, float(self.left[:, 1].min() - self.right[:, 1].max()) - self.thickness)
 
     @property
@@ -142,7 +144,7 @@ class TabSeat:
 
     @property
     def turning(self) -> tuple[float, float]:
-        """How far the tab turns before it jams, rad: to the right (negative) and to the left, seen outward."""
+        """Angles, rad, by which the tab can turn to the right (negative) and to the left, seen outward."""
         return -self._stop(-1), self._stop(1)
 
     def _stop(self, sense: int) -> float:

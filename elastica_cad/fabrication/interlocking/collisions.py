@@ -31,31 +31,32 @@ from elastica_cad.geometry.running_sums import turns_along
 from elastica_cad.refusals import Length, Point, note
 
 EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 1.0
-"""Between samples along edges, and on faces, where strips that run alike overlap evenly."""
+"""Distances between samples along edges and on faces, mm."""
 
 SHARED_MM = 0.05
-"""Strips that are slotted together and reach less deep into each other only touch."""
+"""Depth, mm, up to which strips that are slotted together only touch."""
 
 EDGES_TOUCH_MM = 0.1
-"""Strips that lie edge to edge may reach so far into each other, either of them: a file takes it off."""
+"""Depth, mm, up to which strips that lie edge to edge may overlap; it can be filed off."""
 
 FOOT_STEPS = 3
-"""Newton's steps from the nearest station of a curve to its nearest place."""
+"""Newton steps from the nearest station of a curve to its nearest point."""
 
 INSCRIBED = np.sqrt(0.5)
-"""Of a round rod's diameter, the side of the square in it."""
+"""Side of the square in a circle, over its diameter: round rods count as that."""
 
 MOUTH = 4.0
-"""Widths of a slot by which it runs on beyond the edge: its sides reach the edge at different places."""
+"""Length, in widths of a slot, by which it is extended beyond the edge: its sides reach the edge at different
+places."""
 
 RIM_MM = 0.002
-"""Flatness of the polygons that stand for slots."""
+"""Flatness of the polygons that represent slots, mm."""
 
 SELF_PITCH_SHARE = 0.25
-"""Of the thickness: between samples along a strip that may meet itself."""
+"""Distance between samples along a strip that may meet itself, in thicknesses."""
 
 MOST_SAMPLES = 20_000
-"""Along a strip that may meet itself: of a long film they lie farther apart."""
+"""Largest number of samples along a strip that may meet itself; on a long one they are farther apart."""
 
 Places = tuple[float, float]
 
@@ -134,7 +135,7 @@ class Body:
         return s, *self.ruled.in_plane(s)
 
     def uncut(self, s: FloatArray, across: FloatArray) -> FloatArray:
-        """How far places (n,) of the flat pattern are from the nearest slot, mm: negative within it."""
+        """Distance of places (n,) of the flat pattern from the nearest slot, mm; negative inside it."""
         away = np.full(s.size, np.inf)
         for rim in self.slots:
             (x, y), (dx, dy) = rim.T, (np.roll(rim, -1, axis=0) - rim).T
@@ -221,7 +222,7 @@ def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> 
 
 @dataclass(frozen=True, eq=False)
 class _Meeting:
-    """Where two strips overlap: side by side, beside the slots that join them, or else at an angle."""
+    """Overlap of two strips: side by side, beside the slots that join them, or at an angle."""
 
     names: tuple[str, str]
     places: Places
@@ -278,7 +279,7 @@ def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -
 
 
 def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:
-    """Of every two strips that overlap where no slot lets them, a place."""
+    """One place for every two strips that overlap where no slot allows it."""
     names, bodies = strip_names(placed), [Body.of(one) for one in placed]
     narrower = [replace(body.ruled, width=_within_edges(one.strip.width))
                 for body, one in zip(bodies, placed, strict=True)]  # fmt: skip

@@ -22,10 +22,11 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.running_sums import distinct, lengths_along
 
 ZERO = 1e-11
-"""A value below this, in the unit of the function, counts as zero: of lengths in mm, rounding of a 10 m model."""
+"""A value below this, in the unit of the function, counts as zero; for lengths in mm it is rounding in a model
+of 10 m."""
 
 ZERO_STEPS = 80
-"""Far more than the rule needs: it gains more than a digit and a half a step."""
+"""Largest number of steps, far more than needed: each gains more than one and a half digits."""
 
 
 def _bracketed_zeros(
@@ -61,17 +62,17 @@ PARALLEL_RAD = 2e-8
 """Rulings at less than this angle count as parallel: over 1 m they part by 20 nm."""
 
 HEIGHT_ERROR = 1e-13
-"""Newton's method ends where the two heights differ by less than this share of the longer strip: near rounding."""
+"""Newton's method ends when the two heights differ by less than this share of the longer strip."""
 
 MOST_STEPS = 30
-"""Of Newton's method: six serve, and where surfaces touch it halves the error each step."""
+"""Largest number of Newton steps; six are usual, and where surfaces touch, each only halves the error."""
 
 SAME_HEIGHT = 1e-9
-"""Nodes whose heights differ by less than this share of the longer strip are one: equal strips have theirs in
-pairs, and between the two the way would stand still."""
+"""Nodes whose heights differ by less than this share of the longer strip are the same: equal strips have theirs
+in pairs."""
 
 LEVEL_SLOPE = 1e-12
-"""A curve whose height has no larger slope anywhere is level: the rest is rounding."""
+"""A curve is level when the slope of its height is nowhere larger than this."""
 
 LEAST_SQUARED_SLOPE = 1e-14
 """Squared slope of the heights below which the surfaces touch; Newton's steps are kept short there."""
@@ -108,7 +109,7 @@ def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling,
 
 @dataclass(frozen=True, eq=False)
 class Ruling:
-    """Where the plane curves of strips with parallel rulings cross: q is v."""
+    """Crossing of the plane curves of two strips with parallel rulings; its parameter q is v."""
 
     strips: tuple[RuledStrip, RuledStrip]
     s_a: float
@@ -163,14 +164,14 @@ class _Heights:
         return self.above(strip, strip.in_plane(s))
 
     def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
-        """The same, for places on one of the curves."""
+        """Heights and their slopes for places on one of the curves."""
         across, base = self._ways[0 if strip is self.a else 1]
         position, tangent = places
         return position @ across + base, tangent @ across
 
     @cached_property
     def _ways(self) -> tuple[tuple[FloatArray, float], ...]:
-        """How height grows along x and y of each frame, and the height of its origin."""
+        """Slopes of the height along x and y of each frame, and the height of its origin."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -222,7 +223,7 @@ class Branch:
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
-"""A curve of common points over a parameter; between two of its nodes nothing but a crossing of an edge happens."""
+"""Curve of common points over a parameter; between two of its nodes it can only cross an edge."""
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
@@ -341,13 +342,13 @@ def _joined(
 
 
 NODE_PARTS = 4
-"""Parts of each stretch between nodes, among which edges are bracketed."""
+"""Number of parts between nodes among which crossings of edges are bracketed."""
 
 ON_EDGE_MM = 1e-8
-"""A crossing that ends this near to an edge ends on it: some hundred times what Newton's method leaves."""
+"""A crossing that ends this near to an edge, mm, ends on it."""
 
 LENGTH_POINTS = 33
-"""Points by which the length along a crossing is measured: right to a thousandth, to place points evenly."""
+"""Number of points with which the length along a crossing is measured, to a thousandth."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -438,7 +439,7 @@ class Crossing:
 
     @cached_property
     def room(self) -> FloatArray:
-        """How far (2, 2) the first and the second strip go on across themselves, at the start and the end, mm."""
+        """Width, mm, that the first and second strip have beyond the crossing (2, 2), at its start and end."""
         m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
 

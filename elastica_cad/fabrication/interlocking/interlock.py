@@ -19,10 +19,10 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.refusals import Length, Listed, note, sentences
 
 MOST_STEPS = 30
-"""Of Newton's method with the slopes at the centre line: each leaves what a strip turns over a slot's width."""
+"""Largest number of Newton steps with the slopes at the centre line."""
 
 CLOSE_MM = 1e-6
-"""The faces meet there: what files keep."""
+"""Accuracy with which the faces meet, mm: that of files."""
 
 
 def _bent_slot_width(
@@ -82,7 +82,8 @@ Fit = Literal["exact", "paper"]
 Member = TypeVar("Member")
 
 SHALLOW_RAD = np.radians(15.0)
-"""Below this angle between two strips a slot is over 7 times as wide as the sheet is thick: a warning is due."""
+"""Angle between two strips, rad, below which a warning is given: a slot is then over 7 times as wide as the
+sheet is thick."""
 
 TOUCHING_RAD = np.radians(1.0)
 """Below this angle strips touch rather than cross: a slot would be over 100 times as wide as the sheet."""
@@ -140,7 +141,7 @@ def slot_width(
 
 @dataclass(frozen=True, eq=False)
 class InterlockedStrips:
-    """What `interlock` makes of placed strips: the same with their slots, the joints, and what to know of them."""
+    """Result of `interlock`: the placed strips with their slots, the joints, and notes."""
 
     placed: tuple[Placed, ...]
     joints: tuple[Joint, ...]
@@ -347,7 +348,7 @@ class _Cutter:
 
 
 def strip_thickness(strip: Strip) -> float:
-    """Of all layers, mm."""
+    """Thickness of all layers together, mm."""
     backing = strip.layout.backing
     return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
 
@@ -380,7 +381,7 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
 
 
 def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
-    """In which order the strips go together, and which cannot simply be pushed on."""
+    """Sentence on the order in which the strips go together, and on those that cannot simply be pushed on."""
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
@@ -398,8 +399,6 @@ def _refuse_faults(strip: Strip, name: str) -> None:
         whole = strip.outline.closed
     except InputError as error:
         own = f"{strip.label or 'strip'}: "
-        raise InputError(
-            "{name}: {removeprefix}", name=name, removeprefix=str(error).removeprefix(own)
-        ) from error
+        raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(own)) from error
     if not whole:
         raise InputError("{name}: the slots open its outline", name=name)

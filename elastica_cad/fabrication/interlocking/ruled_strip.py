@@ -14,10 +14,10 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.refusals import Length
 
 STATIONS = 400
-"""Fewest samples of a strip from which crossings are found: turns closer than these are missed."""
+"""Least number of samples of a strip from which crossings are found."""
 
 CURVE_ERROR = 1e-13
-"""Of the curve over arc length, relative to its length: near rounding, so that crossings are exact."""
+"""Error of the curve over arc length, relative to its length."""
 
 _TABLES = 128  # curves whose tables are kept: equal strips share theirs, as do crossings and collisions
 _ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it

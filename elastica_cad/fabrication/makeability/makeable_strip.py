@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.marks import Cuts, end_numbers, label_off_cuts, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
@@ -35,10 +35,10 @@ from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults,
 from elastica_cad.mechanics.material.section_limits import thinner_for
 
 PLACES = 400
-"""Places along a strip where a joint is tried."""
+"""Number of places along a strip at which a joint is tried."""
 
 APART_MM = 5.0
-"""Between the pieces in one drawing."""
+"""Distance between the pieces in one drawing, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +143,7 @@ class Splice:
 
     @property
     def plates(self) -> "LapPlates":
-        """What joins the pieces."""
+        """Plates that join the pieces."""
         from elastica_cad.fabrication.strip.as_made import LapPlates
 
         return LapPlates(self.joints, self.lap, self.backing_joints)
@@ -289,7 +289,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     return Splice(strip, found[0], lap, found[1] if len(found) > 1 else ())
 
 
-def spliced(strip: Strip, shop: Shop) -> Splice | None:
+def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
     """The strip in pieces, where the shop joins pieces and the strip is longer than its stock."""
     if shop.lap is None:
         return None
@@ -300,7 +300,7 @@ def spliced(strip: Strip, shop: Shop) -> Splice | None:
     return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
 
 
-def joined_within(strip: Strip, shop: Shop) -> Strip:
+def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
     """The strip with the plates that join its pieces, where the shop cuts it in pieces; else without any."""
     joined = spliced(strip, shop)
     plates = None if joined is None else joined.plates
@@ -308,7 +308,8 @@ def joined_within(strip: Strip, shop: Shop) -> Strip:
 
 
 def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Does a plate at these places along the strip leave the slot free, and half its width beside it?"""
+    """Whether a plate at these places along the strip leaves the slot free, with half the slot's width beside
+    it."""
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
@@ -338,7 +339,7 @@ def _placed(
     return tuple(float(s[k]) for k in reversed(chosen))
 
 
-def make_within(strip: Strip, shop: Shop, *, compensate: bool, ignore_limits: bool) -> Strip:
+def make_within(strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool) -> Strip:
     """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
 
     Raises
@@ -382,7 +383,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
     )
 
 
-def compensate_within(strip: Strip, shop: Shop) -> Strip:
+def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
     """The strip with compensated widths; as it is, with a warning, where those could not be cut and handled."""
     better = compensate_widths(strip)
     faults = find_strip_faults(better, shop)

@@ -8,12 +8,12 @@ import numpy as np
 from elastica_cad._counts import and_more, told_apart
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
-from elastica_cad.fabrication.makeability.shop import (
+from elastica_cad.fabrication.makeability.fabrication_limits import (
     FILLED_SLOT_MM,
     SLENDEREST,
     WIDEST_SLOT_THICKNESSES,
-    Shop,
-    shop_or_default,
+    FabricationLimits,
+    limits_or_default,
 )
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -112,7 +112,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
-    """Of all widths (k,) across each point, the place of the least."""
+    """Index of the least of all widths (k,) across each point."""
     order = np.lexsort((width, point))
     return order[np.unique(point[order], return_index=True)[1]]
 
@@ -153,13 +153,13 @@ class _Chords:
 
 
 FAR_WIDER = 2.0
-"""Lengths of the stock across, beyond which a strip is told as too large and its thin places are not looked for."""
+"""A strip wider than this many lengths of the stock is refused as too large, without a search for thin places."""
 
 TIMES_AS_LONG = 4.0
-"""As its width a strip is, where a narrower one is asked for: one of half of that bends as a plate."""
+"""Least ratio of length to width when a narrower strip is suggested; at half of that it would bend as a plate."""
 
 LAP_THICKNESSES = 20
-"""Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
+"""Length of the plates that join pieces, in thicknesses; from about twelve on, glue holds as well as the sheet."""
 
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
@@ -217,7 +217,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
 
 
-def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
+def find_strip_faults(strip: Strip, shop: FabricationLimits | None = None) -> tuple[Fault, ...]:
     """Everything that keeps a strip from being cut and handled, the base first.
 
     Widths are measured on the cut loops: free part, tabs, necks beside slots and holes.
@@ -231,7 +231,7 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
     """
     if strip.layout.size is not None:  # not cut from a sheet: its law has limits of its own
         return ()
-    shop = shop or Shop()
+    shop = shop or FabricationLimits()
     name = strip.label or "strip"
     joined = shop.lap is not None  # of pieces
     stocks = [shop.stock_for(layer.sheet) for layer in strip.layers]
@@ -273,11 +273,12 @@ def find_plate_faults(
     sheet: Sheet,
     outline: Path,
     holes: Sequence[Path],
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """The same for a ring, a base or a rail: bridges between its cuts, and its size; `called` names first holes."""
-    shop = shop_or_default(shop)
+    """Find what cannot be cut of a ring, a base or a rail: bridges between its cuts, and its size; `called`
+    names first holes."""
+    shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
     return (

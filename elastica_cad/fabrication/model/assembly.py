@@ -21,11 +21,11 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.refusals import note
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
-"""What strips are held by, as messages say it."""
+"""Names of the records that hold strips, for messages."""
 
 SingleHolder: TypeAlias = BasePlate | Rib | Ring | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
-"""What holds the strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""
+"""Record that holds strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""
 
 Shape = TypeVar("Shape")
 
@@ -56,7 +56,7 @@ class AssemblyPart:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of its solids."""
+        """Names of its solids."""
         return (self.name,) if self.strip is None else bent_names(self.name, self.strip)
 
 
@@ -216,7 +216,7 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
 
 
 def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
-    """What holds each tab, by the tab's name."""
+    """Names of what holds each tab, by the name of the tab."""
     places = defaultdict[str, list[str]](list)
     for tab, place in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         if place not in places[tab]:
@@ -225,7 +225,7 @@ def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
 
 
 def _by_hand(one: Placed, end: StripEnd) -> str:
-    """Where to hold an end that no part of the model holds."""
+    """Sentence on where to hold an end that no part of the model holds."""
     support = one.strip.rod.supports.ends[ENDS.index(end)]
     if one.strip.is_closed or not (support.x or support.y or support.angle):
         return FREE

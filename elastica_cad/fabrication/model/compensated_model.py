@@ -11,14 +11,14 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.refusals import Length, note
 
 LARGEST = 0.15
-"""Of the logarithm of a width's change. Strips that flare at their ends are narrower elsewhere."""
+"""Largest change of the logarithm of a width. Strips that become wider at their ends are narrower elsewhere."""
 
 WIDENED, GENTLER = 1.1, 0.7
 """As much wider a strip becomes at once so that no joint is lost; where that would need more, its largest change is
 made so much smaller instead: a wider strip has wider shoulders beside its tabs, which cost more than is gained."""
 
 ROUNDS, MOST_ROUNDS = 2, 10
-"""Wider strips have deeper slots: a second round leaves little of that. As many again where joints were lost."""
+"""Usual and largest number of rounds: wider strips have deeper slots, and joints may be lost."""
 
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
@@ -91,7 +91,7 @@ def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
 
 
 def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
-    """How much narrower strips became at the joints that they lost, the most of each."""
+    """Largest share by which each strip became narrower at the joints that it lost."""
     found: dict[int, float] = {}
     for k, at in lost:
         narrower = float(before.strips[k].width(at) / after.strips[k].width(at))

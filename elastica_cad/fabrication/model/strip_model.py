@@ -37,7 +37,7 @@ from elastica_cad.mechanics.material.sheet_library import require_printable
 Triple: TypeAlias = tuple[float, float, float]
 
 MOST_PLACED = 100_000
-"""Strips of one model."""
+"""Largest number of strips of one model."""
 
 
 def mirror(
@@ -160,7 +160,7 @@ class Model:
         return tuple(placed.strip for placed in self.placed)
 
     def name_of(self, index: int) -> str:
-        """How messages call a strip: its label, or its place counted from 1."""
+        """Name of a strip in messages: its label, or its number counted from 1."""
         return strip_names(self.placed)[self._place(index)]
 
     def single_name_of(self, index: int) -> str:
@@ -170,9 +170,9 @@ class Model:
     def _place(self, index: int) -> int:
         if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
             raise InputError(
-                "{index!r} is no strip of this model: give one of the places 0 to {value}",
+                "{index!r} is no strip of this model: give one of the places 0 to {given}",
                 index=index,
-                value=len(self.placed) - 1,
+                given=len(self.placed) - 1,
             )
         return index
 
@@ -193,12 +193,12 @@ class Model:
 
     @cached_property
     def parts(self) -> tuple[EqualStrips, ...]:
-        """What must be cut: equal strips once, with their count; see `group_equal_strips`."""
+        """Strips to be cut: equal ones once, with their count; see `group_equal_strips`."""
         return group_equal_strips(self.placed)
 
     @cached_property
     def shape_count(self) -> int:
-        """How many different shapes the strips have, whatever is engraved on them."""
+        """Number of different shapes of the strips, whatever is engraved on them."""
         return count_shapes(self.parts)
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
@@ -229,7 +229,7 @@ class Model:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """What must be cut, drawn: as `parts`, each layer of a laminate a piece of its own, then the plates."""
+        """Drawings of what is cut: as `parts`, with each layer of a laminate as a piece, then the plates."""
         return (*strip_pieces(self.parts), *(plate.piece for plate in self.plates))
 
     def fixtures(self, *, floor: Frame | None = None, **sizes: Any) -> tuple[EndFixture, ...]:

@@ -15,10 +15,10 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.refusals import Length
 
 WIDTH_MM = 1e-5
-"""Largest error of a width: a thousandth of what lasers keep."""
+"""Largest error of a width, mm."""
 
 PARALLEL = 1e-12
-"""Slopes below this are rounding: two planes are the same, two bounds never change places."""
+"""Slopes below this are rounding: two planes are then the same, and two bounds never cross."""
 
 END_MM = 1e-9
 """Kinks nearer than this to an end are at the end."""

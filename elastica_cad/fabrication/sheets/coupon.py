@@ -13,16 +13,16 @@ from elastica_cad.mechanics.material.sheet_library import require_printable
 from elastica_cad.refusals import Length
 
 BEST_LOAD = 5.0
-"""w L^3 / EI at which a clamped strip drops by half its length: there the droop says most about E."""
+"""w L^3 / EI at which a clamped strip drops by half its length, where the droop depends most on E."""
 
 TICK_MM, LONG_TICK_MM = 10.0, 50.0
-"""Steps of the scale, as on a ruler."""
+"""Steps of the scale, mm."""
 
 MOST_OVERHANG_MM = 10_000.0
-"""A scale of a thousand ticks; no board is longer."""
+"""Longest scale, mm."""
 
 EDGE_MM = 0.5
-"""Engraving keeps this far off the edge, so that no tick is a notch."""
+"""Distance of engraving from the edge, mm, so that no tick is a notch."""
 
 
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:

@@ -60,7 +60,7 @@ class CutList:
 
     @property
     def mass(self) -> float:
-        """Of all pieces, g."""
+        """Mass of all pieces, g."""
         return sum(row.count * row.mass for row in self.rows)
 
     @property

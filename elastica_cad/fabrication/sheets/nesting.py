@@ -15,13 +15,13 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length, note
 
 SLACK_MM = 1e-9
-"""Rounding that a piece as large as its row may have."""
+"""Tolerance, mm, for a piece as large as its row."""
 
 _TIE_DECIMALS = 6
-"""Of mm: pieces whose sizes differ by less lie in the order they are given in, however they were rounded."""
+"""Decimals of mm to which sizes are compared: pieces of equal size stay in their order."""
 
 LEAST_GAP_MM = 0.01
-"""Between loops as the tool runs: those that touch are refused where the kerf is taken off."""
+"""Least distance between the paths of the tool, mm; loops that touch cannot be offset by the kerf."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -53,14 +53,14 @@ class NestedSheet(Drawing):
 
     @property
     def grain(self) -> str:
-        """How the sheet must lie: where its grain runs; empty for sheets without grain."""
+        """Sentence on the direction of the grain; empty for sheets without grain."""
         if self.sheet is None or self.sheet.grain == "none":
             return ""
         return note("the grain runs along x, the side of {side:g}", side=Length(self.sheet_size[0]))
 
     @property
     def counts(self) -> dict[str, int]:
-        """How often each piece is on this sheet."""
+        """Number of each piece on this sheet."""
         return dict(Counter(self.pieces))
 
 
@@ -166,7 +166,7 @@ def nest_pieces(
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:
-    """How much wider a piece is as the tool runs, mm; a `kerf` of None is the sheet's own."""
+    """Amount, mm, by which the path of the tool is wider than a piece; a `kerf` of None is that of the sheet."""
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
@@ -254,7 +254,7 @@ def _rounded(size: float) -> float:
 
 
 def _ends(rows: Sequence[_Row]) -> float:
-    """How far the rows of a sheet reach."""
+    """End of the last row of a sheet, mm."""
     return rows[-1].start + rows[-1].wide if rows else 0.0
 
 

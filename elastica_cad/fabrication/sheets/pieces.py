@@ -26,23 +26,24 @@ from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.mechanics.material.sheet import Sheet
 
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
-"""Thickness or diameter, mm, that no plane or lathe tells apart, and at how many places strips are compared."""
+"""Difference in thickness or diameter, mm, up to which strips are the same, and number of places that are
+compared."""
 
 SAME_BEND_RAD = 1e-4
-"""Over the length of a strip: blanks bent so nearly alike are bent over the same form."""
+"""Difference in angle over the length of a strip, rad, up to which two natural shapes are the same."""
 
 SLOT_DIGITS = 6
-"""Of the sizes of slots, mm, by which strips are cut alike: those of copies in other places differ by rounding."""
+"""Decimals of mm to which sizes of slots are compared, since those of copies differ by rounding."""
 
 SAMPLES = 6
-"""Points a segment by which loops are compared: as many as a cubic has coefficients, and two more."""
+"""Points of a segment at which loops are compared."""
 
 WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
-"""Signs of x and y: as it is, turned over along the strip, across it, turned about."""
+"""Signs of x and y of the four positions: as it is, turned over along the strip, across it, and rotated."""
 
 
 def cut_key(strip: Strip) -> Hashable:
-    """The same for strips that are made and cut alike, whatever their labels and the names of their mates."""
+    """Key of strips that are made and cut alike, whatever their labels and the names of their mates."""
     slots = [
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
         for slot in strip.slots
@@ -78,7 +79,7 @@ class EqualStrips:
 
     @property
     def count(self) -> int:
-        """How many are cut."""
+        """Number of equal strips."""
         return len(self.members)
 
 
@@ -110,7 +111,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
 
 
 def count_shapes(parts: Sequence[EqualStrips]) -> int:
-    """How many shapes are cut for these parts, whatever is engraved on them."""
+    """Number of different shapes of these parts, whatever is engraved on them."""
     found: list[FlatShape] = []
     for part in parts:
         shape = FlatShape.of(part.strip)
@@ -120,13 +121,13 @@ def count_shapes(parts: Sequence[EqualStrips]) -> int:
 
 
 def _same_marks(a: Strip, b: Strip) -> bool:
-    """Is the same engraved on both?"""
+    """Whether the same is engraved on both."""
     mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
     return a.label == b.label and mates[0] == mates[1]
 
 
 def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
-    """Are both none, or rows of numbers no farther apart than this?"""
+    """Whether both are None, or rows of numbers that differ by less than `room`."""
     if a is None or b is None:
         return a is b
     return bool(np.abs(a - b).max() < room)
@@ -174,7 +175,7 @@ class FlatShape:
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     def _covers(self, other: "FlatShape", way: tuple[int, int]) -> bool:
-        """Do the other's loops, turned and laid onto the middle of this one's, run along these?"""
+        """Whether the other's loops, in this position and centred on this one, coincide with these."""
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - way * middles[1]
         for own, others in zip(self.layers, other.layers, strict=True):
@@ -196,7 +197,7 @@ def _samples(path: Path) -> FloatArray:
 
 
 def _along(path: Path, points: FloatArray) -> bool:
-    """Do points lie within `SAME_MM` of a path?"""
+    """Whether points are within `SAME_MM` of a path."""
     left = points
     for segment in path.segments:
         low, high = segment.bounds
@@ -275,7 +276,7 @@ class Piece:
 
     @cached_property
     def area(self) -> float:
-        """Of one piece, mm2."""
+        """Area of one piece, mm2."""
         outer, inner = (
             sum(abs(path.area) for path in self.drawing.on(layer) if path.closed)
             for layer in (CUT_OUTER, CUT_INNER)
@@ -284,14 +285,14 @@ class Piece:
 
     @property
     def mass(self) -> float:
-        """Of one piece as it is used, g."""
+        """Mass of one piece as it is used, g."""
         if self.worked is not None:
             return self.worked
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
 
 
 LONGEST_WORD = 60
-"""Signs of a label that go into a file name: file systems take 255 bytes in all."""
+"""Characters of a label that go into a file name: file systems allow 255 bytes in all."""
 
 _DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # of Windows
 
@@ -361,7 +362,8 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 
 
 def _blank(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
-    """What a layer is cut from; where it is planed or turned, as thick as it ever is, and what is left of it, g."""
+    """Sheet from which a layer is cut; one that is planed or turned starts at its largest thickness and has the
+    mass given, g."""
     size = strip.layout.worked_size
     if size is None:
         return layer.sheet, None

@@ -23,10 +23,10 @@ from elastica_cad.geometry.paths.path_intersections import encloses, polylines_c
 from elastica_cad.geometry.paths.profile import Profile
 
 CLEARANCE_MM = 0.5
-"""Letters keep this far from every cut, so that no stroke is a notch."""
+"""Distance of letters from every cut, mm, so that no stroke is a notch."""
 
 FLAT_MM = 0.02
-"""Flatness of the cuts as letters see them: little beside their clearance."""
+"""Flatness of the cuts when letters are placed; it is small beside their clearance."""
 
 
 def _text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
@@ -40,7 +40,7 @@ def _text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
 
 
 def _on_free_part(box: FloatArray, width: Profile) -> bool:
-    """Does a box lie on the free part of a strip?"""
+    """Whether a box lies on the free part of a strip."""
     x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
     if x[0] < 0 or x[-1] > width.length:
         return False
@@ -60,7 +60,7 @@ class _Cut:
         return _around(points) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, rim: FloatArray) -> bool:
-        """Does it run through a box, or leave it no material?"""
+        """Whether the cut runs through a box, or leaves no material there."""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
@@ -70,7 +70,8 @@ class _Cut:
 
 
 class Cuts:
-    """What letters keep off: loops and slots whose inside is cut out, lines, and all that is beyond the outline."""
+    """Places that letters avoid: loops and slots whose inside is cut out, lines, and all that is outside the
+    outline."""
 
     def __init__(
         self,
@@ -87,7 +88,7 @@ class Cuts:
         self._bounds = np.array([cut.line.bounds for cut in self._cuts]).reshape(-1, 2, 2)
 
     def clear_of(self, box: FloatArray) -> bool:
-        """Does a box lie off all of them?"""
+        """Whether a box avoids all of them."""
         bounds = box_about(box)
         if self._outline and not boxes_meet(self._outline.line.bounds, bounds):
             return False
@@ -101,19 +102,21 @@ def _around(points: FloatArray) -> FloatArray:
 
 
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
-"""Tried in turn; below 1 mm engraved letters run together."""
+"""Heights of letters that are tried in this order; below 1 mm engraved letters run together."""
 
 NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
-"""From the end of the free part to its number, tried in turn: beside the holder's face, to be seen in place."""
+"""Distances of a number from the end of the free part, tried in this order, so that it can be seen beside the
+holder."""
 
 LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
-"""Of the usual height of a label, tried in turn where cuts are in its way."""
+"""Shares of the usual height of a label, tried in this order where cuts are in its way."""
 
 LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
-"""From one place of a label to the next that is tried; longer ones where there would be more to either side."""
+"""Distance between the places that are tried for a label, and their number to either side; with more, the
+distance is larger."""
 
 LABEL_CLEARANCES_MM = (CLEARANCE_MM, 0.0)
-"""Tried in turn: on a very narrow strip any label is near the edges."""
+"""Clearances that are tried in this order: on a very narrow strip any label is near the edges."""
 
 
 def mating_marks(
@@ -211,7 +214,7 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
-    """Does a box, by its corners, lie on the free part, off what is taken by others (2, 2), and off cuts?"""
+    """Whether a box, given by its corners, lies on the free part and avoids other boxes (2, 2) and cuts."""
     if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
         return False
     return cuts.clear_of(box)

@@ -21,10 +21,10 @@ from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.refusals import Length, note
 
 STRAIGHT_MM = 1e-7
-"""Sides that bend less than this are lines: a tenth of what drawings tell apart."""
+"""Sides that bend less than this are lines."""
 
 CLEARANCE_MM = 0.1
-"""Usually added to the width of a slot: a laser-cut sheet then slides in and stays."""
+"""Default clearance of a slot, mm: a laser-cut sheet then slides in and stays."""
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
@@ -90,9 +90,9 @@ class Slot:
         for name in ("at", "width", "lean", *(() if self.depth is None else ("depth",))):
             if not is_number(getattr(self, name)):
                 raise InputError(
-                    "slot {name} is {getattr!r}: it must be a finite number",
+                    "slot {name} is {given!r}: it must be a finite number",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
         here = note("slot at {at}", at=Length(self.at))
         if self.width <= 0 or (self.depth is not None and self.depth <= 0):
@@ -210,16 +210,16 @@ def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
 
 
 FLAT_MM = 1e-3
-"""Of the polylines by which loops are told apart: less than any machine resolves."""
+"""Flatness of the polylines with which loops are compared, mm: finer than any machine."""
 
 SAME_POINT_MM = 1e-9
-"""Points nearer than this are one: rounding of sizes up to some metres."""
+"""Points nearer to each other than this are the same."""
 
 SAME_PARAMETER = 1e-6
-"""Places of a segment nearer than this may be one; their distance decides."""
+"""Parameters nearer to each other than this may be the same place; the distance decides."""
 
 REACHES = (1.0, 4.0, 16.0)
-"""In widths of the slot: how far its sides are drawn on, until they meet the edge."""
+"""Lengths, in widths of the slot, by which its sides are extended until they meet the edge."""
 
 
 @dataclass(frozen=True)
@@ -232,7 +232,7 @@ class _Place:
 
 @dataclass(frozen=True, eq=False)
 class _Opening:
-    """Where a slot's cut leaves the outline, where it comes back, the cut between, and points along it."""
+    """Opening of a slot: where its cut leaves the outline and returns, the cut in between, and points along it."""
 
     slot: Slot
     out: _Place
@@ -288,7 +288,7 @@ class _Edge:
         self.owner = np.repeat(np.arange(len(self.chords)), [len(c.points) - 1 for c in self.chords])
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
-        """Where the slot meets the edge; its sides are drawn on until they do."""
+        """Find where the slot meets the edge; its sides are extended until they do."""
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
         for reach in REACHES:

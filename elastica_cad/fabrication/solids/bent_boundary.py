@@ -216,10 +216,10 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
-                "the radius at {s:.4g} is {value:.4g}, but the strip's face lies {reach:g} off the "
+                "the radius at {s:.4g} is {given:.4g}, but the strip's face lies {reach:g} off the "
                 "curve and would fold over: take a thinner sheet or a gentler curve",
                 s=Length(s[i]),
-                value=Length(1 / abs(kappa[i])),
+                given=Length(1 / abs(kappa[i])),
                 reach=Length(reach),
             )
 
@@ -301,7 +301,7 @@ def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
 
 
 ROUNDED_MM = 1e-12
-"""Between the x of both ends of a line straight across: two sides reach its station by different sums."""
+"""Difference between the x of both ends of a line across the strip that counts as 0, mm."""
 
 Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
 
@@ -515,5 +515,5 @@ def _curves(
 
 
 def _is_across(segment: Segment) -> bool:
-    """Is it a line straight across, which stays one on a bent strip?"""
+    """Whether it is a line across the strip, which stays straight on a bent strip."""
     return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < ROUNDED_MM

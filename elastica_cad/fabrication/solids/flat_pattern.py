@@ -22,7 +22,7 @@ SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
 
 RAMP = 2e-5
-"""A piece between two kinks that is shorter than this part of the loop is the ramp of a width that steps."""
+"""A piece between two kinks that is shorter than this share of the loop is the ramp of a step in width."""
 
 NO_JUMP = 1e-4
 """mm: a jump of the second derivative worth less than this over a span is smoothed, which costs a hundredth."""
@@ -59,7 +59,7 @@ def in_smooth_pieces(path: Path) -> Path:
 
 
 def _reach(path: Path) -> float:
-    """How far the loop extends along the strip, mm; of splines their control points, which is as good here."""
+    """Extent of the loop along the strip, mm; for splines that of their control points."""
     rows = [
         segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
         for segment in path.segments
@@ -131,7 +131,7 @@ class _Cut:
 
 
 def _cut(segment: Segment, ramp: float) -> _Cut | None:
-    """Where a segment is cut into its smooth parts; None where it has no kink."""
+    """Cut a segment into its smooth parts; None where it has no kink."""
     kinks = _kinks(segment).tolist()
     if not isinstance(segment, Spline) or not kinks:
         return None
@@ -145,7 +145,8 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Where the smooth parts of a graph meet, and where the part before ends and the part after begins."""
+    """Places where smooth parts of a graph meet, each with the end of the part before and the start of the part
+    after."""
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -266,7 +267,7 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
-    """Pieces with lower numbers are the outline's."""
+    """Pieces with numbers below this belong to the outline."""
 
     def add(self, path: Path, *, backward: bool) -> None:
         """Split one closed loop, perhaps run backward, at the stations; sort its pieces into intervals."""

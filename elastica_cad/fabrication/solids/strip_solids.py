@@ -59,16 +59,16 @@ def turned(frame: Frame, way: int) -> Frame:
 
 
 JOINT_GAP_MM = 0.01
-"""Between the ends of a closed strip: far above the tolerance of kernels, far below what a saw takes."""
+"""Gap between the ends of a closed strip, mm: far above the tolerance of kernels."""
 
 FEW_SPANS = 8
-"""Of a spline whose wall a kernel extrudes unasked; sides of holes have one."""
+"""Number of spans up to which the wall of a spline is extruded without a check; sides of holes have one."""
 
 EVEN_SHARE = 1e-4
-"""Of a part's area: a wall may be misread by so much."""
+"""Largest error of the area below a wall in a kernel, as a share of the part's area."""
 
 RULE = np.polynomial.legendre.leggauss(16)
-"""Points in -1..1 and weights, no more than OpenCASCADE takes along an extruded wall, however many its spans."""
+"""Points in -1..1 and weights of the rule that OpenCASCADE uses along an extruded wall, however many its spans."""
 
 BESIDE_MM = 20.0  # between the flat and the bent strip of a file
 
@@ -171,7 +171,7 @@ class FlatSolid:
 
 
 def _misread_area(sides: Sequence[Spline]) -> float:
-    """How far one rule for all spans of a side is off the area that is swept along it, mm2, summed over sides."""
+    """Error of one rule for all spans of a side for the area below it, mm2, summed over sides."""
     from scipy.interpolate import BSpline
 
     points, weights = RULE
@@ -406,7 +406,7 @@ class BentSolid:
 
 
 def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
-    """What each body of `BentSolid.layers` is cut from."""
+    """Sheet from which each body of `BentSolid.layers` is cut."""
     lap = (strip.sheet,) if strip.is_closed and strip.ends[1].length else ()
     return (*(layer.sheet for layer in strip.layers), *lap)
 
@@ -416,7 +416,7 @@ BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
 
 
 def frame_beside(strip: Strip, frame: Frame) -> Frame:
-    """Where the flat strip lies on the xy plane, clear of the one that is bent in `frame`."""
+    """Frame of the flat strip on the xy plane, beside the one that is bent in `frame`."""
     outline = strip.outline.bounds
     reach = max(tab.length for tab in strip.ends) + sum(layer.sheet.thickness for layer in strip.layers)
     low, high = strip.rod.position.min(axis=0) - reach, strip.rod.position.max(axis=0) + reach

@@ -30,7 +30,7 @@ from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.refusals import Length
 
 FACE_MM = 1e-4
-"""How closely the faces follow half the thickness off the curve: far below what a plane takes off."""
+"""Accuracy, mm, of the faces at half the thickness from the curve."""
 
 
 def side_view(strip: Strip, *, bent: bool = False) -> Path:
@@ -113,7 +113,7 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
 
 
 HALF_TURN_SPANS = 8
-"""Of the spline of degree 5 that half a circle is made of: 1e-8 of its radius off."""
+"""Number of spans of the spline of degree 5 that represents half a circle, to 1e-8 of its radius."""
 
 DEGREE = 5
 

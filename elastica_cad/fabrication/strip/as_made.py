@@ -3,13 +3,16 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.holding.expected_error import MakingTolerance, open_deviation, sheet_effects
 from elastica_cad.fabrication.holding.held_shape import (
     ANTICLASTIC,
+    LEAF_ENDS,
     HeldShape,
     LapJoint,
     Seats,
@@ -26,7 +29,6 @@ from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import SheetCurl
 from elastica_cad.mechanics.material.laminated_section import (
@@ -34,9 +36,11 @@ from elastica_cad.mechanics.material.laminated_section import (
     LaminatedSection,
     stack_stiffness,
 )
-from elastica_cad.mechanics.material.plain_section import dead_zone_slope
+from elastica_cad.mechanics.material.plain_section import crack_energy
+from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, as_bent, resample
+from elastica_cad.refusals import Length, note
 
 CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""
@@ -113,14 +117,11 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
-DEPTHS = 64
-"""Depths of a slot at which its idle width is summed: right to a sixty-fourth of its depth."""
-
-SHOULDER_SLOPE = 0.62
-"""Length, over depth, of the idle corner beside a tab: fitted to the strips of `docs/finite_elements.md`."""
-
-STEP_SHARE = 0.76
-"""Slope of the idle corners beside a step of the width, over that beside a cut: fitted in the same way."""
+CUT, CUT_GRAIN, TAB, TAB_GRAIN = 1.15, 0.7, 1.0, 0.55
+"""What a corner beside a cut or a step of the width adds to a strip, over what a crack far from all edges adds
+(`crack_energy`), and the power with which that follows sqrt(E / G), over that of a sheet without grain; the same
+of a corner beside a tab, over a crack at nu = 0. Fitted to finite elements
+(`tests/campaign/finite_elements/idle_corners.py`)."""
 
 END_MM = 1e-6
 """Material is measured this far inside the free part: across a bare end itself there is none."""
@@ -133,38 +134,29 @@ bending (Tada, Paris and Irwin 1973), in whose place 5.7 thicknesses of the stac
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
 
-NEARLY_MM = 1e-6
-"""Stations farther than this from all that is idle of a slot lie beside it, whatever the rounding."""
-
 PLATES = "plates"
 """Over joints of pieces, as a cause."""
 
+LEAST_SHEARING = 0.8
+"""Of G / E of a sheet without grain: what shears more easily has a grain."""
 
-def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
-    """Width (n,), mm, that carries nothing at the stations s (n,): the slots, and triangles beside them.
+KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
+"""Causes that hang on how the sheet shears."""
 
-    Parameters
-    ----------
-    slots : sequence of Slot
-    width : Profile
-        Full width of the strip, mm.
-    s : (n,) array
-        mm, increasing.
-    slope : float
-        Length of a triangle over its depth (`mechanics.dead_zone_slope`); 0 for the slots alone.
+
+def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
+    """Share (n,) of the stiffness that the nodes keep where places, mm, add what lengths, mm, of the strip do.
+
+    Sections that are bent by the same moment are curved alike in the mean, whatever of them is idle; it is at the
+    cut, the tab or the step that their mean slope jumps.
     """
-    idle = np.zeros(s.size)
-    for slot in slots:
-        points, widths = slot.center_line(width)
-        along = lengths_along(points)
-        middle = (np.arange(DEPTHS) + 0.5) / DEPTHS * along[-1]
-        x = np.interp(middle, along, points[:, 0])
-        y = np.interp(middle, along, points[:, 1])
-        depth = np.abs(points[-1, 1] - points[0, 1])
-        reach = np.interp(middle, along, widths) / 2 + slope * np.abs(y - points[0, 1])
-        first, last = np.searchsorted(s, ((x - reach).min() - NEARLY_MM, (x + reach).max() + NEARLY_MM))
-        idle[first:last] += depth * np.mean(np.abs(s[first:last, None] - x) <= reach, axis=1)
-    return idle
+    at, lengths = np.array(kinks).T
+    node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
+    before = np.minimum(node.astype(int), rod.s.size - 2)
+    after = node - before
+    added = np.bincount(before, lengths * (1 - after), rod.s.size)
+    added += np.bincount(before + 1, lengths * after, rod.s.size)
+    return np.asarray(1 / (1 + added / rod.discrete.node_lengths))
 
 
 def stiffness_shares(
@@ -172,12 +164,13 @@ def stiffness_shares(
 ) -> dict[str, FloatArray]:
     """What each cause leaves of, or adds to, the designed stiffness in the drawn shape: factors (n,), by cause.
 
-    "slots": the cuts and the idle triangles beside them. "narrow tabs": idle corners at ends that are wider than
-    their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. "leaning
-    ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when its twist is held
-    by its mirror image, for a Poisson ratio near 0.3: in sheets of 0 to 0.1 it keeps more (up to 7 and 4 % at 25
-    degrees). "anticlastic bending": the stiffening of the width, of a ligament in a perforated strip. "borders that
-    curl": what is left of, or added to, the stiffness of a laminate. Causes that change nothing are left out.
+    "slots": the cuts and the idle corners beside them. "narrow tabs": idle corners at ends that are wider than
+    their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. All three act as
+    kinks. "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when
+    its twist is held by its mirror image, for a Poisson ratio near 0.3: in sheets of 0 to 0.1 it keeps more (up to
+    7 and 4 % at 25 degrees). "anticlastic bending": the stiffening of the width, of a ligament in a perforated
+    strip. "borders that curl": what is left of, or added to, the stiffness of a laminate. Causes that change
+    nothing are left out.
 
     Parameters
     ----------
@@ -188,21 +181,22 @@ def stiffness_shares(
     tab_widths : pair of float or None
         mm; None for a tab as wide as the strip's end.
     """
+    width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
+    grain = np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio)
+    cut, tab = (
+        factor * crack_energy(ratio) * grain**power
+        for factor, ratio, power in ((CUT, nu, CUT_GRAIN), (TAB, 0.0, TAB_GRAIN))
+    )
+    kinks = {
+        "slots": _beside_slots(slots, width, cut),
+        "narrow tabs": _beside_tabs(width, tab_widths, tab),
+        "steps of width": _beside_steps(layout, cut),
+    }
+    shares = {cause: _softer(found, rod) for cause, found in kinks.items() if found}
     s, n = _cell_stations(rod), rod.s.size
-    width = layout.width(s)
-    slope = dead_zone_slope(min(layout.sheet.poisson_ratio, 0.5))
-    found = {
-        "slots": 1 - _idle_width(slots, layout.width, s, slope=slope) / width if slots else None,
-        "narrow tabs": _beside_tabs(layout.width, tab_widths, s),
-        "steps of width": _beside_steps(layout, s, slope=STEP_SHARE * slope),
-        "leaning ligaments": _leaning(layout, s),
-    }
-    # a cell's angle feels the mean compliance
-    shares = {
-        cause: 1 / _cell_means(1 / np.maximum(share, LEAST_SHARE), n)
-        for cause, share in found.items()
-        if share is not None
-    }
+    leaning = _leaning(layout, s)
+    if leaning is not None:  # a cell's angle feels the mean compliance
+        shares["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     curl = _curl_of(rod, layout)
     if curl is not None and layout.section is None:
         shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
@@ -354,28 +348,44 @@ def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
     return replace(made, weight=replace(weight, alpha=newtons, beta=0.0))
 
 
+def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[tuple[float, float]]:
+    """Place, mm, and length, mm, of the strip that adds as much, of each cut."""
+    found = []
+    for slot in slots:
+        points, widths = slot.center_line(width)
+        at, depth = float(points[:, 0].mean()), abs(float(points[-1, 1] - points[0, 1]))
+        wide = float(width(min(max(at, 0.0), width.length)))
+        left = max(wide - depth, LEAST_SHARE * wide)
+        found.append((at, corner * depth**2 / wide + float(widths.mean()) * (wide - left) / left))
+    return found
+
+
+def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
+    """Places of the first two slots that are nearer to each other than the deeper of them is deep."""
+    points = (slot.center_line(width)[0] for slot in slots)
+    lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
+    return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
+
+
 def _beside_tabs(
-    width: Profile, tab_widths: tuple[float | None, float | None], s: FloatArray
-) -> FloatArray | None:
-    """Share (n,) of the width that carries beside ends that are wider than their tabs."""
-    idle = np.zeros(s.size)
-    for end, tab in zip((0.0, width.length), tab_widths, strict=True):
-        shoulder = (float(width(end)) - (tab or np.inf)) / 2
-        idle += 2 * np.maximum(0.0, shoulder - np.abs(s - end) / SHOULDER_SLOPE)
-    return 1 - idle / width(s) if idle.any() else None
+    width: Profile, tab_widths: tuple[float | None, float | None], corner: float
+) -> list[tuple[float, float]]:
+    """The same of ends that are wider than their tabs."""
+    ends = ((end, float(width(end)), tab) for end, tab in zip((0.0, width.length), tab_widths, strict=True))
+    return [(end, corner * ((wide - tab) / 2) ** 2 / wide) for end, wide, tab in ends if tab and tab < wide]
 
 
-def _beside_steps(layout: Layout, s: FloatArray, *, slope: float) -> FloatArray | None:
-    """Share (n,) of a plain strip's width that carries beside the places where it jumps."""
+def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
+    """The same of steps of a plain strip's width, in the middle of the idle corners on the wider side."""
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
-        return None
-    width, idle = layout.width, np.zeros(s.size)
-    for start, end in width.steps:
-        before, after = width([start, end]).tolist()
-        wider = s <= start if before > after else s >= end
-        away = np.abs(s - (start if before > after else end))
-        idle += np.where(wider, 2 * np.maximum(0.0, abs(after - before) / 2 - away / slope), 0.0)
-    return 1 - idle / width(s) if idle.any() else None
+        return []
+    found = []
+    for start, end in layout.width.steps:
+        before, after = layout.width([start, end]).tolist()
+        depth, wide = abs(after - before) / 2, max(before, after)
+        at = start - depth / 2 if before > after else end + depth / 2
+        found.append((at, corner * depth**2 / wide))
+    return found
 
 
 def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
@@ -401,6 +411,8 @@ class StripAsMade:
     ----------
     design : Rod
         In the shape that is wanted, on nodes enough to be bent.
+    layout : Layout
+        What the style made of it.
     bending_stiffness : float
         B of the design, N mm2.
     tab_stiffness : pair of float
@@ -416,9 +428,12 @@ class StripAsMade:
         The joint of a closed strip.
     curl : Curl, optional
         How the stiffness of the nodes follows their curvature.
+    crowded : tuple of float
+        Places, mm, of two slots that are nearer to each other than the deeper of them is deep; empty of others.
     """
 
     design: Rod
+    layout: Layout
     bending_stiffness: float
     tab_stiffness: tuple[float, float]
     cut: Rod
@@ -426,6 +441,7 @@ class StripAsMade:
     approximated: bool
     lap: LapJoint | None = None
     curl: Curl | None = None
+    crowded: tuple[float, ...] = ()
 
     @classmethod
     def of(
@@ -451,6 +467,7 @@ class StripAsMade:
             shares[PLATES] = plates.stiffening(design.s, layout, whole())
         return cls(
             design,
+            layout,
             layout.bending_stiffness,
             (first, last),
             rod_as_built(design, layout, whole()),
@@ -460,6 +477,7 @@ class StripAsMade:
             if ends[1].length and closes(rod)
             else None,
             _curl_of(design, layout),
+            _crowded(slots, layout.width),
         )
 
     @cached_property
@@ -500,17 +518,83 @@ class StripAsMade:
         except NotConvergedError:
             return self.design
 
-    def held(self, seats: Seats, asked: "StripAsMade") -> HeldShape:
+    def held(self, seats: Seats, asked: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
         """The same with what each cause does alone to the strip as it was asked for, before any correction."""
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
+        parts = asked.parts(seats, poses)
         return HeldShape(
             as_bent(rod),
-            strayed(self.design, rod.position),
-            asked.parts(seats, poses),
+            strayed(self.design, rod.position + self._leaf_ends),
+            parts,
             *poses,
             corrected=asked is not self,
             as_plate=self.as_plate,
+            open=open_deviation(
+                rod.length,
+                self.layout.sheet,
+                parts,
+                approximated=self.approximated,
+                crowded=bool(self.crowded),
+            ),
+            sheet=sheet_effects(self.loaded, self.design, self.layout.sheet, self._cut_breadth, tolerance),
+            notes=self._notes(seats),
         )
+
+    @property
+    def _cut_breadth(self) -> FloatArray | None:
+        """Width (n,), mm, of each of the parts that are cut side by side; None of what is planed or turned."""
+        return _breadth(self.layout, self.design.s) if self.layout.size is None else None
+
+    def _notes(self, seats: Seats) -> tuple[str, ...]:
+        """What the model takes for granted."""
+        sheet, found = self.layout.sheet, []
+        if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
+            found.append(
+                note(
+                    "The shear modulus of {sheet} is not known, so it counts as a sheet without grain: beside "
+                    "slots, tabs and steps it is softer than that",
+                    sheet=sheet.name,
+                )
+            )
+        if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
+            found.append(
+                note(
+                    "Holes and layers count as in a sheet without grain: {sheet} shears more easily, and what that "
+                    "does is left open",
+                    sheet=sheet.name,
+                )
+            )
+        if self.crowded:
+            found.append(
+                note(
+                    "The slots at {first} and {second} lie nearer to each other than they are deep: what they do "
+                    "together is left open",
+                    first=Length(self.crowded[0]),
+                    second=Length(self.crowded[1]),
+                )
+            )
+        if any(seat is not None for seat in seats):
+            found.append(note("Friction in the pockets is not counted"))
+        return tuple(found)
+
+    @cached_property
+    def _leaf_ends(self) -> FloatArray:
+        """How the through leaf (n, 2), mm, moves because the neutral axis jumps where leaves end; zeros of others.
+
+        The through leaf is centred on the curve and held there at its ends. The force that the strip carries acts
+        off the neutral axis of the design by as much as that moves.
+        """
+        design, stack = self.design, self.layout.stack
+        if stack is None:
+            return np.zeros((design.s.size, 2))
+        aside = (stack.counts(design.s) - 1) * stack.sheet.thickness / 2
+        normals = np.column_stack([-np.sin(design.angle), np.cos(design.angle)])
+        between = (normals[1:] + normals[:-1]) / 2
+        off = aside[:, None] * normals
+        axis = off[0] + np.vstack([np.zeros(2), np.cumsum(np.diff(aside)[:, None] * between, axis=0)])
+        force = design.force
+        moments = (force[:, 0] * axis[:, 1] - force[:, 1] * axis[:, 0])[:, None]
+        return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
 
     def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
         """How far, mm, each cause alone takes the strip from its design, to first order about the strip as made.
@@ -533,12 +617,17 @@ class StripAsMade:
                 bends[cause], shifts[cause] = np.zeros(n), np.zeros((2, 2))
                 bends[cause][-k] = (-pose.turn if k else pose.turn) / cells[-k]
                 shifts[cause][k] = pose.shift * np.array([-np.sin(angle), np.cos(angle)])
+        jumps = (
+            {LEAF_ENDS: strayed(design, design.position + self._leaf_ends)} if self._leaf_ends.any() else {}
+        )
         if not bends:
-            return {}
+            return jumps
         moments = -made.stiffness[:, None] * np.column_stack([*bends.values()])
         ends = np.array([*shifts.values()])
         moved = ends[None, :, 0] + shape_responses(made, moments, apart=ends[:, 1] - ends[:, 0])
-        return {cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)}
+        return jumps | {
+            cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
+        }
 
 
 def _lapped(made: Rod, lap: LapJoint) -> Rod:

@@ -27,7 +27,8 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Either, Length, Refusal, note
 
 SLACK = 3e-4
-"""Share by which a rod's own stiffness, fitted at fewer stations, may pass what fits; it is brought to that."""
+"""Relative amount by which the stiffness of a rod, fitted at fewer stations, may exceed the largest possible
+one; it is reduced to that."""
 
 FIT_MM, DRAWN_MM = 1e-9, 1e-5
 """Largest error of the backing's width: near rounding for the stiffness, as of other outlines for the cut."""
@@ -114,7 +115,7 @@ class Laminated:
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> BoundedBacking | None:
-        """What stiffness it can have, and what that bears; None of a base whose width varies."""
+        """Bounds of the stiffness and the strain at them; None for a base whose width varies."""
         if not is_number(self.width):
             return None
         width = float(self.width)

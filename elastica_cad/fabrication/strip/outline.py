@@ -24,7 +24,7 @@ StripEnd: TypeAlias = Literal["start", "end"]
 ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
 
 SHORTEST_MM = 1e-3
-"""A tab shorter than what files tell apart has corners that solids take for one."""
+"""Shortest tab, mm; the corners of a shorter one would be one point in solids."""
 
 
 @dataclass(frozen=True)
@@ -49,9 +49,9 @@ class Hole:
         for name in ("at", "diameter", "across"):
             if not is_number(getattr(self, name)):
                 raise InputError(
-                    "hole {name} is {getattr!r}: it must be a finite number, in mm",
+                    "hole {name} is {given!r}: it must be a finite number, in mm",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
 
 
@@ -162,7 +162,7 @@ class Tab:
         }
         for name, value in sizes.items():
             if not (is_number(value) and value >= 0):
-                raise InputError("tab {name} is {value!r}: it must be 0 mm or more", name=name, value=value)
+                raise InputError("tab {name} is {given!r}: it must be 0 mm or more", name=name, given=value)
         if 0 < self.length < SHORTEST_MM:
             raise InputError(
                 "tab length is {length!r}: use 0 for no tab, or {shortest_mm:g} or more",
@@ -322,13 +322,14 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
 Ends = tuple[Tab, Tab]
 
 SHOULDER_MM = 1e-3
-"""A tab that differs less in width is as wide as the strip: no tool cuts such shoulders, kernels trip over them."""
+"""A tab whose width differs by less is as wide as the strip: no tool cuts such shoulders, and kernels fail on
+them."""
 
 MEETING_MM = 1e-9
-"""Ends nearer than this meet: rounding."""
+"""Ends nearer to each other than this meet."""
 
 EVEN = 1e-10
-"""Share of its size by which a spline's x may stray from running evenly: rounding."""
+"""Relative deviation from an even x along a spline that counts as rounding."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:

@@ -45,10 +45,10 @@ FIT_ROUNDING = 1e-12
 """Relative error of the widths that are fitted."""
 
 INSET = 1e-9
-"""Share of a stretch by which its spline is fitted inside it, on this side of jumps."""
+"""Share of a stretch by which its spline begins and ends inside it, so that jumps are not crossed."""
 
 CLEAR_OF_SLOTS_MM = 0.02
-"""Flatness of the polylines by which holes are kept clear of slots."""
+"""Flatness of the polylines with which the distance of holes from slots is measured."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +88,7 @@ class DiamondPattern:
 
     @property
     def ligaments(self) -> int:
-        """How many run side by side, counting those that have joined."""
+        """Number of ligaments side by side, counting those that have joined."""
         return 2 * self.columns + 2
 
     @property
@@ -146,7 +146,7 @@ class DiamondPattern:
         return tuple(loops)
 
     def _rows_within(self, ends: Ends) -> list["_Row"]:
-        """What the tabs leave of the rows."""
+        """Rows of holes between the tabs."""
         length = self.width.length
         within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
         return [row for whole in self._rows if (row := whole.within(*within)) is not None]
@@ -313,16 +313,16 @@ class _Stretch:
 
 
 SLACK = 1e-7
-"""Share by which a design may pass a limit that it touches: rounding."""
+"""Relative amount by which a design may exceed an active limit."""
 
 STEEP_RAD = np.radians(30.0)
-"""Ligaments that lean more than this off the strip's direction are told: they bend less than their width says."""
+"""Ligaments that lean more than this are reported, as they are stiffer than their width suggests."""
 
 TIP_SHARE = 0.03
-"""Share of material too much at rounded tips that is told."""
+"""Share of extra material at rounded tips from which on it is reported."""
 
 SLENDERNESS = 3.0
-"""Length over pitch of the diamonds where no number of rows is given."""
+"""Length divided by pitch of the diamonds if no number of rows is given."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -397,7 +397,7 @@ class Perforated:
 
     @property
     def ligaments(self) -> int:
-        """How many run side by side."""
+        """Number of ligaments side by side."""
         return 2 * self.columns + 2
 
     def laid_out(
@@ -474,7 +474,7 @@ class Perforated:
 
 
 class _Fit:
-    """What fits where: widths, the section, and the scales that keep all limits."""
+    """Widths, section, and the scales of stiffness with which all limits are kept."""
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod

@@ -31,11 +31,12 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import LaidLeaves
 
 TICK_SHARE = 0.3
-"""Of the width on each side of the middle: a mark across is kept off the edges, so that it is no notch."""
+"""Length of a mark across, as a share of the width on each side of the middle: it ends before the edges, where
+it would be a notch."""
 
 
 FLAT_MM = 1e-4
-"""How near the chords come to the cuts by which widths are measured."""
+"""Distance of the chords, with which widths are measured, from the cuts, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -237,7 +238,7 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Does a slot of a strip of one width go deep enough to cut a narrower one?"""
+    """Whether a slot of a strip of one width is deep enough to cut a narrower strip."""
     points, _ = slot.center_line(outer)
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 

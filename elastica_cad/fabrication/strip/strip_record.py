@@ -10,6 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.holding.expected_error import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.fabrication.holding.held_shape import Reactions, closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
@@ -85,7 +86,7 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
 
 
 FINE_EDGES = 1600
-"""At least, of the rod that is bent as built: its own error is then far below what it measures."""
+"""Least number of edges of the rod that is bent as built, so that its own error is negligible."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,6 +120,9 @@ class Strip:
     plates : LapPlates, optional
         What joins the pieces of a strip that is longer than the stock.
 
+    tolerance : MakingTolerance
+        What is assumed to be off in sheet, cut and clamps: see `held`.
+
     Raises
     ------
     InputError
@@ -148,6 +152,7 @@ class Strip:
     creep: float = 0.0
     correction: Profile | None = None
     plates: "LapPlates | None" = None
+    tolerance: MakingTolerance = USUAL_TOLERANCE
 
     def __post_init__(self) -> None:
         if not isinstance(self.rod, Rod):
@@ -163,6 +168,7 @@ class Strip:
             if value is not None:
                 require_positive(value, name)
         require_printable(self.label, "the label")
+        require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")
         if self.correction is not None:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
         object.__setattr__(self, "ends", pair_of_tabs(self.ends))
@@ -209,19 +215,20 @@ class Strip:
 
     @property
     def tapered(self) -> dict[str, Profile]:
-        """What carries the stiffness instead of the width, mm along the free part: "thickness" or "diameter"."""
+        """Profile of the quantity that varies instead of the width, "thickness" or "diameter", mm along the
+        free part."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.quantity not in ("thickness", "diameter"):
             return {}  # leaves are counted
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
-        """How wide it is, in words, and as thick as it tapers: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
+        """Width in words, with the thickness if it varies: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
         return tell_breadth(self.width, self.tapered, digits)
 
     @cached_property
     def layout(self) -> Layout:
-        """What the style makes of the rod."""
+        """Layout that the style makes of the rod."""
         widths = {"max_width": self.max_width, "min_width": self.min_width}
         if self.correction is None:
             return self.style.laid_out(self.rod, self.sheet, **widths)
@@ -270,12 +277,12 @@ class Strip:
 
     @cached_property
     def is_closed(self) -> bool:
-        """Does it close? Its second tab is then the lap, glued behind its start, and it has no first one."""
+        """Whether the strip is closed. Its second tab is then glued behind its start, and it has no first tab."""
         return closes(self.rod)
 
     @property
     def joint(self) -> str:
-        """How a closed strip is joined, and what the joint carries; empty for an open one."""
+        """Sentence on how a closed strip is joined and what the joint carries; empty for an open one."""
         if not self.is_closed:
             return ""
         return tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), self._begins_at)
@@ -297,7 +304,7 @@ class Strip:
 
     @property
     def strain_limit(self) -> float:
-        """What the sheet of that layer bears."""
+        """Largest strain that the sheet of the most strained layer bears."""
         return self.most_strained.limit
 
     @property
@@ -307,7 +314,7 @@ class Strip:
 
     @cached_property
     def strain_verdict(self) -> StrainVerdict:
-        """What the rule of strain says of the strip: of its layers the one that fares worst."""
+        """Result of the strain rule for the worst of the strip's layers."""
         judged = (layer.judged(self._bends.place(layer.station)) for layer in self.strains)
         return max(judged, key=lambda one: (one.state, one.used))
 
@@ -332,7 +339,7 @@ class Strip:
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """What a maker should know before cutting: the rod's and the style's warnings, strains beyond a limit."""
+        """Warnings of the rod and the style, and strains beyond a limit."""
         found = (
             *self.rod.warnings,
             *self.layout.warnings,
@@ -440,16 +447,17 @@ class Strip:
             if seat is not None:
                 require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
         asked = self.as_made if self.correction is None else replace(self, correction=None).as_made
-        return self.as_made.held((start, end), asked)
+        return self.as_made.held((start, end), asked, self.tolerance)
 
     @cached_property
     def held_deviation(self) -> float:
-        """How far the strip as made, with ends held as designed, strays from its design, mm: see `held`."""
+        """Largest distance, mm, of the strip as made, with its ends held as designed, from its design; see
+        `held`."""
         return self.held().deviation
 
     @cached_property
     def sideways(self) -> SidewaysStability:
-        """Whether it stays in the plane of its curve."""
+        """Stability against leaving the plane of the curve."""
         return strip_sideways(self.rod, self.layout)
 
     def reactions(self) -> Reactions:

@@ -18,17 +18,17 @@ from elastica_cad.mechanics.studies.creep import Creep
 from elastica_cad.refusals import Length, Span, note
 
 LINEAR_CREEP_SHARE = 0.5
-"""Of the strain limit: beyond it creep grows faster than the stress."""
+"""Share of the strain limit above which creep grows faster than the stress."""
 
 STRAIGHT_SHARE = 1e-6
-"""Of the largest curvature: less has no sense of bending."""
+"""Curvature, as a share of the largest, below which the strip counts as not bent."""
 
 UNEVEN_JOINT_MM = 0.05
-"""Difference between the widths of a closed strip's ends that is told: finer than it is cut."""
+"""Difference between the widths of a closed strip's ends, mm, from which on it is reported."""
 
 
 def tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
-    """How wide a strip is, and as thick as it tapers."""
+    """Width of a strip in words, with the thickness if it varies."""
     told: dict[str, Any] = {
         name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
     }
@@ -71,7 +71,7 @@ def tell_backing(mark: str) -> str:
 
 
 def tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
-    """How a closed strip is joined at a place, where it is so wide, mm, and what the joint carries."""
+    """Sentence on how a closed strip is joined at a place of this width, mm, and what the joint carries."""
     how = (
         note("glue its tab of {lap}, bent as drawn, behind its start", lap=Length(lap))
         if lap
@@ -92,8 +92,8 @@ def warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[st
         judged = layer.judged(bends.place(at))
         if not judged.allowed:
             bearable = bend[at] * layer.limit / layer.largest
-            strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2f")
-            radius, least = told_apart(1 / bend[at], 1 / bearable, ".1f")
+            strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2g")
+            radius, least = told_apart(1 / bend[at], 1 / bearable, ".3g")
             yield note(
                 "strain {strain:g} % at {at} from the start is beyond the {limit:g} % that {sheet} bears: "
                 "its radius there is {radius:g}, the least advisable {least:g}; {outcome}; use a thinner "
@@ -139,7 +139,7 @@ def warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], ben
 
 
 def warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
-    """Where creep of the most strained layer is not linear any more, and a strip that does not stay."""
+    """Warn of places where creep of the most strained layer is not linear, and of a strip that does not stay."""
     if strained.largest > LINEAR_CREEP_SHARE * strained.limit:
         yield note(
             "strain {strain:.2f} % is more than {share:.0f} % of what the sheet bears: creep is not linear "

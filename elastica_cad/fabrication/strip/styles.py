@@ -34,29 +34,29 @@ Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
 """An outer width: one number, or a profile or function of arc length, all in mm."""
 
 WIDTH_MM = 1e-6
-"""Largest error of a width given as a function: what files keep."""
+"""Largest error, mm, of a width given as a function."""
 
 
 SIZE_SHARE = 3e-6
-"""Error of a section's size relative to its limit: about that of the stiffness it is made of."""
+"""Relative error of a section's size: about that of the stiffness from which it is computed."""
 
 CORRECTION_TOLERANCE = 1e-6
-"""Of corrected stiffness, relative to its largest."""
+"""Error of the corrected stiffness, relative to its largest value."""
 
 CURVATURE_STATIONS = 2001
-"""At which strain is looked for, spread over the curve's smooth panels."""
+"""Number of places, spread over the curve's smooth panels, at which the strain is computed."""
 
 _RODS = 64  # whose bends are kept: equal strips of a model share theirs
 
 MOST_EXTREMES = 200
-"""Local extremes at which finer stations are set: more of them are rounding."""
+"""Largest number of local extremes at which finer stations are set; more of them come from rounding."""
 
 GUIDE_MM = 0.5
-"""A backing that comes this near to the base's edge everywhere is not marked on it."""
+"""A backing that is nearer than this to the base's edge everywhere is not marked on the base."""
 
 
-NO_WIDTH = "a strip needs max_width or min_width (mm): the rod only fixes how widths compare"
-"""Of a plain strip; the others have an outline of their own."""
+NO_WIDTH = "a strip needs max_width or min_width, in mm: its curve fixes only how widths compare"
+"""Message of a plain strip without a width; other styles have their own outline."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ class Bends:
     curve: PlaneCurve | None = None
 
     def arc_length(self, stations: int | slice) -> FloatArray:
-        """Of stations by number or slice, mm."""
+        """Arc length of stations by number or slice, mm."""
         places = np.asarray(self.places[stations])
         return places if self.curve is None else self.curve.arc_length(places)
 
@@ -210,7 +210,7 @@ class Layout:
 
 
 class Style(Protocol):
-    """How stiffness becomes material."""
+    """Interface of a style, which turns stiffness into material."""
 
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
@@ -321,7 +321,7 @@ def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
 
 
 PLAIN = Plain()
-"""The style of a strip for which none is chosen."""
+"""Default style."""
 
 
 def width_profile(width: Width, length: float, name: str) -> Profile:
@@ -351,9 +351,9 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
         s = stations_of(length, profile)
         at = float(s[int(np.argmin(profile(s)))])
         raise InputError(
-            "{name} is {value:.4g} at {at:.4g}: it must be positive everywhere",
+            "{name} is {given:.4g} at {at:.4g}: it must be positive everywhere",
             name=name,
-            value=Length(float(profile(at))),
+            given=Length(float(profile(at))),
             at=Length(at),
         )
     return profile
@@ -376,7 +376,7 @@ def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatAr
 def correct_layout(
     style: Style, rod: Rod, sheet: Sheet, correction: Profile, **widths: float | None
 ) -> Layout:
-    """What a style makes of a rod whose stiffness is corrected by a factor along it."""
+    """Layout of a style for a rod whose stiffness is corrected by a factor along it."""
     asked = rod.profile
     corrected = Profile.fit(
         lambda s: asked(s) * correction(s), rod.length, breaks=asked.breaks, knots=correction.knots,
@@ -389,7 +389,7 @@ def correct_layout(
 
 @lru_cache(maxsize=_RODS)
 def bends_along(rod: Rod) -> Bends:
-    """How sharply a rod is bent, at stations spread over its curve's smooth panels and on both sides of jumps."""
+    """Curvature of a rod at stations spread over its curve's smooth panels and on both sides of jumps."""
     if rod.shape is None:
         return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
     curve, rest = rod.curve, rod.natural_curvature

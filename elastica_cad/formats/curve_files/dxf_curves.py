@@ -159,7 +159,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
             continue
         except (*ODDITIES, DXFError):
             bad.append(
-                InputError("has a {kind_} that breaks off or makes no sense: draw it anew", kind_=kind)
+                InputError("has a {thing} that breaks off or makes no sense: draw it anew", thing=kind)
             )
             skipped[f"{kind} that breaks off or makes no sense"] += 1
             continue
@@ -225,9 +225,9 @@ def _unit_code(document: "Drawing") -> int:
         code = -1
     if code not in _INSUNITS:
         raise InputError(
-            "is drawn in a unit that is not known here ($INSUNITS = {value}): say which, --unit "
+            "is drawn in a unit that is not known here ($INSUNITS = {given}): say which, --unit "
             'mm or unit = "mm"',
-            value=code if -1 < code < 1000 else "no number from 0 to 21",
+            given=code if -1 < code < 1000 else "no number from 0 to 21",
         )
     return code
 

@@ -73,11 +73,11 @@ class Edge:
         if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
             raise InputError(
                 "a spline of degree {degree} with {count} control points has {size} knots; it needs "
-                "{value}, never decreasing: export it anew, or draw it anew",
+                "{given}, never decreasing: export it anew, or draw it anew",
                 degree=self.degree,
                 count=count,
                 size=knots.size,
-                value=count + self.degree + 1,
+                given=count + self.degree + 1,
             )
         if not knots[self.degree] < knots[count]:
             raise InputError(

@@ -93,29 +93,27 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
 
 def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
     if not isinstance(record, dict):
-        raise InputError(
-            "{where_} is not a record of degree, knots, control_points and weights", where_=where
-        )
+        raise InputError("{place} is not a record of degree, knots, control_points and weights", place=where)
     for key in ("degree", "knots", "control_points"):
         if key not in record:
-            raise InputError("{where_} has no {key!r}", where_=where, key=key)
+            raise InputError("{place} has no {key!r}", place=where, key=key)
     degree = record["degree"]
     if not isinstance(degree, int) or isinstance(degree, bool):
         raise InputError(
-            "{where_}: degree is {degree}; it must be a whole number", where_=where, degree=quoted(degree)
+            "{place}: degree is {degree}; it must be a whole number", place=where, degree=quoted(degree)
         )
     try:
         knots = np.array(record["knots"], dtype=float)
         points = np.array(record["control_points"], dtype=float)
         weights = None if record.get("weights") is None else np.array(record["weights"], dtype=float)
     except (TypeError, ValueError, OverflowError, RecursionError) as error:
-        raise InputError("{where_} has an entry that is not a number", where_=where) from error
+        raise InputError("{place} has an entry that is not a number", place=where) from error
     if points.ndim != 2 or points.shape[1] != 2:
-        raise InputError("{where_}: control_points must be rows of x and y", where_=where)
+        raise InputError("{place}: control_points must be rows of x and y", place=where)
     try:
         check_count(len(points), 4 * MOST_PIECES, "control points", "leave some out")
         check_degree(degree)
         check_size(scale * points)
         return PlaneCurve(knots, scale * points, degree, weights)
     except InputError as error:
-        raise InputError("{where_}: {error}", where_=where, error=error) from error
+        raise InputError("{place}: {error}", place=where, error=error) from error

@@ -51,9 +51,9 @@ def check_places(points: FloatArray) -> FloatArray:
     if bad.any():
         value = points[bad].flat[0]
         raise InputError(
-            "a coordinate is {value}; they must be finite and at most {farthest:g}: check the "
+            "a coordinate is {given}; they must be finite and at most {farthest:g}: check the "
             "unit, or export it anew",
-            value=Length(value),
+            given=Length(value),
             farthest=Length(FARTHEST),
         )
     return points
@@ -101,9 +101,9 @@ def check_tolerance(value: float, name: str = "tolerance") -> float:
     """A distance in mm that readers join ends or fit points within."""
     if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
         raise InputError(
-            "the {name} for reading is {value!r}: it must be positive, 1e-9 to 1000 mm, e.g. 0.01",
+            "the {name} for reading is {given!r}: it must be positive, 1e-9 to 1000 mm, e.g. 0.01",
             name=name,
-            value=value,
+            given=value,
         )
     return float(value)
 

@@ -82,10 +82,10 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     number, head = rows[0]
     if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
         raise InputError(
-            "line {number} is {value}; it must be two whole numbers, degree and count of control "
+            "line {number} is {given}; it must be two whole numbers, degree and count of control "
             "points (measured points belong into a .csv file)",
             number=number,
-            value=quoted(" ".join(head)),
+            given=quoted(" ".join(head)),
         )
     if max(len(word) for word in head) > 9:
         raise InputError(
@@ -97,10 +97,10 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
     if len(rows) - 1 != count:
         raise InputError(
-            "line {number} announces {count} control points, but {value} lines follow",
+            "line {number} announces {count} control points, but {given} lines follow",
             number=number,
             count=count,
-            value=len(rows) - 1,
+            given=len(rows) - 1,
         )
     points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
     check_size(scale * points)
@@ -205,10 +205,10 @@ def _numbers(cells: list[str], row: int, most: int) -> FloatArray:
     """x, y (and z, 0 where there is none, when `most` is 3) of one row."""
     if not 2 <= len(cells) <= most:
         raise InputError(
-            "row {row} has {count} columns; it needs x and y{value}",
+            "row {row} has {count} columns; it needs x and y{given}",
             row=row,
             count=len(cells),
-            value=" (and z)" if most == 3 else "",
+            given=" (and z)" if most == 3 else "",
         )
     for cell in cells:
         if not _is_number(cell):

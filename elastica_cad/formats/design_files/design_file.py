@@ -209,7 +209,7 @@ def design_of(
             file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
         ))  # fmt: skip
     top.scope = top.within(data.get("let", {}))
-    reader = Reader(_own_sheets(top, path), path.parent, read_curves)
+    reader = Reader(own_sheets(top, path), path.parent, read_curves)
     revolution = None
     with slips.gathering():
         revolution = _read_revolution(top, reader)
@@ -224,15 +224,12 @@ def design_of(
     with slips.gathering():
         kit = read_kit(top, reader)
     slips.tell()
-    if not entries and revolution is None:
-        raise InputError("{where_} has no strips: write at least one table [[strips]]", where_=top.where)
-    twice = sorted({w.label for w in entries if sum(w.label == v.label for v in entries) > 1})
-    if twice:
+    if top.has("pair"):
         raise InputError(
-            "{path}: two strips are labelled {twice!r}; give each its own label, with {{i}} for the count",
-            path=path,
-            twice=twice[0],
+            "{place} holds a part with two rest shapes: `elastica pair` makes it", place=top.where
         )
+    if not entries and revolution is None:
+        raise InputError("{place} has no strips: write at least one table [[strips]]", place=top.where)
     return Design(
         name=top.text("name", path.stem),
         entries=tuple(entries),
@@ -295,7 +292,7 @@ class _Sheets(dict[str, Sheet]):
         return Sheet.named(name, folder=self.folder)
 
 
-def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
+def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     """Sheets that the design brings along."""
     sheets = _Sheets()
     sheets.folder = path.parent
@@ -322,6 +319,7 @@ def _read_strips(
                 reports += told
             else:
                 sections = (None,) * table.count("count", 1)
+        first = len(entries)
         for i, section in enumerate(sections, start=1):
             where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where
             one = Table(table.data, where, {**top.scope, "i": float(i)}, top)
@@ -335,12 +333,44 @@ def _read_strips(
                     slips.add(str(problem), one.where)
                 else:
                     failed.append(problem)
+        with slips.gathering():
+            _require_labels(entries[:first], entries[first:], top.where)
+            entries[first:] = _side_by_side(entries[first:])
     if failed and not entries:
         raise failed[0]
     return entries, (
         *reports,
         *(note("{problem} This section is left out.", problem=problem) for problem in failed),
     )
+
+
+COPIES_APART_MM = 20.0
+"""Between copies of one part that the file places in one place: they stand behind each other."""
+
+
+def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
+    """The entries of one table; copies of one part that lie in one place are moved apart, behind each other."""
+    alike = len({entry.label for entry in entries}) < len(entries)
+    if not alike or np.ptp([entry.frame.origin for entry in entries], axis=0).any():
+        return list(entries)
+    widths = [entry.spec.max_width or getattr(entry.spec.style, "width", None) for entry in entries]
+    apart = COPIES_APART_MM + max((w for w in widths if isinstance(w, int | float)), default=0.0)
+    return [
+        replace(entry, spec=entry.spec.changed(frame=entry.frame.shifted(z=k * apart)))
+        for k, entry in enumerate(entries)
+    ]
+
+
+def _require_labels(before: Sequence[StripEntry], entries: Sequence[StripEntry], where: str) -> None:
+    """Refuse one label for two strips, but for copies of one part, which are in one table."""
+    taken, alike = {entry.label for entry in before}, dict[str, Any]()
+    for entry in entries:
+        if entry.label in taken or alike.setdefault(entry.label, _likeness(entry)) != _likeness(entry):
+            raise InputError(
+                "{place}: two strips are labelled {twice!r}; give each its own label, with {{i}} for the count",
+                place=where,
+                twice=entry.label,
+            )
 
 
 def _only_sections(table: Table) -> Table:
@@ -356,7 +386,7 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
     table.only(*_PATTERNS)
     if len(table.data) != 1:
         raise InputError(
-            "{where_} must hold one of {patterns}", where_=table.where, patterns=", ".join(_PATTERNS)
+            "{place} must hold one of {patterns}", place=table.where, patterns=", ".join(_PATTERNS)
         )
     (kind,) = table.data
     return kind, reader.given(PATTERNS[kind], table.table(kind))

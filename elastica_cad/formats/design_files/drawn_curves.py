@@ -37,8 +37,8 @@ class CurveOfFile(_Curve):
         path = reader.folder / self.file
         if not path.is_file():
             raise InputError(
-                "{where_}: there is no file {path}; names are relative to the design file",
-                where_=where,
+                "{place}: there is no file {path}; names are relative to the design file",
+                place=where,
                 path=path,
             )
         assert reader.read_curves is not None
@@ -49,11 +49,11 @@ class CurveOfFile(_Curve):
             return curves.file.one(self.id or number, self.layer, choice).curve
         if (self.number or 1) > len(curves) or (len(curves) > 1 and self.number is None):
             raise InputError(
-                "{where_}: {name} holds {count} curve{value}: choose one with number = 1 .. {count}",
-                where_=where,
+                "{place}: {name} holds {count} curve{given}: choose one with number = 1 .. {count}",
+                place=where,
                 name=path.name,
                 count=len(curves),
-                value="s" if len(curves) > 1 else "",
+                given="s" if len(curves) > 1 else "",
             )
         return curves[(self.number or 1) - 1]
 
@@ -187,9 +187,9 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     found = [kind for kind in CURVES if kind in curve.data]
     if len(found) != 1:
         raise InputError(
-            "{where_} must hold one of file, x (with y and t), ellipse or spline, not {value}",
-            where_=curve.where,
-            value=", ".join(curve.data) or "nothing",
+            "{place} must hold one of file, x (with y and t), ellipse or spline, not {given}",
+            place=curve.where,
+            given=", ".join(curve.data) or "nothing",
         )
     asked = reader.record(CURVES[found[0]], curve)
     with curve.naming():

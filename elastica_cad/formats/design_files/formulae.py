@@ -90,8 +90,8 @@ class Formula:
     def _parsed(self) -> "_Parsed":
         if len(self.text) > MOST_LETTERS:
             raise InputError(
-                "{where_}: a formula of {count} letters is too long; use let to name parts",
-                where_=self.where,
+                "{place}: a formula of {count} letters is too long; use let to name parts",
+                place=self.where,
                 count=len(self.text),
             )
         try:
@@ -99,14 +99,14 @@ class Formula:
         except SyntaxError as error:
             at = f"letter {error.offset}" if error.offset else "its end"
             raise InputError(
-                "{where_}: {text_!r} is no formula: it breaks off at {at}",
-                where_=self.where,
-                text_=self.text,
+                "{place}: {typed!r} is no formula: it breaks off at {at}",
+                place=self.where,
+                typed=self.text,
                 at=at,
             ) from error
         except (ValueError, RecursionError, MemoryError) as error:
             raise InputError(
-                "{where_}: {text_!r} is no formula that can be read", where_=self.where, text_=self.text[:60]
+                "{place}: {typed!r} is no formula that can be read", place=self.where, typed=self.text[:60]
             ) from error
 
     def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
@@ -126,9 +126,9 @@ class Formula:
             result = np.asarray(_value(tree, known), dtype=float)
         if not np.all(np.isfinite(result)):
             raise InputError(
-                "{where_}: {text_!r} gives no finite number: a division by 0 or a root below 0?",
-                where_=self.where,
-                text_=self.text,
+                "{place}: {typed!r} gives no finite number: a division by 0 or a root below 0?",
+                place=self.where,
+                typed=self.text,
             )
         return float(result) if result.ndim == 0 else result
 
@@ -196,9 +196,9 @@ def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
 
 def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
     return InputError(
-        "{where_}: {text_!r}, letter {col_offset}: {fault}",
-        where_=formula.where,
-        text_=formula.text[:80],
+        "{place}: {typed!r}, letter {col_offset}: {fault}",
+        place=formula.where,
+        typed=formula.text[:80],
         col_offset=node.col_offset + 1,
         fault=fault,
     )

@@ -1,15 +1,16 @@
 """What goes with the strips of a model: sheets, cutting files, base, frame, fixtures, further pieces."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.placed_strip import strip_names
+from elastica_cad.formats.drawing_files.drawing_style import Scheme
 from elastica_cad.formats.drawing_files.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -57,6 +58,12 @@ class Cutting:
         float, Asked("Largest error of arcs and polylines.", "mm", least=0, group="files")
     ] = 0.02
     version: Annotated[str, Asked("Version of the DXF files.", group="files", written=DxfVersion)] = "R2010"
+    colors: Annotated[
+        str,
+        Asked(
+            "Colours of cuts and engraving, as another program expects them.", group="files", written=Scheme
+        ),
+    ] = "elastica"
     holding: Annotated[
         HoldingTabs | None, Asked("Bridges that hold the parts in the sheet.", group="files")
     ] = None
@@ -74,7 +81,8 @@ class Cutting:
                 "no kerf is known for {name}: give a number of mm instead of the word sheet", name=sheet.name
             )
         kerf = sheet.kerf if self.kerf is None else self.kerf
-        return {"kerf": kerf, "curves": self.curves, "tolerance": self.tolerance, "holding": self.holding}
+        written = {"kerf": kerf, "curves": self.curves, "tolerance": self.tolerance, "layers": self.colors}
+        return {**written, "holding": self.holding}
 
 
 HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
@@ -113,7 +121,7 @@ class HolderSpec:
         return str(self.options.get("name", self.kind))
 
     def made(
-        self, model: "Model", shop: Shop = DEFAULT_SHOP, *, ignore_limits: bool = False
+        self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
         """Plates, ribs and blocks, and a sentence on what was chosen, or an empty one.
 
@@ -133,8 +141,8 @@ class HolderSpec:
         if not placed:
             labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
             raise InputError(
-                "{where_}: no strip is called {strips}: there are {labels}",
-                where_=self.where,
+                "{place}: no strip is called {strips}: there are {labels}",
+                place=self.where,
                 strips=" or ".join(self.strips),
                 labels=labels,
             )
@@ -142,7 +150,7 @@ class HolderSpec:
             return end_fixtures(placed, **self.options), ""
         if self.kind == "stand":
             chosen = stand(placed, self.sheet, shop=shop, ignore_limits=ignore_limits)
-            return chosen.holders, f"{model.name}: {chosen.sentence}"
+            return tuple(map(self._named, chosen.holders)), f"{model.name}: {chosen.sentence}"
         options = {**self.options, "shop": shop, "ignore_limits": ignore_limits}
         feet = options.pop("feet", None)
         ribs: tuple[Rib, ...] = ()
@@ -157,6 +165,13 @@ class HolderSpec:
         else:
             plates = (base_plate(placed, self.sheet, **options),)
         return (*(plates if feet is None else add_feet(plates, feet)), *ribs), ""
+
+    def _named(self, holder: Any) -> Any:
+        """A plate of a stand under the stand's own name; blocks keep theirs, which are those of tabs."""
+        own = self.options.get("name")
+        if own is None or not hasattr(holder, "drawing"):
+            return holder
+        return replace(holder, name=holder.name.replace("base", own, 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +188,9 @@ class KitSpec:
         Cut a coupon of every sheet.
     reference_bar : float or None
         Length of a bar to check the machine's scale with, mm.
-    shop : Shop
+    pages : str or None
+        Paper on which every part is printed at full size, in one PDF.
+    shop : FabricationLimits
         What the workshop can make.
     ignore_limits : bool
         Make what it cannot, and say so in the report.
@@ -184,7 +201,8 @@ class KitSpec:
     holders: tuple[HolderSpec, ...] = ()
     coupon: bool = False
     reference_bar: float | None = None
-    shop: Shop = DEFAULT_SHOP
+    pages: str | None = None
+    shop: FabricationLimits = DEFAULT_LIMITS
     ignore_limits: bool = False
 
     def extras(self, model: "Model") -> "tuple[Piece, ...]":

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from elastica_cad.declared import Asked, Field, Record
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.plate_pairs import end_plates
 from elastica_cad.fabrication.holders.plates import base_plate
@@ -18,8 +19,7 @@ from elastica_cad.formats.design_files.revolution_table import RevolutionKeys
 from elastica_cad.formats.design_files.strip_table import SharedKeys, StripKeys
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_library import sheet_keys
+from elastica_cad.mechanics.material.sheet import Sheet, sheet_keys
 
 Pair: TypeAlias = tuple[float, float]
 Names: TypeAlias = str | tuple[str, ...]
@@ -49,6 +49,13 @@ class Stand(_Holder):
     margin: Annotated[float | None, Asked("Least distance between parts on these sheets.", "mm", least=0)] = (
         None
     )
+
+
+@dataclass(frozen=True, kw_only=True)
+class NamedStand(Stand):
+    """The simplest of the other holders that holds all tabs."""
+
+    name: Annotated[str | None, Asked("What its plates are called.")] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,7 +98,7 @@ class Fixtures(_Holder):
 
 
 HOLDERS: dict[HolderKind, Record] = {
-    "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": Stand,
+    "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": NamedStand,
 }  # fmt: skip
 """In the order in which kits hold them."""
 
@@ -129,6 +136,10 @@ class Extras:
     reference_bar: Annotated[
         float | None, Asked("Length of a bar to check the scale of the machine with.", "mm", least=0)
     ] = None
+    pages: Annotated[
+        Literal["A4", "A3", "letter"] | None,
+        Asked("Every part at full size on this paper, in one PDF with a bar to check the printer by."),
+    ] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -145,6 +156,10 @@ class DesignKeys(SharedKeys):
     patterns: Annotated[
         tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
     ] = ()
+    pair: Annotated[
+        FlexureSpec | None,
+        Asked("A part that rests in two curves: `elastica pair` makes it, alone in its file."),
+    ] = None
     interlock: Annotated[Any, Asked("Slots wherever two strips cross.", written=slots_at_crossings)] = None
     base: Annotated[Any, Asked("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
     rings: Annotated[Any, Asked("A plate for each end.", written=Rings | tuple[Rings, ...])] = None
@@ -153,7 +168,7 @@ class DesignKeys(SharedKeys):
     ] = None
     fixtures: Annotated[Any, Asked("Printed blocks.", written=Fixtures | tuple[Fixtures, ...])] = None
     stand: Annotated[
-        Any, Asked("The simplest of these that holds all tabs.", written=Stand | tuple[Stand, ...])
+        Any, Asked("The simplest of these that holds all tabs.", written=NamedStand | tuple[NamedStand, ...])
     ] = None
     nest: Annotated[Nesting | None, Asked("The sheets that parts are laid on.")] = None
     cut: Annotated[Cutting | None, Asked("How cutting files are written.")] = None
@@ -175,6 +190,7 @@ def read_kit(top: Table, reader: Reader) -> KitSpec:
         holders=tuple(_read_holders(top, reader, nesting)),
         coupon=extras.coupon,
         reference_bar=extras.reference_bar,
+        pages=extras.pages,
         **given("shop"),
         **given("ignore_limits"),
     )

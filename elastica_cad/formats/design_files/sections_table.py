@@ -87,8 +87,8 @@ def read_sections(
     path = reader.folder / asked.mesh
     if not path.is_file():
         raise InputError(
-            "{where_}: there is no file {path}; names are relative to the design file",
-            where_=table.where,
+            "{place}: there is no file {path}; names are relative to the design file",
+            place=table.where,
             path=path,
         )
     with table.naming():

@@ -40,15 +40,15 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError(
-            "{where_} is {value}: it must be a number or a formula in quotes",
-            where_=where,
-            value=quoted(value),
+            "{place} is {given}: it must be a number or a formula in quotes",
+            place=where,
+            given=quoted(value),
         )
     if not -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
         told = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
         raise InputError(
-            "{where_} is {told}: give a finite number of at most {largest_number:g}",
-            where_=where,
+            "{place} is {told}: give a finite number of at most {largest_number:g}",
+            place=where,
             told=told,
             largest_number=LARGEST_NUMBER,
         )
@@ -123,7 +123,7 @@ class Table:
     ) -> None:
         if not isinstance(data, Mapping):
             raise InputError(
-                "{where_} must be a table of keys and values, not {data}", where_=where, data=quoted(data)
+                "{place} must be a table of keys and values, not {data}", place=where, data=quoted(data)
             )
         self.data: Mapping[str, Any] = data
         self.where = where
@@ -204,13 +204,13 @@ class Table:
         value = self.number(key, default)
         if value != int(value) or value < 1:
             raise InputError(
-                "{key} is {value:g}: it must be a whole number, 1 or more", key=self.place(key), value=value
+                "{key} is {given:g}: it must be a whole number, 1 or more", key=self.place(key), given=value
             )
         if value > most:
             raise InputError(
-                "{key} is {value:g}, and at most {most} are made: ask for fewer",
+                "{key} is {given:g}, and at most {most} are made: ask for fewer",
                 key=self.place(key),
-                value=value,
+                given=value,
                 most=most,
             )
         return int(value)
@@ -220,9 +220,9 @@ class Table:
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(
-                "{key} is {value}: it must be {size} numbers in brackets",
+                "{key} is {given}: it must be {size} numbers in brackets",
                 key=self.place(key),
-                value=quoted(value),
+                given=quoted(value),
                 size=size,
             )
         return tuple(
@@ -235,7 +235,7 @@ class Table:
         given = self.raw(key, ())
         if not isinstance(given, Sequence) or isinstance(given, str):
             raise InputError(
-                "{key} is {value}: it must be numbers in brackets", key=self.place(key), value=quoted(given)
+                "{key} is {given}: it must be numbers in brackets", key=self.place(key), given=quoted(given)
             )
         return self.vector(key, len(given), ())
 
@@ -266,13 +266,13 @@ class Table:
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(
-                "{key} is {value}: it must be text in quotes", key=self.place(key), value=quoted(value)
+                "{key} is {given}: it must be text in quotes", key=self.place(key), given=quoted(value)
             )
         if choices and value not in choices:
             raise InputError(
-                "{key} is {value}: use one of {choices}",
+                "{key} is {given}: use one of {choices}",
                 key=self.place(key),
-                value=quoted(value),
+                given=quoted(value),
                 choices=", ".join(choices),
             )
         return value
@@ -283,9 +283,9 @@ class Table:
         rows = [value] if isinstance(value, str) else value
         if not isinstance(rows, list) or not rows or not all(isinstance(row, str) for row in rows):
             raise InputError(
-                "{key} is {value}: it must be text in quotes, or a list of texts",
+                "{key} is {given}: it must be text in quotes, or a list of texts",
                 key=self.place(key),
-                value=quoted(value),
+                given=quoted(value),
             )
         return tuple(rows)
 
@@ -294,7 +294,7 @@ class Table:
         value = self.raw(key, default)
         if not isinstance(value, bool):
             raise InputError(
-                "{key} is {value}: it must be true or false", key=self.place(key), value=quoted(value)
+                "{key} is {given}: it must be true or false", key=self.place(key), given=quoted(value)
             )
         return value
 
@@ -307,7 +307,7 @@ class Table:
         value = self.raw(key, [])
         if not isinstance(value, list):
             raise InputError(
-                "{key} must be a list of tables, not {value}", key=self.place(key), value=quoted(value)
+                "{key} must be a list of tables, not {given}", key=self.place(key), given=quoted(value)
             )
         return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
 

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, quoted
@@ -104,13 +104,36 @@ _STANDARD = {
 }
 
 
-def style_layers(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, LayerStyle]:
+Scheme: TypeAlias = Literal["elastica", "boxes", "lightburn"]
+
+SCHEMES: dict[str, dict[str, LayerStyle]] = {
+    "elastica": _STANDARD,
+    "boxes": {  # of boxes.py: outer cuts black, inner ones blue, etching green and cyan, remarks red
+        CUT_OUTER: LayerStyle(CUT_OUTER, "#000000"),
+        CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
+        ENGRAVE: LayerStyle(ENGRAVE, "#00ff00"),
+        MARK: LayerStyle(MARK, "#00ffff"),
+        SHEET: LayerStyle(SHEET, "#ff0000"),
+    },
+    "lightburn": {  # layers C00 to C03 of its palette, and its tool layer T1, which is never cut
+        CUT_OUTER: LayerStyle(CUT_OUTER, "#ff0000"),
+        CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
+        ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
+        MARK: LayerStyle(MARK, "#00e000"),
+        SHEET: LayerStyle(SHEET, "#f36926"),
+    },
+}
+"""Colours by which other programs know what to do with a line."""
+
+
+def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict[str, LayerStyle]:
     """The style of every layer, the user's choices put over the standard ones.
 
     Parameters
     ----------
-    choices : mapping, optional
-        From a layer of the drawing to a name, or to a name and a colour "#rrggbb".
+    choices : mapping or str, optional
+        Name of a scheme of colours, one of `SCHEMES`; or from a layer of the drawing to a name, or to a name and a
+        colour "#rrggbb".
 
     Raises
     ------
@@ -122,6 +145,14 @@ def style_layers(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, 
     >>> style_layers({"ENGRAVE": ("Raster", "#808080")})["ENGRAVE"].name
     'Raster'
     """
+    if isinstance(choices, str):
+        if choices not in SCHEMES:
+            raise InputError(
+                "there is no scheme of colours {choices!r}: use one of {schemes}",
+                choices=choices,
+                schemes=", ".join(SCHEMES),
+            )
+        return dict(SCHEMES[choices])
     styles = dict(_STANDARD)
     if not (choices is None or isinstance(choices, Mapping)):
         raise InputError(

@@ -44,7 +44,7 @@ def encode_dxf(
     curves: str = "spline",
     tolerance: float = 0.02,
     version: str = "R2010",
-    layers: Mapping[str, LayerChoice] | None = None,
+    layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
     """A drawing as the content of a DXF file in mm; the same drawing gives the same bytes.
 

@@ -77,7 +77,7 @@ def encode_svg(
     *,
     curves: str = "spline",
     tolerance: float = 0.02,
-    layers: Mapping[str, LayerChoice] | None = None,
+    layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
     """A drawing as the content of an SVG file whose user unit is the mm; same drawing, same bytes.
 

@@ -27,7 +27,7 @@ def write_drawing(
     curves: str = "spline",
     tolerance: float = 0.02,
     version: str = "R2010",
-    layers: Mapping[str, LayerChoice] | None = None,
+    layers: Mapping[str, LayerChoice] | str | None = None,
     holding: HoldingTabs | None = None,
     force: bool = False,
 ) -> Path:
@@ -47,8 +47,8 @@ def write_drawing(
         Largest distance, mm, of a replaced curve from the true one.
     version : str
         DXF version, R12 to R2018.
-    layers : mapping, optional
-        From a layer to a name, or to a name and a colour "#rrggbb".
+    layers : mapping or str, optional
+        From a layer to a name, or to a name and a colour "#rrggbb"; or a scheme of colours, "boxes" or "lightburn".
     holding : HoldingTabs, optional
         Bridges that hold parts in the sheet; none unless given.
     force : bool

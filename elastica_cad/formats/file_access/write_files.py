@@ -226,7 +226,7 @@ def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
 
 @contextmanager
 def _about_its_own_files(workshop: Path) -> Iterator[None]:
-    """What cannot be written in the workshop is told without that place: nobody asked for it, and it goes."""
+    """Report errors in the temporary folder without its name, which the user has not chosen."""
     try:
         yield
     except (InputError, OSError) as problem:

@@ -273,7 +273,7 @@ def advise(near: NearestRod) -> Iterator[str]:
 
 
 def _costs(near: NearestRod) -> Iterator[str]:
-    """What limits cost, and what is saved by freeing what is kept."""
+    """Sentences about the cost of limits and of what is kept."""
     largest = near.measure == "max"
     for binding, change in _changes(near):
         free = near.relaxed(change.without.limits, change.without.keep)

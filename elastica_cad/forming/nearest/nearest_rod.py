@@ -36,47 +36,49 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 
 class SearchSettings(NamedTuple):
-    """Settings of the search; distances are mean ones in diagonals of the target unless told.
+    """Settings of the search. Distances are mean distances, as a share of the target's diagonal.
 
     Attributes
     ----------
     steps, unmet_steps : int
-        In all, after which no new start is tried, and the same where no start has met the limits so far or the
-        first has missed the margin. A search that stalled counts as half of the steps that it might have taken.
+        Number of steps in all after which no new start is tried, and the same where no start has met the limits yet
+        or the first has missed the margin. A search that stalled counts as half of the steps that it might take.
     tensions : tuple of float
-        Starts under a share of the tension that alone keeps the margin in a straight rod: taut ones are stable,
-        unloaded ones do not buckle.
+        Starts of straight rods under tension, as shares of the tension that alone gives the margin. Taut starts
+        are stable, unloaded ones do not buckle.
     follows, longer : float
-        Above this distance a longer rod may be nearer, as it waves more often; and how many times as long.
+        Above the distance `follows` a start that is `longer` times as long as the target is tried, too.
     bent : int
-        Starts bent off the target by waves, for other valleys.
+        Largest number of starts that differ from the target by random waves.
     bent_rad : float
-        Typical size of these waves.
+        Typical angle of these waves.
     far : float
-        Distance above which other valleys are looked for.
+        Distance above which these starts are tried.
     bent_lifts : int
-        Lifted steps of such a start, which is then still open to several valleys.
+        Lifted steps of such a start; with few of them it can still lead to several local optima.
     near, as_near : float
-        Distance up to which a like search that goes on is believed, and times the distance that all starts came to.
+        A search that continues a previous one is accepted if its distance is below `near`, or below `as_near`
+        times that of the previous one.
     followed : float
-        Distance below which a rod follows its target.
+        Distance below which a rod follows its target, so that a smaller ratio is looked for.
     lean : float
-        Distance that a lesser ratio may cost.
+        Distance that such a smaller ratio may cost.
     spline : float
-        Of the least ratio: K is a spline of few coefficients.
+        Factor on the least ratio, as K is a spline with few coefficients.
     tie, apart : float
-        Times the least distance: as near; and the distance of two rods from which on they are two answers.
+        A result whose distance is within the factor `tie` of the least one is reported, too, if the rods are
+        farther apart than `apart`.
     closed : float
-        Lengths between the ends of a curve that nothing pulls straight.
+        Distance between the ends, in lengths, below which a curve cannot be pulled straight.
     rescalings : int
-        Searches more, at most, until a section weighs what it is made of.
+        Largest number of further searches until a section carries its own weight.
     roomy, full : float
-        Times the scale of a rod as large as may be: one that is kept leaves so much room, and no scale larger than
-        this is sought.
+        With a margin that depends on the widths: factor on the largest scale, which leaves room for other widths;
+        and factor by which a larger scale must differ to be tried.
     narrower : tuple of float
-        Times a scale, where a margin is sought that depends on it.
+        Factors on the scale that are tried for such a margin.
     eased : float
-        Of such a margin, which is kept first where all of it is not found at once.
+        Share of such a margin that is required first.
     """
 
     steps: int = 600
@@ -123,9 +125,9 @@ def _find_rod(
     start: NearestRod | None = None,
     grown: bool = True,
 ) -> NearestRod:
-    """The answer to `nearest_rod` for sections of any size; `again` is what asks anew within other limits.
+    """Find the nearest rod for sections of any size; `again` repeats the request within other limits.
 
-    With `grown`, sizes without weight are as large as the limits let them be.
+    With `grown`, sizes without weight are as large as the limits allow.
     """
     if not (start is None or isinstance(start, NearestRod)):
         raise InputError(
@@ -169,9 +171,10 @@ def _find_rod(
 
 
 def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
-    """From where a like search ended before, or from as many starts as are needed.
+    """Search from the end of a similar search, or from as many starts as are needed.
 
-    The first start nearly always does; the others are for what it leaves broken, unsettled or far from the target.
+    The first start is nearly always enough. The others are tried where it meets no limits, does not converge, or
+    ends far from the target.
     """
     problem = pose_problem(task, measure)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
@@ -193,7 +196,7 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
 
 
 def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
-    """The search of sections that are as large as the limits let the rod found be."""
+    """Repeat the search until sections are as large as the limits allow for the rod that was found."""
     for _ in range(SETTINGS.rescalings):
         settled = found.task.settled(found.best.point)
         if settled is found.task or settled.gravity is None:  # without weight nothing hangs on the scale
@@ -222,7 +225,7 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
 
 
 def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
-    """From where a search ended, at a scale or at smaller ones, by way of most of the margin.
+    """Continue a search at one scale or at smaller ones, with most of the margin first.
 
     Narrower strips may keep a margin that wider ones lose.
     """
@@ -257,7 +260,8 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
-    """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
+    """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as
+    near."""
     task, problem, best, _, steps, _ = so_far
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.followed * task.target.diagonal:
@@ -271,9 +275,9 @@ def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) ->
 def _leaner(
     task: NearestTask, measure: Measure, best: RodOutcome
 ) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
-    """A rod of the least ratio that the target itself needs, where that is less than the best one's and as near.
+    """A rod with the least ratio that the target needs, where that is smaller than the best one's and as near.
 
-    The distance does not see the ratio: on a target that can be met exactly it would stay as the search left it.
+    The distance does not depend on the ratio, so a search for a target that can be met exactly ends with any ratio.
     """
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law
@@ -298,7 +302,7 @@ def _leaner(
 def _ties(
     task: NearestTask, problem: RodProblem, measure: Measure, best: RodOutcome, found: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
-    """Outcomes of another shape than the best one and each other that are as near as it, but for 2 %."""
+    """Results as near as the best one, within 2 %, whose shapes differ from it and from each other."""
     allowed = best.objective * (SETTINGS.tie if measure == "max" else SETTINGS.tie**2)
     apart = (SETTINGS.apart * task.target.diagonal) ** 2
     told = [best]

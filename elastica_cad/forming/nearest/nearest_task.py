@@ -113,9 +113,9 @@ class NearestTask:
         for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
             if not (value is None or isinstance(value, record)):
                 raise InputError(
-                    "{name} is {value!r}: give a {name_2} record, or None",
+                    "{name} is {given!r}: give a {name_2} record, or None",
                     name=name,
-                    value=value,
+                    given=value,
                     name_2=record.__name__,
                 )
         if not (section is None or hasattr(section, "bent")):

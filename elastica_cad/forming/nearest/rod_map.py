@@ -174,9 +174,9 @@ class SectionScale:
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
-        """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, comes up to the largest section.
+        """Scale it so that the largest section belongs to nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`.
 
-        Itself where it has that scale already.
+        Returns itself where it has that scale already.
         """
         law = self.law.bent(bend, rest)
         least, largest = law.limits

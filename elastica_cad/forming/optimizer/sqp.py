@@ -34,44 +34,46 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, lifts : int
-        Most quadratic programs of one search, of which usual ones take less than half, and most lifted steps, which
-        converge quadratically or not at all.
+        Largest number of quadratic programs of one search (usual searches take less than half), and of lifted
+        steps, which converge quadratically or not at all.
     settled : float
-        A step that promises less than this share of the objective ends the search.
+        The search ends when a step promises to reduce the objective by less than this share.
     resolution : float
-        Of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm.
+        Absolute accuracy of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm.
     smallest_radius, far : float
-        In scales: where longer steps fail, shorter ones are no progress; and the radius of the lifted steps.
+        Radius of the trust region, in scales, at which the search is given up; and the radius of lifted steps.
     stuck : float
-        Radius, in scales, below which a step for the worse ends the search.
+        Radius, in scales, below which a step that makes the objective worse ends the search.
     damping, calm : float
-        Of the largest curvature: keeps the program strictly convex, and that of the first lifted step: where
-        several unknowns do, the start takes the least.
+        Damping of steps and of the first lifted step, relative to the largest curvature of the objective. It keeps
+        the quadratic program strictly convex, and selects the smallest of several possible changes.
     idle : float
-        Share of the objective left that a step of one scale costs where it changes nothing.
+        Largest share of the objective that damping may add to a step of one scale.
     easiest : float
-        Share of the damping that is left where steps keep what they promise.
+        Least share of the damping that is left when steps achieve what they promise.
     calmed, worthwhile : float
-        A lifted step that changes the state by less leaves a point that closes; if it leaves more than this share
-        of the objective it is the last.
+        Lifted steps end when one changes the state by less than `calmed` and leaves more than the share
+        `worthwhile` of the objective.
     ajar : float
-        Of the state: a start that is off by more is closed from its unknowns instead.
+        Largest change of the state that closes a start; a start that is farther from closed is replaced by the
+        closed point of its unknowns.
     patience, stalled, far_from_met : int, float, float
-        A search ends where so many steps left more than this share of what was broken, unless it is little.
+        The search ends when `patience` steps leave more than the share `stalled` of the violation, unless the
+        violation is below `far_from_met`.
     closer : float
-        Of its defect: a trial that is off by less is worth more than the point it came from.
+        A rejected point is taken all the same if its defect is below this share of the present one.
     sensitive : float
-        Root of the objective's curvature, per scale, beyond which an unknown is measured in a finer scale.
+        Root of the objective's curvature, per scale, above which an unknown gets a finer scale.
     clearance : float
-        What a limit that is touched keeps in hand, so that rounding does not break it.
+        Distance that is kept from an active limit, so that rounding does not violate it.
     exact_steps : int
-        Newton steps at the end of a search; each squares what is missed, as far as rounding lets it.
+        Newton steps at the end of a search; each squares the remaining violation, down to rounding.
     in_reach, missed : float
-        Of a constraint's value: more is not missed by rounding, and less is by rounding alone.
+        Largest violation that these steps correct, and the violation at which they end.
     firm : float
-        Times what is missed: no step that puts it right is longer, no multiplier larger.
+        Bound on such a step and on its multipliers, in multiples of the violation.
     rough : float
-        Accuracy of such a step, whose error the next one puts right.
+        Accuracy of such a step, whose error the next one corrects.
     """
 
     steps: int = 80
@@ -134,11 +136,11 @@ class Outcome(Generic[Point]):
 
 
 def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.lifts) -> Point:
-    """A point near one that is far from closed, nearly closed itself.
+    """Find a nearly closed point near a point that is far from closed.
 
-    The state is an unknown of its own here and its equations are one more constraint, linearised about it: the
-    quadratic program is convex whatever the start (its first step weighs the equations' error by its effect on
-    the objective).
+    Here the state is an unknown, and its equations are one more constraint, linearised about it. So the quadratic
+    program is convex for any start. Its first step weighs the error of the equations by its effect on the
+    objective.
     """
     program = program.for_open_points()
     point = best = start
@@ -167,16 +169,16 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.l
 def minimize(
     program: NonlinearProgram[Point], start: Point, *, steps: int = SETTINGS.steps
 ) -> Outcome[Point]:
-    """The local minimum downhill from a point that need not be closed.
+    """Find a local minimum from a point that need not be closed.
 
-    The local model of the objective, linearised constraints with prices, a box of one radius (in scales), one
-    quadratic program a step. The state follows a step with the unknowns (see `follow_step`); the merit's prices
-    follow the multipliers (Powell's rule).
+    Each step solves one quadratic program: a local model of the objective, linearised constraints with penalties,
+    and a box of one radius (in scales). The state follows the unknowns (see `follow_step`). The penalties of the
+    merit function follow the multipliers (Powell's rule).
 
     Raises
     ------
     NotConvergedError
-        When no point is found to begin with.
+        When no first point is found.
     """
     walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
     iteration, broken, stalled = 0, [walk.here.violation], False
@@ -197,23 +199,23 @@ def minimize(
 
 @dataclass(eq=False)
 class _Walk(Generic[Point]):
-    """A search from one iterate to the next, and what it has learned on the way.
+    """State of a search between iterates.
 
     Attributes
     ----------
     here : Iterate
     prices : (c,) array
-        Of every constraint in the merit.
+        Penalty of every constraint in the merit function.
     radius : float
-        Of the trust region, in scales.
+        Radius of the trust region, in scales.
     damping_share : float
-        Of the full damping: falls where steps keep what they promise.
+        Share of the full damping; it decreases when steps achieve what they promise.
     solved : pair of ConstraintRows and QuadraticSolution, or None
         The last quadratic program.
     settled : bool
-        Does no step promise more than the search resolves?
+        Whether no step promises more than the accuracy of the search.
     active : ActiveSet
-        What the last step touched.
+        Constraints that the last step made active.
     """
 
     here: Iterate[Point]
@@ -227,18 +229,18 @@ class _Walk(Generic[Point]):
         self.active = all_equalities(self.here)
 
     def advance(self) -> None:
-        """Steps within smaller and smaller radii, until one is taken or none is worth it."""
+        """Try steps within smaller and smaller radii, until one is accepted or none is worthwhile."""
         while self.radius > SETTINGS.smallest_radius and not self._try_step():
             pass
 
     def end(self) -> Point:
-        """The closed point where it ended."""
+        """The closed point at which the search ended."""
         program = self.here.program
         found = close_iterate(self.here, self.active) or program.close(self.here.local.point)
         return found or program.fallback()
 
     def _try_step(self) -> bool:
-        """One step of the quadratic program; False asks for another, within the radius as it is then."""
+        """Try one step of the quadratic program; False asks for another one within the present radius."""
         here = self.here
         damping = self.damping_share * _damping(here, SETTINGS.damping, SETTINGS.idle)
         solved = _solve_step(here, self.radius, damping)
@@ -254,7 +256,7 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.stuck:
-                # a step for the worse solves no program: a shorter one, damped, is found better
+                # no solution of the program: try a shorter step with full damping
                 self.damping_share, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -265,7 +267,7 @@ class _Walk(Generic[Point]):
         if trial is not None and accepted:
             self.here, self.active = trial, touched
         elif not reliable:
-            # the merit that the trial did not come up to may be that of a point that does not close so
+            # the present merit may belong to a point that does not close as predicted
             nearer = follow_step(here, here.change, self.active, worth, highest)
             if nearer is None and trial is not None and trial.defect < SETTINGS.closer * here.defect:
                 nearer = trial
@@ -280,7 +282,7 @@ class _Walk(Generic[Point]):
         return accepted or self.settled
 
     def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
-        """Radius and damping after a step of `size` scales that gained this share of what it promised."""
+        """Change radius and damping after a step of `size` scales that achieved the share `gain` of its promise."""
         if gain > 0.75:
             self.radius = max(self.radius, min(5.0, 2 * size))
             self.damping_share = max(0.1 * self.damping_share, SETTINGS.easiest)

@@ -123,7 +123,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise InputError(
-            "vertex {bad} of the mesh is not finite: {tolist}", bad=bad, tolist=points[bad].tolist()
+            "vertex {bad} of the mesh is not finite: {given}", bad=bad, given=points[bad].tolist()
         )
     far = float(np.abs(points).max())
     if far > FARTHEST_MM:
@@ -135,8 +135,8 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         )
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(
-            "a triangle names vertex {value} of {count}",
-            value=rows.max() if rows.min() >= 0 else rows.min(),
+            "a triangle names vertex {given} of {count}",
+            given=rows.max() if rows.min() >= 0 else rows.min(),
             count=len(points),
         )
     return points, rows.astype(np.intp)

@@ -40,10 +40,10 @@ SHARP_TURN_RAD = np.radians(20.0)
 """A line that turns by more than this at one point has a corner there."""
 
 AT_CORNERS = Change("split_corners", True)
-"""What else can be done about a corner."""
+"""Change of the request that a message suggests for a corner."""
 
 AT_TWO_PLACES = Change("split", True)
-"""The same of a closed line: a spine or two points to split it at."""
+"""Change of the request that a message suggests for a closed line: split it at a spine or at two points."""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -138,7 +138,7 @@ def section_curves(
             try:
                 curve, told = _curve(line, tolerance, wavelength, false_turn)
             except (InputError, NotConvergedError) as error:
-                reports.append(f"{line.name}: {error}")
+                reports.append(error.at(strip=line.name).refusal)
                 continue
             found.append(curve)
             reports += told

@@ -15,7 +15,7 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve, sec
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
-from elastica_cad.refusals import Length, Listed, Point, Refusal, note, sentences
+from elastica_cad.refusals import Length, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
 """Largest number of planes."""
@@ -139,9 +139,9 @@ def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
     size = float(np.linalg.norm(part))
     if size < 1e-9:
         raise InputError(
-            "{name}={tolist} is at right angles to the plane: choose another direction",
+            "{name}={given} is at right angles to the plane: choose another direction",
             name=name,
-            tolist=v.tolist(),
+            given=v.tolist(),
         )
     return np.asarray(part / size)
 
@@ -176,9 +176,9 @@ def _row(name: str, value: ArrayLike) -> list[float]:
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
     v = as_floats(value)
     if v is None:
-        raise InputError("{name} must be numbers, not {value!r}", name=name, value=str(value)[:60])
+        raise InputError("{name} must be numbers, not {given!r}", name=name, given=str(value)[:60])
     if not np.all(np.isfinite(v)):
-        raise InputError("{name} must be finite numbers, got {tolist}", name=name, tolist=v.tolist())
+        raise InputError("{name} must be finite numbers, got {given}", name=name, given=v.tolist())
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:
         raise InputError(
             "{name} holds {most:.3g}: nothing made of strips is so far away", name=name, most=np.abs(v).max()
@@ -339,11 +339,9 @@ class PlaneSplit:
     @property
     def name(self) -> str:
         """The plane."""
-        return note(
-            "the plane through {place} across {normal}",
-            place=Point(self.point),
-            normal=Listed(map(float, self.normal)),
-        )
+        x, y, z = map(float, self.normal)
+        across = "the plane through {place} across ({x:.4g}, {y:.4g}, {z:.4g})"
+        return note(across, place=Point(self.point), x=x, y=y, z=z)
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_by`."""

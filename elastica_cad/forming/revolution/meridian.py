@@ -564,9 +564,9 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         gaps = distances(Spline(_curve(found, size, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
-            "no meridian comes nearer than {most} to point {value}: {hopeless}",
+            "no meridian comes nearer than {most} to point {given}: {hopeless}",
             most=Length(gaps.max()),
-            value=int(gaps.argmax()) + 1,
+            given=int(gaps.argmax()) + 1,
             hopeless=HOPELESS,
         )
     return Meridian(found.a, found.b / size, curve, closes, float(gaps.max()))
@@ -622,10 +622,9 @@ def _profile(points: ArrayLike) -> FloatArray:
     if beyond.any():
         i = int(np.argmax(beyond))
         raise InputError(
-            "point {i} at {tolist} lies on or beyond the axis x = 0: keep x positive (the last "
-            "may lie on it)",
+            "point {i} at {given} lies on or beyond the axis x = 0: keep x positive (the last may lie on it)",
             i=i + 1,
-            tolist=data[i].tolist(),
+            given=data[i].tolist(),
         )
     return data
 
@@ -702,5 +701,5 @@ def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: flo
         raise InputError("a meridian needs b and start as two numbers each")
     numbers = np.array([a, *b, *start, angle, length])
     if not np.all(np.isfinite(numbers)):
-        raise InputError("the numbers of a meridian must be finite: {tolist}", tolist=numbers.tolist())
+        raise InputError("the numbers of a meridian must be finite: {given}", given=numbers.tolist())
     return numbers

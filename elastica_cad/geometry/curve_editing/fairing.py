@@ -221,7 +221,7 @@ class _Problem:
 
     @staticmethod
     def _choice(places: IntArray) -> Any:
-        """The matrix (2 m, k) that takes unknowns to control points beside those held, x and y in turn."""
+        """Matrix (2 m, k) from the unknowns to those control points that are not held, x and y in turn."""
         from scipy.sparse import csr_matrix
 
         sought = np.flatnonzero(places >= 0)

@@ -417,21 +417,21 @@ def refuse_standstill(
         s=Length(_length_until(pieces, t)),
     )
     if not twins.size:
-        raise InputError("{where_}: it has a cusp; move or delete a control point there", where_=where)
+        raise InputError("{place}: it has a cusp; move or delete a control point there", place=where)
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
-            "undecided at this precision: {where_}, for {cause}, and the numbers in the file are "
+            "undecided at this precision: {place}, for {cause}, and the numbers in the file are "
             "exact to {rounding}, so a shorter handle is lost: save it with more decimals, or "
             "draw out the handle of that node",
-            where_=where,
+            place=where,
             cause=cause,
             rounding=Length(rounding),
         )
     raise InputError(
-        "{where_}: {cause}; move or delete one of them (in a drawing program: draw out the "
+        "{place}: {cause}; move or delete one of them (in a drawing program: draw out the "
         "handle of that node)",
-        where_=where,
+        place=where,
         cause=cause,
     )
 

@@ -76,8 +76,8 @@ class NurbsCurve:
                 )
             if weights.min() <= 0:
                 raise InputError(
-                    "weight {value} is {least:g}: weights must be positive",
-                    value=int(weights.argmin()),
+                    "weight {given} is {least:g}: weights must be positive",
+                    given=int(weights.argmin()),
                     least=weights.min(),
                 )
             if weights.max() > MOST_UNEVEN * weights.min():
@@ -162,9 +162,9 @@ class NurbsCurve:
         """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
         if centre.shape != (2,):
-            raise InputError("the center must be two numbers, in mm, not {tolist}", tolist=centre.tolist())
+            raise InputError("the center must be two numbers, in mm, not {given}", given=centre.tolist())
         if axes.shape != (2,) or axes.min() <= 0:
-            raise InputError("semi-axes (or the radius) must be positive, not {tolist}", tolist=axes.tolist())
+            raise InputError("semi-axes (or the radius) must be positive, not {given}", given=axes.tolist())
         turn, first, last = finite("angles", [rotation, start, end]).tolist()
         if first == last:
             raise InputError("the arc has zero length: start and end angle are the same")

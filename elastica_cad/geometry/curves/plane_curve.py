@@ -335,7 +335,8 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def is_straight(self) -> bool:
         """Is the whole curve a straight segment?"""
-        return [z.kind for z in self.curvature_zeros] == ["flat"] and not self.tangent_breaks
+        flats = [(z.kind, z.before, z.after) for z in self.curvature_zeros]
+        return flats == [("flat", 0, 0)] and not self.tangent_breaks  # nothing bends before or after it
 
     @cached_property
     def is_closed(self) -> bool:
@@ -428,10 +429,10 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError("the constant of a line is one number, not {tolist}", tolist=constant.tolist())
+        raise InputError("the constant of a line is one number, not {given}", given=constant.tolist())
     if normal.shape != (2,) or not normal.any():
         raise InputError(
-            "the normal of a line must be two numbers, not both zero: {tolist}", tolist=normal.tolist()
+            "the normal of a line must be two numbers, not both zero: {given}", given=normal.tolist()
         )
     edges, bezier = curve.bezier_table
     found = line_places(bezier, edges, float(constant), normal)

@@ -77,7 +77,7 @@ def _sizes(box: FloatArray) -> FloatArray:
 def _meeting(
     part: FloatArray, limits: tuple[FloatArray, FloatArray], first: IntArray, second: IntArray
 ) -> tuple[IntArray, IntArray]:
-    """The pairs whose boxes overlap and that do not simply run on in one direction."""
+    """Pairs of pieces whose boxes overlap and that do not continue each other in one direction."""
     (low, high), box = limits, _boxes(part)
     overlap = (box[first, 0] <= box[second, 1]).all(axis=1) & (box[second, 0] <= box[first, 1]).all(axis=1)
     first, second = first[overlap], second[overlap]

@@ -128,10 +128,10 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     sharpest = int(np.argmax(left * kappa))
     if left * kappa[sharpest] >= 1 - 1e-6:
         raise InputError(
-            "the curve at {place} has a radius of {value:.4g}, too small for an offset of "
+            "the curve at {place} has a radius of {given:.4g}, too small for an offset of "
             "{left:g}: make it gentler",
             place=place(curve.evaluate(probes[sharpest])),
-            value=Length(1 / abs(kappa[sharpest])),
+            given=Length(1 / abs(kappa[sharpest])),
             left=Length(abs(left)),
         )
 

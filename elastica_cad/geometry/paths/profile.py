@@ -58,11 +58,11 @@ class Profile:
             raise InputError("a profile has a whole degree of 1 or more, not {degree!r}", degree=self.degree)
         if self.knots.size != self.coefficients.size + self.degree + 1:
             raise InputError(
-                "profile has {size} knots and {size_2} coefficients: degree {degree} needs {value} knots",
+                "profile has {size} knots and {size_2} coefficients: degree {degree} needs {given} knots",
                 size=self.knots.size,
                 size_2=self.coefficients.size,
                 degree=self.degree,
-                value=self.coefficients.size + self.degree + 1,
+                given=self.coefficients.size + self.degree + 1,
             )
         clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
         if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:

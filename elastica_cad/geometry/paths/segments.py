@@ -369,7 +369,7 @@ def point(value: ArrayLike, name: str) -> FloatArray:
     """Check a point (2,), mm, and return it as a read-only array."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
-        raise InputError("{name} must be two finite numbers in mm, got {value!r}", name=name, value=value)
+        raise InputError("{name} must be two finite numbers in mm, got {given!r}", name=name, given=value)
     p.setflags(write=False)
     return p
 

@@ -207,7 +207,7 @@ def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
 def _halved(
     piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
-    """Both parts of every interval."""
+    """Divide every interval in two parts."""
     return (
         np.concatenate([piece, piece]),
         np.concatenate(subdivide(part, _SPLIT)),

@@ -103,17 +103,17 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
         )
     if knots.shape != (count + degree + 1,):
         raise InputError(
-            "{count} control points of degree {degree} need {value} knots (the full vector, end "
+            "{count} control points of degree {degree} need {given} knots (the full vector, end "
             "knots repeated), not {size}",
             count=count,
             degree=degree,
-            value=count + degree + 1,
+            given=count + degree + 1,
             size=knots.size,
         )
     down = np.flatnonzero(np.diff(knots) < 0)
     if down.size:
         raise InputError(
-            "knots must not decrease: knot {value} is less than knot {down}", value=down[0] + 1, down=down[0]
+            "knots must not decrease: knot {given} is less than knot {down}", given=down[0] + 1, down=down[0]
         )
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
@@ -130,8 +130,8 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
     if inside.any() and counts[inside].max() > degree:
         where = values[inside][counts[inside].argmax()]
         raise InputError(
-            "knot {where_:g} is repeated {most} times: more than the degree {degree} breaks the curve apart",
-            where_=where,
+            "knot {place:g} is repeated {most} times: more than the degree {degree} breaks the curve apart",
+            place=where,
             most=counts[inside].max(),
             degree=degree,
         )

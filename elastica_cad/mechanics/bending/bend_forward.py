@@ -327,7 +327,7 @@ def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
         return np.array(own)
     pair = as_floats(value)
     if pair is None or pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise InputError("{name} must be two finite numbers, mm, got {value!r}", name=name, value=value)
+        raise InputError("{name} must be two finite numbers, mm, got {given!r}", name=name, given=value)
     return pair
 
 

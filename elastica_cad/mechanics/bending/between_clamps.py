@@ -94,9 +94,9 @@ def elastica_between(
 ) -> ElasticaBetween:
     """The shape of a strip of given length between two points, or from a clamp to its free end.
 
-    The strip is laid straight from the start towards the end, pushed to its end and then turned to the angles, so
-    that the branch of equilibria is the one by which hands would get there. One with a free end is laid straight
-    along its clamp and then loaded, the force in steps.
+    The strip starts straight from the start towards the end; its end is then moved to its place and both ends are
+    turned to their angles. The result is the equilibrium that one would reach by hand in this way. A strip with a
+    free end starts straight along its clamp and is then loaded in steps.
 
     Parameters
     ----------

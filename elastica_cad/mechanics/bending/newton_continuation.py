@@ -158,7 +158,7 @@ def trace(
 
 
 def _polish(state: RodState) -> RodState:
-    """Newton steps as long as they help: the rounding limit."""
+    """Take Newton steps as long as they help, down to rounding errors."""
     size = _size(state, state.residual)
     for _ in range(6):
         if size == 0:

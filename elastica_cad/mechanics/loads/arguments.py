@@ -51,7 +51,7 @@ def require_ratio(ratio: object, name: str) -> None:
     """Refuse a bound of max K / min K below 1, or one that is no number."""
     if not (is_number(ratio) and ratio >= 1):
         raise InputError(
-            "{name} is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4",
+            "{name} is {ratio}: the largest stiffness over the least cannot be below 1; plain strips allow 2 to 4",
             name=name,
             ratio=ratio,
         )
@@ -65,16 +65,16 @@ def whole_number(value: object, name: str, least: int) -> int:
     """A count of at least `least`; fractions, texts and truth values are none."""
     if not is_whole(value) or value < least:
         raise InputError(
-            "{name} is {value!r}: it must be a whole number, {least} or more",
+            "{name} is {given!r}: it must be a whole number, {least} or more",
             name=name,
-            value=value,
+            given=value,
             least=least,
         )
     if value > MOST_COUNTED:
         raise InputError(
-            "{name} is {value}: it must be a whole number, {most_counted} at most",
+            "{name} is {given}: it must be a whole number, {most_counted} at most",
             name=name,
-            value=quoted(value),
+            given=quoted(value),
             most_counted=MOST_COUNTED,
         )
     return int(value)

@@ -144,7 +144,7 @@ class CurveOfRest(RestCurvature):
 
 
 NaturalCurvature: TypeAlias = float | RestCurvature
-"""1/mm along the whole strip, or a blank."""
+"""Natural curvature: one value for the whole strip, 1/mm, or one that varies along it."""
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
@@ -162,9 +162,9 @@ def require_natural_curvature(value: object) -> None:
     """Refuse what is neither a finite number nor a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
-            "natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature "
+            "natural_curvature is {given!r}: give a finite number, in 1/mm, or a RestCurvature "
             "for a blank that is bent beforehand",
-            value=value,
+            given=value,
         )
 
 

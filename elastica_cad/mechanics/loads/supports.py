@@ -30,9 +30,9 @@ class End:
         for name in ("x", "y", "angle"):
             if not isinstance(getattr(self, name), bool | np.bool_):
                 raise InputError(
-                    "{name} of an End is {getattr!r}: give True where it is held, False where it is free",
+                    "{name} of an End is {given!r}: give True where it is held, False where it is free",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
 
     @classmethod
@@ -85,9 +85,9 @@ class Supports:
                 object.__setattr__(self, side, End.named(value))
             elif not isinstance(value, End):
                 raise InputError(
-                    "the support of the {side} is {value!r}: give a name or an End record",
+                    "the support of the {side} is {given!r}: give a name or an End record",
                     side=side,
-                    value=value,
+                    given=value,
                 )
         a, b = self.ends
         for axis in ("x", "y"):

@@ -61,7 +61,7 @@ class Weight:
             # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(
-                    "weight {name} is {value!r}: it can't be negative, in N/mm", name=name, value=value
+                    "weight {name} is {given!r}: it can't be negative, in N/mm", name=name, given=value
                 )
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":

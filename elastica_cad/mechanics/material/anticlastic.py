@@ -231,7 +231,7 @@ def anticlastic_widths(
         )
     if not (np.all(np.isfinite(K)) and np.all(K > 0)):
         raise InputError(
-            "stiffness is not positive at station {value}", value=int(np.argmin(np.nan_to_num(K, nan=-1.0)))
+            "stiffness is not positive at station {given}", given=int(np.argmin(np.nan_to_num(K, nan=-1.0)))
         )
     require_positive(max_width, "max_width")
 

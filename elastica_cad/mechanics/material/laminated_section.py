@@ -239,10 +239,10 @@ class LaminatedSection:
         if not feasible(low):
             raise InputError(
                 "no backing thickness would do: a least backing of {least_backing:g} is too wide for "
-                "a base of {least:.4g} and a stiffness ratio of {value:.4g}",
+                "a base of {least:.4g} and a stiffness ratio of {given:.4g}",
                 least_backing=Length(least_backing),
                 least=Length(w1.min()),
-                value=K.max() / K.min(),
+                given=K.max() / K.min(),
             )
         while high / low > 1 + 1e-12:
             middle = float(np.sqrt(low * high))
@@ -368,10 +368,10 @@ def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text
     if bad.any():
         i = int(np.argmax(bad))
         raise InputError(
-            "station {i} asks for E I = {flat:.4g} N mm2, {text_}",
+            "station {i} asks for E I = {flat:.4g} N mm2, {typed}",
             i=i,
             flat=bending_stiffness.flat[i],
-            text_=text,
+            typed=text,
         )
 
 

@@ -140,9 +140,9 @@ class PolynomialLaw(MaterialLaw):
         for name in ("quadratic", "quartic"):
             if not is_number(getattr(self, name)):
                 raise InputError(
-                    "{name} coefficient of the law is {getattr}: it must be finite",
+                    "{name} coefficient of the law is {given}: it must be finite",
                     name=name,
-                    getattr=getattr(self, name),
+                    given=getattr(self, name),
                 )
         require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 

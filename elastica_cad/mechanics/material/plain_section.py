@@ -15,13 +15,13 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length as Mm
 
 
-def dead_zone_slope(poisson_ratio: float) -> float:
-    """Length, over depth, of the idle triangle on either side of a cut across a bent strip.
+def crack_energy(poisson_ratio: float) -> float:
+    """Length l of strip that stores what a cut across a bent strip sets free: l = this times depth^2 / width.
 
     A through crack of length 2 a in a thin plate bent by a skin stress sigma sets free the energy
     pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E (Sih, Paris and Erdogan, J. Appl. Mech. 29, 1962; Hui and
-    Zehnder, Int. J. Fracture 61, 1993). As much is stored in a rhombus with the crack for its diagonal and the
-    slope pi (1 + nu) / (3 + nu); a cut from the edge leaves half of it idle.
+    Zehnder, Int. J. Fracture 61, 1993), a cut from the edge half of it, if the other edge is far. A strip of
+    width w stores sigma^2 w h / (6 E) in each unit of its length.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def dead_zone_slope(poisson_ratio: float) -> float:
 
     Examples
     --------
-    >>> round(dead_zone_slope(0.3), 3)
+    >>> round(crack_energy(0.3), 3)
     1.238
     """
     nu = require_number(poisson_ratio, "Poisson's ratio")

@@ -4,14 +4,14 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
-from functools import cache, lru_cache
+from functools import lru_cache
 from math import isfinite
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from elastica_cad._values import require_path
-from elastica_cad.declared import Field, declared
+from elastica_cad.declared import Field
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.refusals import note
 
@@ -27,19 +27,6 @@ UNITS = {
     "max_strain": "parts of the length (0.01 = 1 %)",
     "kerf": "mm",
 }
-
-SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
-"""Of keys in files, which say their unit."""
-
-
-@cache
-def sheet_keys() -> Mapping[str, Field]:
-    """What a table of a sheet may hold: the fields of `Sheet`, by keys that say their unit."""
-    from elastica_cad.mechanics.material.sheet import Sheet
-
-    known = {one.name + SUFFIXES.get(one.asked.unit, ""): one for one in declared(Sheet)}
-    return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
-
 
 # key -> (lowest, highest that any sheet has, what the unit is)
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
@@ -63,8 +50,8 @@ def plausible_number(value: object, key: str, where: str) -> float:
     low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
     if not low <= number <= high and number > 0:
         raise InputError(
-            "{where_}: {key} = {number:g} looks like the wrong unit; {hint}",
-            where_=where,
+            "{place}: {key} = {number:g} looks like the wrong unit; {hint}",
+            place=where,
             key=key,
             number=number,
             hint=hint,
@@ -72,9 +59,8 @@ def plausible_number(value: object, key: str, where: str) -> float:
     return number
 
 
-def _advise_key(key: str) -> str:
+def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
     """Suggest the known key that is nearest to an unknown one."""
-    keys = sheet_keys()
     for known, field in keys.items():
         stem = field.name
         if key.lower() == known.lower() or (
@@ -92,13 +78,13 @@ def _advise_key(key: str) -> str:
 def require_printable(text: str, where: str) -> str:
     """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
     if not isinstance(text, str):
-        raise InputError("{where_} is {text_!r}: give a text", where_=where, text_=text)
+        raise InputError("{place} is {typed!r}: give a text", place=where, typed=text)
     if not text.isprintable():
         odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
         raise InputError(
-            "{where_} {text_!r} holds {odd}: use signs that can be printed, in one line",
-            where_=where,
-            text_=text,
+            "{place} {typed!r} holds {odd}: use signs that can be printed, in one line",
+            place=where,
+            typed=text,
             odd=odd,
         )
     return text
@@ -112,15 +98,15 @@ def even_shear_ratio(poisson_ratio: float) -> float:
 def finite_number(value: Any, where: str) -> float:
     """The number, unless it is none or not finite."""
     if isinstance(value, bool | str | bytes) or value is None:
-        raise InputError("{where_} is {value!r}; it must be a number", where_=where, value=value)
+        raise InputError("{place} is {given!r}; it must be a number", place=where, given=value)
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError) as error:
         raise InputError(
-            "{where_} is {value}; it must be a number", where_=where, value=quoted(value)
+            "{place} is {given}; it must be a number", place=where, given=quoted(value)
         ) from error
     if not isfinite(number):
-        raise InputError("{where_} is {number}; it must be a finite number", where_=where, number=number)
+        raise InputError("{place} is {number}; it must be a finite number", place=where, number=number)
     return number
 
 
@@ -170,9 +156,7 @@ def checked_poisson_ratio(value: Any, where: str) -> float:
     """
     nu = finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
-        raise InputError(
-            "{where_}: poisson_ratio is {nu:g}; it must lie between 0 and 1", where_=where, nu=nu
-        )
+        raise InputError("{place}: poisson_ratio is {nu:g}; it must lie between 0 and 1", place=where, nu=nu)
     return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
 
 
@@ -308,7 +292,7 @@ def library_files() -> tuple[Path, ...]:
     )
 
 
-def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
+def read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
     """Fields of `Sheet` but for its name, by name, from a user's file: see `load_sheets`.
 
     Raises
@@ -358,40 +342,39 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
             )
     if data.get("schema", SCHEMA) != SCHEMA:
         raise InputError(
-            "{path}: schema {value} is not known; this version reads schema {schema}",
+            "{path}: schema {given} is not known; this version reads schema {schema}",
             path=path,
-            value=quoted(data["schema"]),
+            given=quoted(data["schema"]),
             schema=SCHEMA,
         )
-    return figures_from_table(data.get("sheets", {}), str(path))
+    return figures_from_table(data.get("sheets", {}), str(path), keys)
 
 
-def figures_from_table(table: object, where: str) -> dict[str, dict[str, Any]]:
+def figures_from_table(table: object, where: str, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
     """The same from the parsed table ``sheets`` of a TOML file; `where` names the file in messages."""
     if not isinstance(table, Mapping) or not table:
-        raise InputError("{where_} holds no sheet: write at least one table [sheets.NAME]", where_=where)
-    return {name: _fields(name, entry, where) for name, entry in table.items()}
+        raise InputError("{place} holds no sheet: write at least one table [sheets.NAME]", place=where)
+    return {name: _fields(name, entry, where, keys) for name, entry in table.items()}
 
 
-def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
+def _fields(name: str, entry: object, file: str, keys: Mapping[str, Field]) -> dict[str, Any]:
     """Fields of one sheet."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
         raise InputError(
-            "{where_} must be a table [sheets.{name}], got {entry}",
-            where_=where,
+            "{place} must be a table [sheets.{name}], got {entry}",
+            place=where,
             name=name,
             entry=quoted(entry),
         )
     values: dict[str, Any] = {}
-    keys = sheet_keys()
     for key, value in entry.items():
         if key not in keys:
             raise InputError(
-                "{where_}: unknown key {key!r}{advise_key}",
-                where_=where,
+                "{place}: unknown key {key!r}{advise_key}",
+                place=where,
                 key=key,
-                advise_key=_advise_key(key),
+                advise_key=_advise_key(key, keys),
             )
         field_name, kind = keys[key].name, keys[key].kind.name
         if kind == "either" and not isinstance(value, str):
@@ -399,19 +382,19 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
         elif kind in ("text", "either"):
             if not isinstance(value, str):
                 raise InputError(
-                    "{where_}: {key} is {value}; it must be text in quotes",
-                    where_=where,
+                    "{place}: {key} is {given}; it must be text in quotes",
+                    place=where,
                     key=key,
-                    value=quoted(value),
+                    given=quoted(value),
                 )
             values[field_name] = value
         elif kind == "list":
             if not isinstance(value, list) or len(value) != 2:
                 raise InputError(
-                    "{where_}: {key} is {value}; it must be two numbers, [lowest, highest]",
-                    where_=where,
+                    "{place}: {key} is {given}; it must be two numbers, [lowest, highest]",
+                    place=where,
                     key=key,
-                    value=quoted(value),
+                    given=quoted(value),
                 )
             values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
@@ -419,11 +402,11 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
     if NOMINAL_KEY in entry and "poisson_ratio" in entry:
         raise InputError(
-            "{where_}: poisson_ratio is given twice; leave out {nominal_key}, now that it is known",
-            where_=where,
+            "{place}: poisson_ratio is given twice; leave out {nominal_key}, now that it is known",
+            place=where,
             nominal_key=NOMINAL_KEY,
         )
     for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
         if key not in entry:
-            raise InputError("{where_}: {key} is missing; give it a number", where_=where, key=key)
+            raise InputError("{place}: {key} is missing; give it a number", place=where, key=key)
     return values

@@ -390,9 +390,9 @@ def stability(rod: Rod) -> Stability:
     borderline = abs(margin.value) <= 64 * float(np.finfo(float).eps) * scale
     if not borderline and (negative == 0) != (margin.value > 0):
         raise NotConvergedError(
-            "stability is undecided: {negative} unstable modes counted, but the margin is {value:.6g}",
+            "stability is undecided: {negative} unstable modes counted, but the margin is {given:.6g}",
             negative=negative,
-            value=margin.value,
+            given=margin.value,
         )
 
     started_from: Literal["start", "end"] | None = None

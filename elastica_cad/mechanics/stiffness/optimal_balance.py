@@ -135,7 +135,7 @@ class WeightedPanels:
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:
-    """What is told of a curve of `length` mm that its weight bends beyond what numbers can tell."""
+    """Message for a curve of `length` mm whose weight is far too large for its stiffness."""
     return note(
         "The weight is far too much for the stiffness (a gravity length of {gravity_length} on a curve of "
         "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
@@ -519,11 +519,11 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
         asked = law.parameter(EI)
         s = float(balance.panels.s.flat[int(asked.argmin())])
         raise InputError(
-            "the curve asks for a {quantity} of {value:.4g} at {s:.4g} where its largest is "
+            "the curve asks for a {quantity} of {given:.4g} at {s:.4g} where its largest is "
             "{largest:g}: the limits allow {least:g} at least; widen them, or give limits or "
             "keep and the curve may change",
             quantity=law.quantity,
-            value=Length(float(asked.min())),
+            given=Length(float(asked.min())),
             s=Length(s),
             largest=Length(largest),
             least=Length(least),

@@ -384,9 +384,9 @@ def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> N
         )
     if not (is_number(value) and value > 0):
         raise InputError(
-            "{replace} is {value!r}: it must be positive, in N mm2",
+            "{replace} is {given!r}: it must be positive, in N mm2",
             replace=name.replace("_", " "),
-            value=value,
+            given=value,
         )
 
 

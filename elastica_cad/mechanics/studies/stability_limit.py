@@ -112,8 +112,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     margin = state.discrete.margin
     if margin.value <= 0:
         raise InputError(
-            "the rod is unstable from the start of the path (margin {value:.3g}): start from a stable shape",
-            value=margin.value,
+            "the rod is unstable from the start of the path (margin {given:.3g}): start from a stable shape",
+            given=margin.value,
         )
     visited = [(t, margin.value)]
     step = course.end / max(FIRST_STEPS * course.legs, 1)
@@ -307,7 +307,7 @@ def _entry(step: Any) -> dict[str, Any]:
     value = numbers(step, "a step of the path")
     if value.ndim == 0:
         if not (np.isfinite(value) and value >= 0):
-            raise InputError("load factors must be finite and not negative, got {value}", value=value)
+            raise InputError("load factors must be finite and not negative, got {given}", given=value)
         return {"load": float(value)}
     return as_steps(value[None])[0]
 

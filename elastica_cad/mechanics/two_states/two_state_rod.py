@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Literal, NoReturn, TypeAlias
+from typing import Annotated, Literal, NoReturn, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import require_positive, require_record
+from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -60,9 +61,16 @@ class PairLimits:
         |kappa - kappa_0| in either state, 1/mm.
     """
 
-    ratio: float | None = None
-    natural_curvature: float | None = None
-    bend: float | None = None
+    ratio: Annotated[
+        float | None,
+        Asked("Largest stiffness ratio; 8 is a ratio of 2 in the thickness.", least=1, common=True),
+    ] = None
+    natural_curvature: Annotated[
+        float | None, Asked("How far the strip is curved at most before it is bent.", "1/mm", least=0)
+    ] = None
+    bend: Annotated[float | None, Asked("How far it is bent at most in either state.", "1/mm", least=0)] = (
+        None
+    )
 
     def __post_init__(self) -> None:
         if self.ratio is not None:
@@ -198,9 +206,9 @@ def two_state_rod(
     ):
         if value not in known:
             raise InputError(
-                "{name} is {value!r}: give one of {known}",
+                "{name} is {given!r}: give one of {known}",
                 name=name,
-                value=value,
+                given=value,
                 known=", ".join(map(repr, known)),
             )
     check, paired, least = examine_pair(first, second)

@@ -31,68 +31,81 @@ export class Form {
   constructor(host, fields, { t, get, set, sheets }) {
     Object.assign(this, { t, get, set, sheets, controls: [] });
     const groups = new Map();
-    for (const field of fields) {
-      const key = field.common ? "" : field.group || "more";
-      if (!groups.has(key)) groups.set(key, []);
-      groups.get(key).push(this.control(field, [field.name]));
-    }
-    host.replaceChildren(...(groups.get("") ?? []), ...[...groups].filter(([key]) => key).map(([key, made]) =>
-      html("details", {}, html("summary", {}, t(key)), ...made)));
+    for (const field of fields) groups.set(field.group, [...(groups.get(field.group) ?? []), field]);
+    host.replaceChildren(...[...groups].flatMap(([group, of]) => {
+      const rare = of.filter((field) => !field.common);
+      return [group ? html("h3", {}, t(group)) : null, ...of.filter((field) => field.common).map((field) => this.control(field, [field.name])),
+        rare.length ? html("details", {}, html("summary", {}, t("more")), ...rare.map((field) => this.control(field, [field.name]))) : null];
+    }).filter(Boolean));
     this.show();
   }
 
   show() { for (const control of this.controls) control(); }
 
   control(field, path) {
-    const kinds = field.of?.length ? field.of : [field];
-    const tables = kinds.filter((kind) => kind.fields);
-    return tables.length ? this.table(field, tables, kinds, path) : this.plain(field, path);
+    const tables = field.of.filter((value) => value.fields);
+    return tables.length ? this.table(field, tables, path) : this.plain(field, path);
+  }
+
+  row(field, input, id) {
+    const { t } = this, help = t(field.help);
+    (input.id ? input : input.firstChild).setAttribute("aria-description", help);
+    return html("div", { class: "field", title: help }, html("label", { for: id }, t(field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit));
+  }
+
+  select(options, more) {
+    return html("select", more, ...options.map(([value, text]) => html("option", { value }, text)));
   }
 
   plain(field, path) {
-    const { t } = this, id = `field-${path.join("-")}`;
-    const choices = field.name === "sheet" ? this.sheets : field.choices?.length ? field.choices : field.kind === "flag" ? ["true", "false"] : null;
-    const changed = (event) => this.set(path, choices && field.kind !== "flag" ? event.target.value || undefined : read(event.target.value, field.unit));
-    const input = choices
-      ? html("select", { id, onchange: changed }, field.default == null && field.name === "sheet" ? null : html("option", { value: "" }, this.absent(field)),
-        ...choices.map((one) => html("option", { value: one }, { true: t("yes"), false: t("no") }[one] ?? one)))
-      : html("input", { id, onchange: changed, inputmode: field.kind === "text" ? "text" : "decimal", placeholder: this.absent(field), spellcheck: "false" });
+    const { t } = this, id = `field-${path.join("-")}`, [value] = field.of;
+    const absent = field.default === null ? "–" : `${t({ true: "yes", false: "no" }[field.default] ?? `${field.default}`)}`;
+    if (value.size === 2 && value.of[0].choices.length) return this.pair(field, path, value.of[0].choices);
+    const choices = ["sheet", "backing"].includes(field.name) ? this.sheets : value.kind === "flag" && field.of.length === 1 ? ["true", "false"] : value.choices;
+    const changed = ({ target }) => this.set(path, value.kind === "text" || value.kind === "choice" ? target.value || undefined : read(target.value, field.unit));
+    const input = choices.length
+      ? this.select([...(field.name === "sheet" ? [] : [["", absent]]), ...choices.map((one) => [one, t({ true: "yes", false: "no" }[one] ?? one)])], { id, onchange: changed })
+      : html("input", { id, onchange: changed, inputmode: value.kind === "text" ? "text" : "decimal", placeholder: absent, spellcheck: "false" });
     this.controls.push(() => {
-      const value = this.get(path);
-      if (document.activeElement !== input || choices) input.value = value == null ? "" : typeof value === "object" ? JSON.stringify(value) : `${value}`;
+      const now = this.get(path);
+      if (document.activeElement !== input || choices.length) input.value = now == null ? "" : typeof now === "object" ? JSON.stringify(now) : `${now}`;
     });
-    return html("div", { class: "field", title: t(field.help) }, html("label", { for: id }, this.named(field)), input,
-      html("span", { class: "unit" }, field.unit ?? ""));
+    return this.row(field, input, id);
   }
 
-  absent(field) { return field.default == null || typeof field.default === "object" ? "–" : `${field.default}`; }
-
-  named(field) { return this.t(field.name.replaceAll("_", " ")); }
-
-  // A table is there or not; of several the kind is chosen.
-  table(field, tables, kinds, path) {
+  // One choice for the start, one for the end.
+  pair(field, path, choices) {
     const { t } = this, id = `field-${path.join("-")}`;
-    const plain = kinds.find((kind) => !kind.fields);
-    const select = html("select", { id }, html("option", { value: "" }, "–"),
-      ...(plain?.kind === "flag" ? [html("option", { value: "true" }, t("yes"))] : []),
-      ...tables.map((one, k) => html("option", { value: `${k}` }, t(one.title ?? "as below"))));
+    const made = ["start", "end"].map((end, k) => this.select([["", "–"], ...choices.map((one) => [one, t(one)])], { id: k ? `${id}-end` : id, "aria-label": `${t(field.name)}, ${t(end)}`,
+      onchange: () => this.set(path, made.some((one) => one.value) ? made.map((one) => one.value || choices[0]) : undefined) }));
+    this.controls.push(() => made.forEach((one, k) => { one.value = this.get(path)?.[k] ?? ""; }));
+    return this.row(field, html("span", { class: "pair" }, ...made), id);
+  }
+
+  // A table is there or not; of several the kind is chosen; some may be a plain value instead.
+  table(field, tables, path) {
+    const { t } = this, id = `field-${path.join("-")}`, plain = field.of.filter((value) => !value.fields);
+    const flag = plain.some((value) => value.kind === "flag"), others = plain.filter((value) => value.kind !== "flag");
+    const titled = tables.length > 1 || flag;
+    const select = this.select([["", "–"], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? one.title : "as below")]),
+      ...(others.length ? [["value", t("value")]] : [])], { id });
     const inner = html("div", { class: "inner" });
-    const index = (value) => (value == null || value === false ? "" : value === true ? "true"
-      : `${Math.max(tables.findIndex((one) => one.title === value.kind), 0)}`);
-    let shown = null;
+    const kindOf = (now) => (now == null || now === false ? "" : now === true ? "true" : typeof now !== "object" || Array.isArray(now) ? "value"
+      : `${Math.max(tables.findIndex((one) => (one.tagged ? one.title === now.kind : Object.keys(now).every((key) => one.fields.some(({ name }) => name === key)))), 0)}`);
     select.addEventListener("change", () => {
       const one = tables[select.value];
-      this.set(path, select.value === "" ? undefined : select.value === "true" ? true : one.tagged ? { kind: one.title } : {});
+      this.set(path, { "": undefined, "true": true, "value": others[0]?.kind === "number" ? 0 : [] }[select.value] ?? (one && (one.tagged ? { kind: one.title } : {})));
     });
+    let shown = null;
     this.controls.push(() => {
-      select.value = index(this.get(path));
+      select.value = kindOf(this.get(path));
       if (shown === select.value) return;
       shown = select.value;
       const count = this.controls.length;
-      inner.replaceChildren(...(tables[shown]?.fields ?? []).map((one) => this.control(one, [...path, one.name])));
+      const fields = shown === "value" ? [this.plain({ ...field, of: others, name: "value" }, path)] : (tables[shown]?.fields ?? []).map((one) => this.control(one, [...path, one.name]));
+      inner.replaceChildren(...fields);
       for (const control of this.controls.slice(count)) control();
     });
-    return html("div", { class: "table" }, html("div", { class: "field", title: t(field.help) },
-      html("label", { for: id }, this.named(field)), select), inner);
+    return html("div", { class: "table" }, this.row(field, select, id), inner);
   }
 }

@@ -31,7 +31,8 @@ function localStored(key, value) {
 
 class Studio {
   constructor(root, channel, hello, history, { address, onchange }) {
-    Object.assign(this, { root, channel, hello, history, address, onchange, strip: 0, shown: 0, answer: null, frames: null });
+    Object.assign(this, { root, hello, history, address, onchange, strip: 0, shown: 0, answer: null, frames: null });
+    this.channel = { ask: (question) => channel.ask({ ...question, language: this.language }) };
     history.listeners.push(() => this.changed());
     channel.onstate = (alive) => this.alive(alive);
     root.classList.add("elastica-studio");
@@ -52,7 +53,9 @@ class Studio {
   // ---- what is seen
 
   build(language) {
-    const t = this.t = speaker(language, this.hello.words?.[language]);
+    const t = this.t = speaker(language), digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
+    this.language = language;
+    this.number = (value) => digits.format(value);
     const button = (text, onclick, more = {}) => html("button", { type: "button", onclick, ...more }, t(text));
     const select = (label, options, onchange, value) => html("select", { "aria-label": t(label), title: t(label), onchange: (event) => onchange(event.target.value) },
       ...options.map(([key, text]) => html("option", { value: key, selected: key === value }, text)));
@@ -63,7 +66,7 @@ class Studio {
     this.dialog = html("dialog", { "aria-label": t("Start from") });
     this.bar = html("input", { type: "range", min: 0, max: 1, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
-    this.whole = html("input", { type: "checkbox", id: "whole", onchange: () => this.model() });
+    this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked, onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
     this.copies = html("div", { class: "fields" });
     this.which = html("div", {});
@@ -84,7 +87,7 @@ class Studio {
           button("Undo", () => this.history.undo()), button("Redo", () => this.history.redo()), this.mode,
           button("Fit", () => this.drawing.fit()), button("Zoom in", () => this.drawing.zoom(1.25)), button("Zoom out", () => this.drawing.zoom(0.8)),
           select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
-          button("Start from", () => this.starts()), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
+          button("Start from", () => this.starts(), { "data-do": "starts" }), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
           button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Sheets that can do it", () => this.sheets(), { class: "sheets" }),
           this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
           this.address ? button("Copy link", () => this.link()) : null,
@@ -92,7 +95,7 @@ class Studio {
             html("div", {}, ...files.map(([kind, text]) => button(text, () => this.download(kind), { "data-kind": kind })))),
           select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language))),
       html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point),
-      html("section", { class: "told", "aria-label": t("Strip") }, this.verdict, this.numbers, this.say),
+      html("section", { class: "told", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
         html("div", { class: "bend" }, html("label", {}, t("Bend it"), this.bar), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
@@ -103,7 +106,7 @@ class Studio {
     this.drawing = new Drawing(plane, t, {
       grab: () => { this.fresh = true; },
       move: (k, point) => this.edit((curve) => { curve.spline[k] = point; }, this.fresh),
-      release: () => this.drawing.paintPoints(),
+      release: () => this.changed(),
       append: (point) => this.edit((curve) => {
         curve.spline.push(point);
         delete curve.knots;
@@ -120,7 +123,7 @@ class Studio {
       get: (path) => reach(tableOf(this.design, this.strip, path[0]), path),
       set: (path, value) => this.history.change((design) => put(tableOf(design, this.strip, path[0]), path, value)),
     });
-    this.model3d = new Form(this.copies, COPIES.map((field) => ({ ...field, common: true })), {
+    this.model3d = new Form(this.copies, COPIES, {
       t, sheets: [], get: ([key]) => COPY[key].get(this.design), set: ([key], value) => this.history.change((design) => COPY[key].set(design, value)),
     });
     this.draws(!this.points().length);
@@ -190,7 +193,7 @@ class Studio {
       this.paint(null);
       return;
     }
-    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip });
+    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip, live: this.drawing.grabbed != null });
     if (!answer || answer.id < this.shown) return;
     this.shown = answer.id;
     this.paint(answer);
@@ -229,7 +232,7 @@ class Studio {
     }
     const { refused } = answer, state = refused ? "no" : answer.warnings.length ? "care" : "yes";
     const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state];
-    const texts = refused ? [refused.message] : [...answer.warnings, answer.text];
+    const texts = refused ? [refused.message] : [...answer.warnings, ...(answer.deviation == null ? [answer.text] : [])];
     this.verdict.className = `verdict ${state}`;
     this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
     showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
@@ -241,12 +244,12 @@ class Studio {
   }
 
   rows(answer) {
-    const { t } = this;
+    const { t, number } = this;
     return [
-      ["length", `${answer.length} mm`], ["width", `${answer.widths.join(" – ")} mm`], ["stiffness ratio", `${answer.ratio}`],
-      ["strain", `${(100 * answer.strain).toFixed(2)} %, ${Math.round(100 * answer.used)} % ${t("of what the sheet bears")}`],
-      ["stability", `${answer.margin}, ${t(answer.stable)}`], ["held by", `${answer.force} N, ${answer.moment} N mm`], ["mass", `${answer.mass} g`],
-      ...(answer.deviation == null ? [] : [["off the drawn curve", `${answer.deviation} mm`]]),
+      ["length", `${number(answer.length)} mm`], ["width", `${answer.widths.map(number).join(" – ")} mm`], ["stiffness ratio", number(answer.ratio)],
+      ["strain", `${number(+(100 * answer.strain).toFixed(2))} %, ${Math.round(100 * answer.used)} % ${t("of what the sheet bears")}`],
+      ["stability", answer.stable ? `${number(answer.margin)}, ${t(answer.stable)}` : "…"], ["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`],
+      ...(answer.deviation == null ? [] : [["off the drawn curve", `${number(answer.deviation)} mm`]]),
     ];
   }
 
@@ -254,7 +257,7 @@ class Studio {
     const { t } = this, settable = (this.hello.fields ?? []).map((field) => field.name);
     return changes.filter(({ field }) => field === "nearest" || settable.includes(field) || field === "thickness").map(({ field, value }) => (field === "nearest"
       ? html("button", { type: "button", onclick: () => this.nearest() }, t("Nearest curve"))
-      : html("button", { type: "button", onclick: () => this.history.change((design) => { tableOf(design, this.strip, field)[field] = value; }) }, `${t("Try")}: ${t(field.replaceAll("_", " "))} ${value}`)));
+      : html("button", { type: "button", onclick: () => this.history.change((design) => { tableOf(design, this.strip, field)[field] = value; }) }, `${t("Try")}: ${t(field.replaceAll("_", " "))} ${typeof value === "number" ? this.number(value) : value}`)));
   }
 
   tell(text, ...more) { this.say.replaceChildren(text, ...more); }
@@ -303,7 +306,7 @@ class Studio {
       this.drawing.show({ ghost: null });
       this.tell("");
     };
-    this.tell(`${t("The nearest curve is")} ${answer.deviation} mm. ${[answer.text, ...answer.advice].join(" ")} `,
+    this.tell(`${t("The nearest curve is")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
       html("button", { type: "button", class: "take", onclick: () => {
         this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
         done();
@@ -344,7 +347,7 @@ class Studio {
     for (const [k, design] of STARTS.entries()) {
       const answer = await this.channel.ask({ do: "strip", design, strip: 0 });
       if (!this.dialog.open) return;
-      if (answer?.drawn) cards[k + 1].firstChild.append(thumbnail(answer.drawn));
+      if (answer) cards[k + 1].firstChild.append(thumbnail(answer.position ?? answer.drawn));
     }
   }
 
@@ -363,7 +366,7 @@ class Studio {
     this.drawing.show({ answer: shape });
     if (!this.whole.checked) this.space.show(shape);
     const where = frame.part === 0 ? t("flat") : frame.part === 1 ? t("as drawn") : `${Math.round(100 * frame.part)} %`;
-    this.forces.textContent = `${where}: ${t("force")} ${frame.force} N, ${t("moment")} ${frame.moment} N mm${frame.stable ? "" : ` – ${t("it snaps")}`}`;
+    this.forces.textContent = `${where}: ${t("force")} ${this.number(frame.force)} N, ${t("moment")} ${this.number(frame.moment)} N mm${frame.stable ? "" : ` – ${t("it snaps")}`}`;
     this.forces.classList.toggle("snaps", !frame.stable);
   }
 
@@ -432,10 +435,9 @@ function put(table, path, value) {
 
 // Copies and what holds them: keys of the whole design, not of a strip.
 const holderOf = (design) => Object.keys(HOLDERS).find((key) => key in design);
+const copyField = (name, value) => ({ name, common: true, group: "", unit: "", help: name, default: null, of: [{ choices: [], ...value }] });
 const COPIES = [
-  { name: "Around the axis x = 0", kind: "count", help: "" },
-  { name: "Holders", kind: "choice", choices: Object.keys(HOLDERS), help: "" },
-  { name: "Sheet of the holders", kind: "text", default: "mdf-3", help: "" },
+  copyField("Around the axis x = 0", { kind: "count" }), copyField("Holders", { kind: "choice", choices: Object.keys(HOLDERS) }), copyField("Sheet of the holders", { kind: "text" }),
 ];
 const COPY = {
   "Around the axis x = 0": {

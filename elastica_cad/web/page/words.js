@@ -25,6 +25,17 @@ const DE = {
   "Working": "Wird gemacht", "Saved": "Gespeichert", "yes": "ja", "no": "nein", "more": "mehr", "as below": "wie unten",
   "Try": "Versuchen", "Drop SVG, DXF or CSV on the drawing": "SVG, DXF oder CSV auf die Zeichnung ziehen", "Choose a curve": "Eine Kurve wählen",
   "This strip is given by formulae; its design file says it.": "Dieser Streifen ist durch Formeln gegeben; sie stehen in der Entwurfsdatei.",
+  "sheet": "Platte", "thickness": "Dicke", "max width": "größte Breite", "min width": "kleinste Breite", "style": "Bauart", "limits": "Grenzen",
+  "keep": "Beibehalten", "gravity": "Eigengewicht", "loads": "Lasten", "supports": "Lager", "natural curvature": "Vorkrümmung", "ends": "Enden",
+  "label": "Beschriftung", "compensate": "Breiten ausgleichen", "ignore limits": "Grenzen übergehen", "widths": "Breiten", "weight": "Gewicht",
+  "curve": "Kurve", "ratio": "Steifigkeitsverhältnis", "margin": "Stabilitätsreserve", "curvature": "Krümmung", "tangents": "Tangenten",
+  "symmetry": "Symmetrie", "points": "Punkte", "line": "Gerade", "plain": "schlicht", "perforated": "gelocht", "laminated": "laminiert",
+  "backing": "Verstärkung", "columns": "Spalten", "rows": "Reihen", "creep": "Kriechen", "samples": "Stützstellen", "smooth": "Glätten",
+  "shop": "Werkstatt", "law": "Querschnitt", "joint": "Stoß", "corner radius": "Eckenradius", "chamfer": "Fase", "holes": "Löcher",
+  "taper": "Verjüngung", "start": "Anfang", "end": "Ende", "clamped": "eingespannt", "pinned": "gelenkig", "free": "frei", "value": "Wert",
+  "rod": "Rundstab", "tube": "Rohr", "leaves": "Lagen", "keep out": "Sperrbereiche", "stiffness bounds": "Grenzen der Steifigkeit",
+  "straight ends": "gerade Enden", "rings": "Ringe", "base": "Grundplatte", "fixtures": "gedruckte Blöcke", "stand": "was passt",
+  "direction": "Richtung",
 };
 
 const ZH = {
@@ -43,12 +54,17 @@ const ZH = {
   "The drawing: Tab goes to its points, arrow keys move them, Insert adds one, Delete removes one": "绘图区：Tab 键选点，方向键移动，Insert 添加，Delete 删除",
   "Working": "正在处理", "Saved": "已保存", "yes": "是", "no": "否", "more": "更多", "as below": "如下", "Try": "试试",
   "Drop SVG, DXF or CSV on the drawing": "将 SVG、DXF 或 CSV 拖到图上", "Choose a curve": "选择一条曲线", "This strip is given by formulae; its design file says it.": "此条带由公式给出，见设计文件。",
+  "sheet": "板材", "thickness": "厚度", "max width": "最大宽度", "min width": "最小宽度", "style": "形式", "limits": "限制", "keep": "保持", "gravity": "自重",
+  "loads": "载荷", "supports": "支承", "natural curvature": "初始曲率", "ends": "端部", "label": "标签", "compensate": "宽度补偿", "ignore limits": "忽略限制",
+  "widths": "宽度", "weight": "重量", "curve": "曲线", "ratio": "刚度比", "margin": "稳定裕度", "curvature": "曲率", "tangents": "切线", "symmetry": "对称",
+  "points": "点", "line": "直线", "plain": "普通", "perforated": "穿孔", "laminated": "层合", "backing": "背层", "columns": "列", "rows": "行", "creep": "蠕变",
+  "samples": "采样数", "smooth": "光顺", "shop": "车间", "law": "截面", "joint": "接缝", "corner radius": "圆角半径", "chamfer": "倒角", "holes": "孔", "taper": "收窄",
+  "start": "起点", "end": "终点", "clamped": "固支", "pinned": "铰支", "free": "自由", "value": "数值", "rod": "圆杆", "tube": "管", "leaves": "叠层",
+  "keep out": "禁入区", "stiffness bounds": "刚度界限", "straight ends": "直端", "rings": "圆环", "base": "底板", "fixtures": "打印块", "stand": "自动选择",
+  "direction": "方向",
 };
 
 export const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
 const WORDS = { en: {}, de: DE, zh: ZH };
 
-// The words in one language; `more` holds help texts that the server knows in it.
-export function speaker(language, more = {}) {
-  return (text) => WORDS[language]?.[text] ?? more[text] ?? text;
-}
+export const speaker = (language) => (text) => WORDS[language]?.[text] ?? text;

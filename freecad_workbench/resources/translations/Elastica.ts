@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>What is off in sheet, cut and clamps, rad and mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How it strays as made and held, and by what</source>
         <translation type="unfinished"></translation>
     </message>
@@ -84,35 +92,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width of the widest place; 0 leaves it to MinWidth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Width of the narrowest place, or a limit for it; 0 for none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Creep factor of the sheet in the long run; 0 leaves creep out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where a closed strip is joined, along its curve; 0 chooses</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Make a strip that cannot be cut or handled, and say so</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -124,51 +108,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width of the outline, perforated or laminated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holes side by side in a perforated strip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holes one after the other; 0 chooses</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest share of the width that holes take</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Narrowest ligament between holes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Widest place of the narrowest hole</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rounding of the holes' corners</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the sides of holes are made of</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sheet that is glued on in a laminated strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The backing's numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Narrowest backing of a laminated strip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holes in the tabs that align the layers; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -208,15 +152,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nodes of the rod; 0 chooses</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Follow the curve exactly, or the nearest one within limits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest stiffness ratio; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -236,10 +172,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Largest curvature, 1/mm; 0 for none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Least length; counts with MostLength</source>
         <translation type="unfinished"></translation>
     </message>
@@ -252,14 +184,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ground and boxes: point = [0, 0], normal = [0, 1]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the strip: lower = 1.5, upper = [2, 3, 2]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Which ends stay where they are</source>
         <translation type="unfinished"></translation>
     </message>
@@ -269,18 +193,6 @@
     </message>
     <message>
         <source>Whose tangents KeepTangents keeps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep the length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mirror image or half turn that stays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Places along the curve that it still passes, mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -313,14 +225,6 @@
     </message>
     <message>
         <source>The last tab in full</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slots: at = 40, width = 1.2, side = 'lower'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Text engraved on the strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -473,10 +377,6 @@
     </message>
     <message>
         <source>How far a curve may be from the section</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How far the curve may be moved to smooth its curvature; 0 follows it as drawn</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -964,6 +864,10 @@
     </message>
     <message>
         <source>stiffness range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thickness along the strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

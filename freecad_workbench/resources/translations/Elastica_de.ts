@@ -4,10 +4,6 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"</source>
-        <translation>Verjüngung: kind = "thickness", limits = [3, 8], width = 20; oder "rod", "tube"</translation>
-    </message>
-    <message>
         <source>How it strays as made and held, and by what</source>
         <translation>Wie er, gemacht und gehalten, abweicht und wodurch</translation>
     </message>
@@ -88,36 +84,12 @@
         <translation>Die Zahlen der Platte, damit sich die Datei überall öffnet</translation>
     </message>
     <message>
-        <source>Width of the widest place; 0 leaves it to MinWidth</source>
-        <translation>Breite der breitesten Stelle; 0 überlässt es MinWidth</translation>
-    </message>
-    <message>
-        <source>Width of the narrowest place, or a limit for it; 0 for none</source>
-        <translation>Breite der schmalsten Stelle oder eine Grenze dafür; 0 für keine</translation>
-    </message>
-    <message>
-        <source>Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes</source>
-        <translation>Schmalster Streifen, schmalste Lasche oder Zunge, die die Werkstatt machen kann; 0 für was die Platte verträgt</translation>
-    </message>
-    <message>
-        <source>Creep factor of the sheet in the long run; 0 leaves creep out</source>
-        <translation>Kriechzahl der Platte auf Dauer; 0 lässt das Kriechen weg</translation>
-    </message>
-    <message>
-        <source>Where a closed strip is joined, along its curve; 0 chooses</source>
-        <translation>Wo ein geschlossener Streifen verbunden ist, entlang seiner Kurve; 0 wählt</translation>
-    </message>
-    <message>
         <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
         <translation>Querkrümmung in den Breiten ausgleichen, wo die Querdehnzahl der Platte bekannt ist</translation>
     </message>
     <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>Schlitze, schmale Laschen und Löcher in den Breiten ausgleichen</translation>
-    </message>
-    <message>
-        <source>Make a strip that cannot be cut or handled, and say so</source>
-        <translation>Einen Streifen machen, der sich nicht schneiden oder anfassen lässt, und es sagen</translation>
     </message>
     <message>
         <source>Most of ligaments or backing, summed across; 0 for what fits</source>
@@ -128,52 +100,12 @@
         <translation>Wie aus Steifigkeit Material wird</translation>
     </message>
     <message>
-        <source>Width of the outline, perforated or laminated</source>
-        <translation>Breite des Umrisses, gelocht oder laminiert</translation>
-    </message>
-    <message>
-        <source>Holes side by side in a perforated strip</source>
-        <translation>Löcher nebeneinander in einem gelochten Streifen</translation>
-    </message>
-    <message>
-        <source>Holes one after the other; 0 chooses</source>
-        <translation>Löcher hintereinander; 0 wählt</translation>
-    </message>
-    <message>
-        <source>Largest share of the width that holes take</source>
-        <translation>Größter Anteil der Breite, den Löcher nehmen</translation>
-    </message>
-    <message>
-        <source>Narrowest ligament between holes</source>
-        <translation>Schmalster Steg zwischen Löchern</translation>
-    </message>
-    <message>
-        <source>Widest place of the narrowest hole</source>
-        <translation>Breiteste Stelle des schmalsten Lochs</translation>
-    </message>
-    <message>
-        <source>Rounding of the holes' corners</source>
-        <translation>Rundung der Lochecken</translation>
-    </message>
-    <message>
-        <source>What the sides of holes are made of</source>
-        <translation>Woraus die Seiten der Löcher bestehen</translation>
-    </message>
-    <message>
         <source>Sheet that is glued on in a laminated strip</source>
         <translation>Platte, die beim laminierten Streifen aufgeklebt wird</translation>
     </message>
     <message>
         <source>The backing's numbers</source>
         <translation>Die Zahlen der Auflage</translation>
-    </message>
-    <message>
-        <source>Narrowest backing of a laminated strip</source>
-        <translation>Schmalste Auflage eines laminierten Streifens</translation>
-    </message>
-    <message>
-        <source>Holes in the tabs that align the layers; 0 for none</source>
-        <translation>Löcher in den Laschen, die die Lagen ausrichten; 0 für keine</translation>
     </message>
     <message>
         <source>What holds the start of the curve</source>
@@ -212,16 +144,8 @@
         <translation>Stattdessen entlang des Streifens: stations = [0, 300], curvatures = [0, 0.01]</translation>
     </message>
     <message>
-        <source>Nodes of the rod; 0 chooses</source>
-        <translation>Knoten des Stabs; 0 wählt</translation>
-    </message>
-    <message>
         <source>Follow the curve exactly, or the nearest one within limits</source>
         <translation>Der Kurve genau folgen oder der nächsten innerhalb von Grenzen</translation>
-    </message>
-    <message>
-        <source>Largest stiffness ratio; 0 for none</source>
-        <translation>Größtes Steifigkeitsverhältnis; 0 für keines</translation>
     </message>
     <message>
         <source>Least stability margin; 5 is safely stable</source>
@@ -240,10 +164,6 @@
         <translation>Zählt die Dehnungsgrenze?</translation>
     </message>
     <message>
-        <source>Largest curvature, 1/mm; 0 for none</source>
-        <translation>Größte Krümmung, 1/mm; 0 für keine</translation>
-    </message>
-    <message>
         <source>Least length; counts with MostLength</source>
         <translation>Kleinste Länge; zählt mit MostLength</translation>
     </message>
@@ -256,14 +176,6 @@
         <translation>Größte Breite, die das Verhältnis begrenzt; 0 für keine</translation>
     </message>
     <message>
-        <source>Ground and boxes: point = [0, 0], normal = [0, 1]</source>
-        <translation>Boden und Kästen: point = [0, 0], normal = [0, 1]</translation>
-    </message>
-    <message>
-        <source>Along the strip: lower = 1.5, upper = [2, 3, 2]</source>
-        <translation>Entlang des Streifens: lower = 1.5, upper = [2, 3, 2]</translation>
-    </message>
-    <message>
         <source>Which ends stay where they are</source>
         <translation>Welche Enden bleiben, wo sie sind</translation>
     </message>
@@ -274,18 +186,6 @@
     <message>
         <source>Whose tangents KeepTangents keeps</source>
         <translation>Wessen Tangenten KeepTangents behält</translation>
-    </message>
-    <message>
-        <source>Keep the length</source>
-        <translation>Länge beibehalten</translation>
-    </message>
-    <message>
-        <source>Mirror image or half turn that stays</source>
-        <translation>Spiegelbild oder halbe Drehung, die bleibt</translation>
-    </message>
-    <message>
-        <source>Places along the curve that it still passes, mm</source>
-        <translation>Stellen entlang der Kurve, durch die sie weiter geht, mm</translation>
     </message>
     <message>
         <source>Keep inflections on the curve's inflection line</source>
@@ -318,14 +218,6 @@
     <message>
         <source>The last tab in full</source>
         <translation>Die letzte Lasche ganz</translation>
-    </message>
-    <message>
-        <source>Slots: at = 40, width = 1.2, side = 'lower'</source>
-        <translation>Schlitze: at = 40, width = 1.2, side = 'lower'</translation>
-    </message>
-    <message>
-        <source>Text engraved on the strip</source>
-        <translation>Text, der auf den Streifen graviert wird</translation>
     </message>
     <message>
         <source>How many of it are cut</source>
@@ -478,10 +370,6 @@
     <message>
         <source>How far a curve may be from the section</source>
         <translation>Wie weit eine Kurve vom Schnitt abweichen darf</translation>
-    </message>
-    <message>
-        <source>How far the curve may be moved to smooth its curvature; 0 follows it as drawn</source>
-        <translation>Wie weit die Kurve bewegt werden darf, um ihre Krümmung zu glätten; 0 folgt ihr wie gezeichnet</translation>
     </message>
     <message>
         <source>How far the curve moves at most</source>
@@ -969,6 +857,10 @@
     <message>
         <source>stiffness range</source>
         <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>thickness along the strip</source>
+        <translation>Dicke entlang des Streifens</translation>
     </message>
     <message>
         <source>weight</source>

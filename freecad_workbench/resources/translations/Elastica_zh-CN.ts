@@ -4,10 +4,6 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"</source>
-        <translation>渐变：kind = "thickness", limits = [3, 8], width = 20；或 "rod"、"tube"</translation>
-    </message>
-    <message>
         <source>How it strays as made and held, and by what</source>
         <translation>按实际制作和夹持如何偏离，以及原因</translation>
     </message>
@@ -88,36 +84,12 @@
         <translation>板材数据，使文件在任何地方都能打开</translation>
     </message>
     <message>
-        <source>Width of the widest place; 0 leaves it to MinWidth</source>
-        <translation>最宽处的宽度；0 由 MinWidth 决定</translation>
-    </message>
-    <message>
-        <source>Width of the narrowest place, or a limit for it; 0 for none</source>
-        <translation>最窄处的宽度或其下限；0 表示无</translation>
-    </message>
-    <message>
-        <source>Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes</source>
-        <translation>车间能制作的最窄的条、端片或舌片；0 取板材的值</translation>
-    </message>
-    <message>
-        <source>Creep factor of the sheet in the long run; 0 leaves creep out</source>
-        <translation>板材的长期蠕变系数；0 表示不计蠕变</translation>
-    </message>
-    <message>
-        <source>Where a closed strip is joined, along its curve; 0 chooses</source>
-        <translation>闭合条的接合处，沿其曲线；0 为自动选择</translation>
-    </message>
-    <message>
         <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
         <translation>在已知板材泊松比时，用宽度补偿反向弯曲</translation>
     </message>
     <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>用宽度补偿槽口、窄接片和孔</translation>
-    </message>
-    <message>
-        <source>Make a strip that cannot be cut or handled, and say so</source>
-        <translation>制作无法切割或拿取的条，并给出提示</translation>
     </message>
     <message>
         <source>Most of ligaments or backing, summed across; 0 for what fits</source>
@@ -128,52 +100,12 @@
         <translation>刚度如何变为材料</translation>
     </message>
     <message>
-        <source>Width of the outline, perforated or laminated</source>
-        <translation>穿孔或层合条的外廓宽度</translation>
-    </message>
-    <message>
-        <source>Holes side by side in a perforated strip</source>
-        <translation>穿孔条中并排的孔数</translation>
-    </message>
-    <message>
-        <source>Holes one after the other; 0 chooses</source>
-        <translation>纵向孔数；0 自动选择</translation>
-    </message>
-    <message>
-        <source>Largest share of the width that holes take</source>
-        <translation>孔占宽度的最大比例</translation>
-    </message>
-    <message>
-        <source>Narrowest ligament between holes</source>
-        <translation>孔间最窄的肋</translation>
-    </message>
-    <message>
-        <source>Widest place of the narrowest hole</source>
-        <translation>最窄孔的最宽处</translation>
-    </message>
-    <message>
-        <source>Rounding of the holes' corners</source>
-        <translation>孔角圆角</translation>
-    </message>
-    <message>
-        <source>What the sides of holes are made of</source>
-        <translation>孔边的曲线类型</translation>
-    </message>
-    <message>
         <source>Sheet that is glued on in a laminated strip</source>
         <translation>层合条粘上的板材</translation>
     </message>
     <message>
         <source>The backing's numbers</source>
         <translation>背层数据</translation>
-    </message>
-    <message>
-        <source>Narrowest backing of a laminated strip</source>
-        <translation>层合条最窄的背层</translation>
-    </message>
-    <message>
-        <source>Holes in the tabs that align the layers; 0 for none</source>
-        <translation>端片上对齐各层的孔；0 表示无</translation>
     </message>
     <message>
         <source>What holds the start of the curve</source>
@@ -212,16 +144,8 @@
         <translation>改为沿条带给出：stations = [0, 300], curvatures = [0, 0.01]</translation>
     </message>
     <message>
-        <source>Nodes of the rod; 0 chooses</source>
-        <translation>杆的节点数；0 自动选择</translation>
-    </message>
-    <message>
         <source>Follow the curve exactly, or the nearest one within limits</source>
         <translation>精确跟随曲线，或跟随限制内最近的曲线</translation>
-    </message>
-    <message>
-        <source>Largest stiffness ratio; 0 for none</source>
-        <translation>最大刚度比；0 表示无</translation>
     </message>
     <message>
         <source>Least stability margin; 5 is safely stable</source>
@@ -240,10 +164,6 @@
         <translation>应变限制是否有效？</translation>
     </message>
     <message>
-        <source>Largest curvature, 1/mm; 0 for none</source>
-        <translation>最大曲率，1/mm；0 表示无</translation>
-    </message>
-    <message>
         <source>Least length; counts with MostLength</source>
         <translation>最小长度；与 MostLength 一起有效</translation>
     </message>
@@ -256,14 +176,6 @@
         <translation>限制刚度比的最大宽度；0 表示无</translation>
     </message>
     <message>
-        <source>Ground and boxes: point = [0, 0], normal = [0, 1]</source>
-        <translation>地面与禁区：point = [0, 0], normal = [0, 1]</translation>
-    </message>
-    <message>
-        <source>Along the strip: lower = 1.5, upper = [2, 3, 2]</source>
-        <translation>沿条：lower = 1.5, upper = [2, 3, 2]</translation>
-    </message>
-    <message>
         <source>Which ends stay where they are</source>
         <translation>哪些端点保持不动</translation>
     </message>
@@ -274,18 +186,6 @@
     <message>
         <source>Whose tangents KeepTangents keeps</source>
         <translation>KeepTangents 保持哪端的切线</translation>
-    </message>
-    <message>
-        <source>Keep the length</source>
-        <translation>保持长度</translation>
-    </message>
-    <message>
-        <source>Mirror image or half turn that stays</source>
-        <translation>保持的镜像或半转对称</translation>
-    </message>
-    <message>
-        <source>Places along the curve that it still passes, mm</source>
-        <translation>曲线仍须通过的位置，mm</translation>
     </message>
     <message>
         <source>Keep inflections on the curve's inflection line</source>
@@ -318,14 +218,6 @@
     <message>
         <source>The last tab in full</source>
         <translation>终点端片的完整参数</translation>
-    </message>
-    <message>
-        <source>Slots: at = 40, width = 1.2, side = 'lower'</source>
-        <translation>槽：at = 40, width = 1.2, side = 'lower'</translation>
-    </message>
-    <message>
-        <source>Text engraved on the strip</source>
-        <translation>刻在条上的文字</translation>
     </message>
     <message>
         <source>How many of it are cut</source>
@@ -478,10 +370,6 @@
     <message>
         <source>How far a curve may be from the section</source>
         <translation>曲线可偏离截面的距离</translation>
-    </message>
-    <message>
-        <source>How far the curve may be moved to smooth its curvature; 0 follows it as drawn</source>
-        <translation>为使曲率光顺，曲线可移动的距离；0 表示完全按所绘曲线</translation>
     </message>
     <message>
         <source>How far the curve moves at most</source>
@@ -969,6 +857,10 @@
     <message>
         <source>stiffness range</source>
         <translation>刚度范围</translation>
+    </message>
+    <message>
+        <source>thickness along the strip</source>
+        <translation>沿条带的厚度</translation>
     </message>
     <message>
         <source>weight</source>

@@ -10,6 +10,8 @@ from pathlib import Path
 
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
+from tests.campaign.finite_elements.drawn_by_seed import strips_drawn
+from tests.campaign.finite_elements.flexures import flexed_parts
 from tests.campaign.finite_elements.joined import joined_strips
 from tests.campaign.finite_elements.sideways import swings
 from tests.campaign.finite_elements.strips_in_pockets import strips_in_pockets, strips_of_the_pavilion
@@ -28,7 +30,7 @@ def main() -> None:
         "--only",
         nargs="+",
         default=[""],
-        help="parts of names of strips, or: known, sideways, pockets, tapered, joined",
+        help="parts of names of strips, or: known, sideways, pockets, tapered, joined, drawn, flexures",
     )
     parser.add_argument("--widths", nargs="+", choices=list(WIDTHS), default=list(WIDTHS))
     asked = parser.parse_args()
@@ -57,6 +59,12 @@ def main() -> None:
     if wanted("joined"):
         for joined in joined_strips(folder):
             told("joined", joined)
+    if wanted("flexures"):
+        for flexed in flexed_parts(folder):
+            told("flexures", flexed)
+    if wanted("drawn"):
+        for drawn in strips_drawn(folder):
+            told("drawn", drawn)
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):
             for widths in asked.widths:

@@ -57,6 +57,7 @@ def bend_cut_strip(
     modes: int = 0,
     held: Callable[[np.ndarray], np.ndarray] | None = None,
     curve: PlaneCurve | None = None,
+    across: float | None = None,
 ) -> BentStrip:
     """A strip as its cut files (DXF, without kerf) have it, held by its tabs in the drawn pose.
 
@@ -72,6 +73,8 @@ def bend_cut_strip(
         Which of flat points (n, 3) are held; the tabs if not given.
     curve : PlaneCurve, optional
         The drawn curve, where it is not the rod's.
+    across : float, optional
+        E across the strip, MPa, of sheets whose G is known; that along it if not given.
     """
     drawn = strip.rod.curve if curve is None else curve
     if (
@@ -82,8 +85,12 @@ def bend_cut_strip(
     length = strip.rod.length
     body = flat_body(strip, folder, size=size)
     stays = in_tabs(strip, body.nodes) if held is None else held(body.nodes)
-    materials = [Material(layer.sheet.youngs_modulus, layer.sheet.poisson_ratio, layer.sheet.density)
-                 for layer in strip.layers]  # fmt: skip
+    stack = strip.layout.stack
+    sheets = [layer.sheet for layer in strip.layers] if stack is None else [stack.sheet] * len(_leaves(strip))
+    materials = [
+        Material(one.youngs_modulus, one.poisson_ratio, one.density, one.shear_modulus, across)
+        for one in sheets
+    ]
     falls = None if gravity is None else (gravity[0], 0.0, gravity[1])
     answer: Answer = solve(
         body, materials, on_curve(drawn, body.nodes), stays, folder, gravity=falls, modes=modes
@@ -125,6 +132,9 @@ def in_tabs(strip: Strip, nodes: np.ndarray) -> np.ndarray:
 
 def _levels(strip: Strip) -> list[float]:
     """z of the sheets' faces; 0 is the middle of one sheet, of a laminate its mean neutral axis."""
+    if strip.layout.stack is not None:  # the through leaf is centred on the curve
+        h = strip.layout.stack.sheet.thickness
+        return [(k - 0.5) * h for k in range(len(_leaves(strip)) + 1)]
     h = [layer.sheet.thickness for layer in strip.layers]
     if len(h) == 1:
         return [-h[0] / 2, h[0] / 2]
@@ -132,6 +142,11 @@ def _levels(strip: Strip) -> list[float]:
     A = [layer.sheet.youngs_modulus * layer.sheet.thickness * layer.material(s) for layer in strip.layers]
     neutral = float(np.mean((h[0] / 2 * A[0] + (h[0] + h[1] / 2) * A[1]) / (A[0] + A[1])))
     return [-neutral, h[0] - neutral, h[0] + h[1] - neutral]
+
+
+def _leaves(strip: Strip) -> range:
+    """Numbers of the leaves that lie on each other where most do."""
+    return range(1, 1 + max(leaf.number for leaf in strip.layout.stack.leaves))
 
 
 def _leaves_plane(body: Bricks, mode: np.ndarray, length: float) -> bool:

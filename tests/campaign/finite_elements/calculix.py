@@ -10,7 +10,18 @@ import numpy as np
 
 from tests.campaign.finite_elements.bricks import Bricks
 
-__all__ = ["Answer", "Material", "displaced", "model_cards", "run", "solve", "strict", "weight_cards"]
+__all__ = [
+    "Answer",
+    "Material",
+    "Printed",
+    "displaced",
+    "model_cards",
+    "run",
+    "run_deck",
+    "solve",
+    "strict",
+    "weight_cards",
+]
 
 GRAVITY_MM_S2 = 9806.65
 
@@ -20,17 +31,25 @@ RESIDUAL = 1e-7
 
 @dataclass(frozen=True)
 class Material:
-    """E in MPa, nu, density in kg/m3."""
+    """E along the strip in MPa, nu, density in kg/m3; of plywood also G in the plane and E across, MPa."""
 
     youngs_modulus: float
     poisson_ratio: float
     density: float
+    shear_modulus: float | None = None
+    across: float | None = None
 
     @property
     def cards(self) -> list[str]:
-        """Its lines in the deck; t, mm, s."""
-        return ["*ELASTIC", f"{self.youngs_modulus:.12g}, {self.poisson_ratio:.12g}",
-                "*DENSITY", f"{self.density * 1e-12:.12g}"]  # fmt: skip
+        """Its lines in the deck; t, mm, s. Along x, across y and through z; through it nothing couples."""
+        E, nu, G = self.youngs_modulus, self.poisson_ratio, self.shear_modulus
+        density = ["*DENSITY", f"{self.density * 1e-12:.12g}"]
+        if G is None:
+            return ["*ELASTIC", f"{E:.12g}, {nu:.12g}", *density]
+        across = self.across or E
+        figures = (E, across, across, nu, 0.0, 0.0, G, G, G)
+        first = ", ".join(f"{one:.12g}" for one in figures[:8])
+        return ["*ELASTIC, TYPE=ENGINEERING CONSTANTS", f"{first},", f"{figures[8]:.12g}, 293.", *density]
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,16 +99,36 @@ def solve(
     return run(deck, len(body.nodes), folder)
 
 
+@dataclass(frozen=True, eq=False)
+class Printed:
+    """What a deck of several steps prints: displacements (k, n, 3), mm, and total forces of a set (m, 3), N."""
+
+    displacements: np.ndarray
+    forces: np.ndarray
+
+
+def run_deck(deck: Sequence[str], folder: Path, count: int) -> Printed:
+    """What ccx prints of a deck whose first `count` nodes are the body's."""
+    said = _said(deck, folder)
+    rows = re.findall(r"total force[^\n]*\n\s*\n\s*(\S+)\s+(\S+)\s+(\S+)", said)
+    return Printed(_displacements(said, count), np.array(rows, dtype=float).reshape(-1, 3))
+
+
 def run(deck: Sequence[str], count: int, folder: Path) -> Answer:
     """What ccx answers to a deck whose first `count` nodes are the body's."""
+    said = _said(deck, folder)
+    moved = _displacements(said, count)
+    return Answer(moved[0], _eigenvalues(said), moved[1:])
+
+
+def _said(deck: Sequence[str], folder: Path) -> str:
+    """The file that ccx prints into."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "strip.inp").write_text("\n".join(deck) + "\n")
     done = subprocess.run(["ccx", "strip"], cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode or "*ERROR" in done.stdout:
         raise RuntimeError(f"ccx in {folder}: {done.stdout[-1500:]}")
-    said = (folder / "strip.dat").read_text()
-    moved = _displacements(said, count)
-    return Answer(moved[0], _eigenvalues(said), moved[1:])
+    return (folder / "strip.dat").read_text()
 
 
 def model_cards(body: Bricks, materials: Sequence[Material]) -> list[str]:

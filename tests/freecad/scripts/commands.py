@@ -37,7 +37,6 @@ from inside import (
     sketch,
     trigger,
     until,
-    wait,
     window,
 )
 
@@ -61,11 +60,9 @@ def strip_command(document, drawn):
     choose(drawn)
     before = names(document)
     panel = open_panel("Elastica_Strip")
-    wait(200)
     picture("strip-panel.png")
     panel.reject()
-    wait(100)
-    assert names(document) == before, "Cancel left something"
+    assert until(lambda: names(document) == before), "Cancel left something"
     choose(drawn)
     panel = open_panel("Elastica_Strip")
     fill(panel, MaxWidth=25.0)
@@ -74,7 +71,7 @@ def strip_command(document, drawn):
     at_rest()
     answers["strip panel"] = panel.form.numbers.text()
     panel.accept()
-    wait(100)
+    until(lambda: document.getObject("Flat") is not None)
     strip, flat = document.getObject("Strip"), document.getObject("Flat")
     assert (strip.MaxWidth.Value, strip.EngravedText) == (25.0, "A1")
     assert strip.Shape.isValid()
@@ -83,7 +80,7 @@ def strip_command(document, drawn):
     document.undo()
     assert names(document) == before, names(document)
     document.redo()
-    wait(100)
+    until(lambda: document.getObject("Strip") is not None)
     document.recompute()
     strip = document.getObject("Strip")
     Gui.ActiveDocument.setEdit(strip.Name)
@@ -94,23 +91,22 @@ def strip_command(document, drawn):
     at_rest()
     assert strip.MaxWidth.Value == 40.0
     Panel.opened.reject()
-    wait(100)
-    assert strip.MaxWidth.Value == 25.0, "Cancel restores"
+    assert until(lambda: strip.MaxWidth.Value == 25.0), "Cancel restores"
     return strip
 
 
 def check_command(drawn):
     choose(drawn)
-    panel = open_panel("Elastica_Check")
-    wait(200)
-    live_at_rest()
-    answers["check"] = panel.form.message.text()
     from freecad.elastica_wb.live import session as live
 
+    panel = open_panel("Elastica_Check")
+    until(lambda: live.session() is not None)
+    live_at_rest()
+    answers["check"] = panel.form.message.text()
     answers["check overlay"] = live.session().overlay.shown()
     scene("check.png")
     panel.reject()
-    assert live.session() is None
+    assert until(lambda: live.session() is None)
 
 
 def nearest_command(document, bad):
@@ -128,15 +124,13 @@ def nearest_command(document, bad):
     poles = bad.Geometry[0].NbPoles
     choose(bad)
     panel = open_panel("Elastica_Nearest")
-    wait(200)
     click(panel.form.findChild(QtWidgets.QPushButton, "draw_into"))
     until(lambda: not Gui.Control.activeDialog())
     assert not Gui.Control.activeDialog()
     assert len(document.Objects) == count
     answers["replaced"] = (poles, check_equilibrium(sketch_curve(bad)).realizable)
     document.undo()
-    wait(200)
-    assert bad.Geometry[0].NbPoles == poles
+    assert until(lambda: bad.Geometry[0].NbPoles == poles)
     assert not check_equilibrium(sketch_curve(bad)).realizable
     choose(bad)
     panel = open_panel("Elastica_Nearest")
@@ -177,11 +171,13 @@ def bend_command(document, strip):
         lambda: (tuple(panel.rod.position[-1]), panel.value("EndX"), panel.value("EndY")),
     )
     answers["bend drag"] = places
+    until(lambda: not panel.preview.handles.is_held)
     answers["bend handles"] = (panel.preview.handles.is_held, len(Gui.Selection.getSelection()) - chosen)
     # most styles of navigation turn the view by the same button
     view.setNavigationType("Gui::GestureNavigationStyle")
     turned = view.getCameraOrientation().Q
-    drag(panel.rest.position[0], 5, (-4, 0))
+    drag(panel.rest.position[0], 5, (-4, 0), grab=lambda: panel.value("StartX"))
+    until(lambda: not panel.preview.handles.is_held)
     answers["view stays"] = turned == view.getCameraOrientation().Q
     view.setNavigationType("Gui::CADNavigationStyle")
     answers["start dragged"] = (panel.value("StartX"), tuple(panel.rod.position[0]))
@@ -192,7 +188,7 @@ def bend_command(document, strip):
     at_rest()
     panel.play()
     panel.accept()
-    wait(100)
+    until(lambda: document.getObject("Bent").Shape.Edges)
     bent = document.getObject("Bent")
     end = bent.Shape.Edges[0].valueAt(bent.Shape.Edges[0].LastParameter)
     answers["bent end"] = tuple(end)
@@ -245,7 +241,7 @@ def projective_command(document):
     answers["projective strip"] = panel.form.message.text()
     pulled = panel.curve
     assert panel.accept()
-    wait(100)
+    until(wave.Geometry[0].isRational)
     kept = sketch_curve(wave)
     answers["projective"] = (
         wave.Geometry[0].isRational(),
@@ -255,8 +251,7 @@ def projective_command(document):
     )
     assert names(document) == before
     document.undo()
-    wait(100)
-    assert not wave.Geometry[0].isRational(), "one undo step"
+    assert until(lambda: not wave.Geometry[0].isRational()), "one undo step"
     document.removeObject(wave.Name)
     for obj in document.Objects:
         obj.Visibility = True
@@ -286,7 +281,7 @@ def coupon_command(document):
     answers["coupon"] = panel.form.message.text()
     panel.keep()
     panel.accept()
-    wait(100)
+    until(lambda: document.getObject("Coupon") is not None)
     assert document.getObject("Coupon").Shape.isValid()
     from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_list
 
@@ -357,14 +352,14 @@ def section_command(document):
     fit("Isometric")
     picture("section-panel.png")
     panel.accept()
-    wait(100)
     cuts = document.getObject("Section")
+    until(lambda: len(cuts.Shape.Edges) == 3)
     Gui.Selection.clearSelection()
     for name in ("Edge1", "Edge2", "Edge3"):
         Gui.Selection.addSelection(cuts, name)
     panel = open_panel("Elastica_Strip")
     panel.accept()
-    wait(100)
+    until(lambda: not Gui.Control.activeDialog())
     answers["strips of sections"] = [
         (o.State, o.Shape.isValid())
         for o in document.Objects
@@ -410,20 +405,18 @@ def style_commands(document, strip):
     answers["perforated"] = (strip.State, len(document.getObject("Flat").Shape.Faces))
     scene("perforated.png")
     panel.reject()
-    wait(100)
-    assert strip.Style == "Plain"
+    assert until(lambda: strip.Style == "Plain")
     choose(strip)
     count = len(document.Objects)
     panel = open_panel("Elastica_Laminate")
     strip.Anyway = True  # two layers of plywood would break
     at_rest()
     panel.accept()
-    wait(100)
+    until(lambda: strip.State == ["Up-to-date"])
     answers["laminated"] = (strip.State, len(strip.Shape.Solids), len(document.Objects) - count)
     document.undo()
-    wait(100)
+    assert until(lambda: strip.Style == "Plain")
     document.recompute()
-    assert strip.Style == "Plain"
     assert len(document.Objects) == count
 
 
@@ -478,10 +471,9 @@ def model_commands():
     fill(panel, Clearance=0.3)
     at_rest()
     panel.accept()
-    wait(100)
     model = document.getObject("Model")
     assert model.Clearance.Value == 0.3
-    assert not strips[0].Visibility
+    assert until(lambda: not strips[0].Visibility)
     choose(model)
     panel = open_panel("Elastica_Fixtures")
     panel.form.plate.setChecked(True)
@@ -489,7 +481,7 @@ def model_commands():
     answers["no plate"] = panel.form.message.text()
     panel.form.plate.setChecked(False)
     assert panel.accept()
-    wait(100)
+    until(lambda: document.getObject("Fixtures").State == ["Up-to-date"])
     answers["fixtures"] = len(document.getObject("Fixtures").Shape.childShapes())
     view.viewIsometric()
     view.fitAll()
@@ -506,9 +498,8 @@ def model_commands():
     document.undo()
     assert document.getObject("Fixtures") is None
     document.undo()
-    wait(100)
     assert document.getObject("Model") is None
-    assert strips[0].Visibility, "undo shows the single strips again"
+    assert until(lambda: strips[0].Visibility), "undo shows the single strips again"
     App.closeDocument(document.Name)
 
 
@@ -589,7 +580,6 @@ def dragging():
         answers.setdefault("steps from the open sketch", []).append(document.UndoNames[0])
         button("Cancel")
         answers.setdefault("left by Cancel", []).append(len(document.Objects))
-    wait(100)
     App.closeDocument(document.Name)
 
 

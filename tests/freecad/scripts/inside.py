@@ -145,7 +145,9 @@ def mouse(*words):
 
 
 def click(widget, button=1, times=1, at=None):
-    """A real mouse clicks in the middle of a widget, or at a place of it."""
+    """A real mouse clicks in the middle of a widget, or at a place of it, once it has found its place."""
+    until(widget.isVisible, 10)
+    still(lambda: widget.mapToGlobal(widget.rect().center()).toTuple(), 0.15)
     place = widget.mapToGlobal(at if at is not None else widget.rect().center())
     mouse("mousemove", place.x() - 2, place.y() - 1, "sleep", 0.05, "mousemove", place.x(), place.y())
     mouse("click", "--repeat", times, "--delay", 80, button)
@@ -431,13 +433,18 @@ def live_at_rest():
 
 
 def drag(start, steps, shift, name="", grab=lambda: None):
-    """A real mouse takes what is at a point in space and moves it by `steps` times `shift` pixels."""
+    """A real mouse takes what is at a point in space and moves it by `steps` times `shift` pixels.
+
+    What `grab` gives is waited for after each step: it changes when the window has followed the mouse.
+    """
     still(looks_from)  # a panel that opens makes the view narrower
     x, y = on_screen(*start)
     mouse("mousemove", x - 3, y + 3, "sleep", 0.1, "mousemove", x, y, "sleep", 0.1, "mousedown", 1)
     seen = []
     for i in range(1, steps + 1):
+        before = grab()
         mouse("mousemove", x + shift[0] * i, y + shift[1] * i)
+        until(lambda before=before: grab() != before, 2 if before is not None else 0)
         seen.append(grab())
     if name:
         picture(name)

@@ -28,10 +28,10 @@ from inside import (
     run,
     scroll_to,
     sketch,
+    still,
     told,
     trigger,
     until,
-    wait,
     window,
 )
 
@@ -48,7 +48,7 @@ def refreshed(document):
     """Recompute by the button; what it says in the report view."""
     said = len(report())
     trigger("Std_Refresh")
-    wait(200)
+    still(report)
     return [line.split("Elastica, ")[1] for line in report()[said:].splitlines() if "Elastica, " in line]
 
 
@@ -213,7 +213,7 @@ def unwritable():
         scroll_to(panel().form.write)
         click(panel().form.write)
         until(lambda: asked.done, 10)
-        wait(200)
+        still(panel().form.message.text)
         asked.stop()
         return panel().form.message.text()
 

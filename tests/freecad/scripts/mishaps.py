@@ -26,11 +26,11 @@ from inside import (
     press,
     run,
     sketch,
+    still,
     told,
     trigger,
     typed,
     until,
-    wait,
     window,
 )
 
@@ -128,8 +128,7 @@ def undone_in_containers():
     answers["in containers"].append(heights())
     for command in ("Std_Undo", "Std_Undo", "Std_Redo", "Std_Redo"):
         trigger(command)
-        wait(300)
-        answers["in containers"].append(heights())
+        answers["in containers"].append(still(heights))
     App.closeDocument(document.Name)
 
 

@@ -22,6 +22,7 @@ from inside import (
     report,
     run,
     sketch,
+    still,
     told,
     toolbar_button,
     until,
@@ -190,7 +191,7 @@ def many_strips():
     made.clear()
     document.undo()
     until(lambda: made and strips[3].Ratio != ratio)
-    wait(300)
+    still(lambda: len(made))
     answers["undo of a curve"] = [sorted(set(made)), strips[3].Ratio != ratio]
     StripFeature.make = usual
     App.closeDocument(document.Name)

@@ -149,11 +149,11 @@ def test_weight_moves_the_camber_as_an_independent_solver_has_it(bulging):
 
 
 @pytest.mark.parametrize("bore", [None, 0.0, 0.6], ids=["strip", "rod", "tube"])
-def test_fifty_battens_light_and_heavy(bore):
+def test_battens_light_and_heavy(bore):
     """Standing, lying and bulging up, lying and bulging down in turn: the camber is where it is asked for."""
     rng = np.random.default_rng(7)
     found = []
-    for i in range(17):
+    for i in range(6):
         stock = ThicknessLaw(RUBBER, 1.0, 8.0, width=25.0)
         if bore is not None:
             stock = RoundLaw(RUBBER, 1.0, 8.0, bore=bore)

@@ -144,9 +144,9 @@ def test_design_files_reshape_any_curve(tmp_path):
 @pytest.mark.parametrize(
     ("reshape", "sentence"),
     [
-        ("{}", r"curve: reshape must hold corners"),
+        ("{}", r"curve: reshape: reshape must hold corners"),
         ("{ middle = [1, 2] }", "unknown key 'middle'"),
-        ("{ top_left = [1, 2], to = [[1, 2]] }", "must hold corners"),
+        ("{ top_left = [1, 2], to = [[1, 2]] }", "to must be a list of four points"),
         ("{ handles = [[1, 2]], to = [[1, 2]] }", "handles must be a list of four points"),
         ("{ top_right = [0, 0], top_left = [50, 10] }", r"reshape: after: handles|through infinity"),
     ],

@@ -2,6 +2,7 @@
 
 import json
 import re
+from contextlib import chdir
 
 import numpy as np
 import pytest
@@ -12,8 +13,9 @@ from elastica_cad.cli import commands
 from elastica_cad.formats.curve_files.json_curves import curves_json
 
 
-def elastica(*arguments):
-    return CliRunner().invoke(commands.elastica, [*map(str, arguments)], catch_exceptions=False)
+def elastica(*arguments, cwd="."):
+    with chdir(cwd):
+        return CliRunner().invoke(commands.elastica, [*map(str, arguments)], catch_exceptions=False)
 
 
 @pytest.fixture
@@ -323,9 +325,11 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
         "slots = [{ at = 70, width = 1 }]",
     )
     told = elastica(*asked, "-o", tmp_path / "plain").stdout
-    left = float(re.search(r"--compensate makes up for that in the widths: ([\d.]+) mm are left", told)[1])
+    left = float(
+        re.search(r"--compensate makes up for that in the widths: about ([\d.]+) mm are left", told)[1]
+    )
     made_up = elastica(*asked, "--compensate", "-o", tmp_path / "made up").stdout
-    assert float(re.search(r"as made and held the strip strays ([\d.]+) mm", made_up)[1]) == left
+    assert float(re.search(r"as made and held the strip strays about ([\d.]+) mm", made_up)[1]) == left
     assert "makes up for that" not in made_up
 
 
@@ -337,10 +341,12 @@ def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, we
     asked = ("strip", path, "--sheet", "card-200gsm", "--max-width", 30, *weight)
     told = elastica(*asked, "-o", tmp_path / "plain").stdout
     assert re.search(r"each cause alone: [\d.]+ mm by anticlastic bending$", told, re.MULTILINE)
-    left = float(re.search(r"--compensate makes up for that in the widths: ([\d.]+) mm are left", told)[1])
-    assert left < 1e-4 * 370
+    left = float(
+        re.search(r"--compensate makes up for that in the widths: about ([\d.]+) mm are left", told)[1]
+    )
+    assert left < 3e-3 * 370  # of which the sheet adds most
     made_up = elastica(*asked, "--compensate", "-o", tmp_path / "made up").stdout
-    assert float(re.search(r"as made and held the strip strays ([\d.]+) mm", made_up)[1]) == left
+    assert float(re.search(r"as made and held the strip strays about ([\d.]+) mm", made_up)[1]) == left
 
 
 @pytest.mark.campaign

@@ -506,13 +506,13 @@ def test_stiffening_across_is_made_up_for_wherever_the_poisson_number_is_known(n
 
 
 def test_widths_change_more_sharply_where_smooth_ones_leave_too_much():
-    """Slots on either side of an inflection: the smoothest correction leaves 1.2e-3 of the length."""
+    """Slots on either side of an inflection. What is left are kinks, which smooth widths can't take back."""
     curve = PlaneCurve.spline([(0, 0), (50, 60), (100, 10), (150, -40), (200, 20)])
     scaled = curve.transformed(np.diag([1.0, 1.0, curve.length / 300.0]))
     slots = (Slot(105.0, width=1.0), Slot(210.0, width=1.0, side="lower"))
     strip = Strip(optimal_rod(scaled), PLY, max_width=30.0, slots=slots)
-    assert strip.held_deviation > 3e-3 * 300
-    assert compensate_widths(strip).held_deviation < 4e-4 * 300
+    assert strip.held_deviation > 4e-3 * 300
+    assert compensate_widths(strip).held_deviation < 1e-3 * 300
 
 
 def test_a_strip_that_strays_little_is_left_alone(rod):

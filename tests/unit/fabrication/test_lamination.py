@@ -224,13 +224,12 @@ def test_a_backing_that_ends_without_a_tab_ends_square(rod, ends):
             assert np.ptp(beyond[:, 1]) == pytest.approx(float(width(x)), abs=1e-3)
 
 
-@pytest.mark.parametrize("ratio", [3.0, 4.0])
-def test_a_backing_has_no_shoulders_too_small_to_cut(ratio):
+def test_a_backing_has_no_shoulders_too_small_to_cut():
     """A backing that ends nearly as wide as the base had tabs that stood out by nm; turned bodies failed."""
     style = Laminated(width=20, backing=CARD)
     ends = (ec.Tab(10), ec.Tab(10))
     curve = ec.PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
-    made = ec.make_strip(curve, CARD, style=style, limits=ec.Limits(ratio=ratio), ends=ends)
+    made = ec.make_strip(curve, CARD, style=style, limits=ec.Limits(ratio=3.0), ends=ends)
     shortest = min(segment.length for layer in made.layers for segment in layer.outline.segments)
     assert shortest > 5e-4
     for angle in (0.3, 1.0, 2.0):
@@ -303,7 +302,7 @@ def arched(sign, *, wave=False):
 
 @pytest.mark.parametrize(
     ("sign", "wave", "mark"),
-    [(-1, False, "OUTSIDE"), (1, False, "INSIDE"), (1, True, "INSIDE AT START")],
+    [(-1, False, "OUTSIDE"), (1, True, "INSIDE AT START")],
 )
 def test_both_sheets_say_which_side_of_the_bend_they_look_to(sign, wave, mark, check_drawing):
     strip = ec.Strip(arched(sign, wave=wave), CARD, style=Laminated(width=24, backing=CARD), label="L1")

@@ -309,7 +309,8 @@ BAD = {
     HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 3 }": "the ellipse lies between y = -2 and 2",
     HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 1, start = 1 }": "start means nothing beside",
     HEAD + "[[strips]]\ncount = 2.5\n" + ARC: "count is 2.5: it must be a whole number",
-    HEAD + "[[strips]]\ncount = 2\nlabel = 'A'\n" + ARC: "two strips are labelled 'A'",
+    HEAD + 2 * ("[[strips]]\nlabel = 'A'\n" + ARC + "\n"): "two strips are labelled 'A'",
+    HEAD + "[[strips]]\ncount = 2\nlabel = 'A'\nsmooth = 'i'\n" + ARC: "two strips are labelled 'A'",
     HEAD + "[[strips]]\nx_axis = [0, 0, 1]\n" + ARC: r"strips\[1\] \(S1\): frame x_axis and y_axis",
     HEAD + "[[strips]]\norigin = [0, 0]\n" + ARC: "origin is .* it must be 3 numbers",
     HEAD + "gravity = 'down'\n[[strips]]\n" + ARC: "gravity is 'down': it must be 3 numbers",
@@ -321,7 +322,7 @@ BAD = {
     HEAD + "base.sheet = 'stone'\n[[strips]]\n" + ARC: "base: sheet: unknown sheet 'stone'",
     HEAD + "[[patterns]]\nspin = 1\n[[strips]]\n" + ARC: "unknown key 'spin'",
     HEAD + "cut.version = 'R99'\n[[strips]]\n" + ARC: "version is 'R99': use one of R12",
-    HEAD + "[[strips]]\ncount = 1e6\n" + ARC: "count is 1e.06, and at most 10000 are made: ask for fewer",
+    HEAD + "[[strips]]\ncount = 1e6\n" + ARC: "count is 1000000, and at most 10000 are made: ask for fewer",
     HEAD + "min_width = 1e200\n[[strips]]\n" + ARC: "min_width is 1e.200: give a finite number of at most 1e.09",
     HEAD + "min_width = nan\n[[strips]]\n" + ARC: "min_width is nan: give a finite number",
     HEAD + f"let.a = {'9' * 400}\n[[strips]]\n" + ARC: "let.a is a whole number of many digits: give",
@@ -526,3 +527,11 @@ def test_dates_are_quoted_as_the_file_has_them(tmp_path):
     path.write_text("schema = 1\nsheet = 2020-01-02\n[[strips]]\n")
     with pytest.raises(InputError, match="sheet is 2020-01-02: it must be text"):
         read_design(path, read_curves)
+
+
+def test_a_count_of_strips_with_one_label_is_so_many_of_the_same_part(read):
+    design = read(HEAD + "[[strips]]\ncount = 6\nlabel = 'S'\n" + ARC)
+    (part,) = design.model().parts
+    assert (part.name, len(part.members)) == ("S", 6)
+    places = [placed.frame.origin for placed in design.model().placed]
+    assert np.linalg.norm(np.diff(places, axis=0), axis=1).min() >= 20  # they stand behind each other

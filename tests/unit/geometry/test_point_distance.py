@@ -42,10 +42,9 @@ def test_curves_that_differ_by_rounding_are_as_near_as_the_same(curve):
     assert largest_deviation(curve, PlaneCurve.line(points[0], points[-1], degree=curve.degree)) > 1.0
 
 
-@pytest.mark.parametrize("heavy", [100.0, 300.0])
-def test_distances_do_not_hang_on_how_fast_a_curve_is_run_through(heavy):
-    points = np.random.default_rng(8).normal((20, 10), 15, size=(400, 2))
-    sharp = PlaneCurve([0, 0, 0, 1, 1, 1], [(0, 0), (20, 30), (40, 0)], 2, [1.0, heavy, 1.0])
+def test_distances_do_not_hang_on_how_fast_a_curve_is_run_through():
+    points = np.random.default_rng(8).normal((20, 10), 15, size=(200, 2))
+    sharp = PlaneCurve([0, 0, 0, 1, 1, 1], [(0, 0), (20, 30), (40, 0)], 2, [1.0, 300.0, 1.0])
     dense = sharp.evaluate(sharp.parameter(np.linspace(0, sharp.length, 100_001)))
     nearest = np.array([np.hypot(*(dense - point).T).min() for point in points])
     found = distances(Spline(sharp), points)

@@ -57,7 +57,7 @@ class NearestFeature(Feature):
         obj.Shape = spline_geometry(near.curve).toShape()
         obj.Placement = drawn.placement
         held = Listed(
-            note("{limit} ({value:.3g})", limit=note(b.name), value=b.limit) if b.limit else note(b.name)
+            note("{limit} ({given:.3g})", limit=note(b.name), given=b.limit) if b.limit else note(b.name)
             for b in near.binding[:3]
         )
         said = [

@@ -52,7 +52,7 @@ SHOWN_BY_ERROR = Property(
     result=True,
     hidden=True,
 )
-"""What a model stands for is shown while that cannot be made: else nothing is in sight that says what is wrong."""
+"""The strips of a model are shown while the model cannot be made, so that something with an error is in sight."""
 
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""

@@ -67,7 +67,15 @@ class StripFeature(Feature):
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
         if obj.MadeFrom != made_from:
-            put(obj, MadeFrom=made_from, HeldDeviation=0.0, Held="", SidewaysMargin=0.0, Sideways="")
+            put(
+                obj,
+                MadeFrom=made_from,
+                HeldDeviation=0.0,
+                ExpectedDeviation=0.0,
+                Held="",
+                SidewaysMargin=0.0,
+                Sideways="",
+            )
         changed = find_nearest(spec.rod_spec).deviation if spec.may_change else None
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
@@ -175,7 +183,8 @@ def tell_held(obj: Any) -> None:
         )
     except ElasticaError as error:
         held, said = None, str(error)
-    put(obj, HeldDeviation=0.0 if held is None else held.deviation, Held=worded(said))
+    far = (0.0, 0.0) if held is None else (held.deviation, held.expected)
+    put(obj, HeldDeviation=far[0], ExpectedDeviation=far[1], Held=worded(said))
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:

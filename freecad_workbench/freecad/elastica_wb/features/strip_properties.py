@@ -1,20 +1,111 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The table of what a strip is asked for, and of what it answers."""
+"""The table of what a strip is asked for, and of what it answers.
+
+Most properties are made from the declared fields of a strip; those whose boxes are not one to one stand here.
+"""
+
+from collections.abc import Iterator
 
 import FreeCAD as App
 from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import Property
 
+from elastica_cad.declared import REQUIRED, Field, declared
+from elastica_cad.formats.design_files.key_paths import paths_of
+from elastica_cad.formats.design_files.records import written
+from elastica_cad.formats.design_files.strip_table import StripKeys
+
 FORMS = ["Bent", "Flat"]
 STYLES = ["Plain", "Perforated", "Laminated"]
 FOLLOW = ["Exactly", "Nearest"]
 ENDS = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
-HOLE_SIDES = ["spline", "arc"]
 KEPT_ENDS = ["both", "start", "end", "none"]
 TANGENT_ENDS = KEPT_ENDS[:3]
-SYMMETRIES = ["none", "mirror", "turn"]
+
+NAMES = {
+    "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
+    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText",
+}  # fmt: skip
+"""Properties that are not called as their keys: users' files have these names."""
+
+DEFAULTS = {"MaxWidth": 30.0, "OuterWidth": 30.0, "RatioLimit": 3.5}
+"""Of a new strip, where it is another than that of the field."""
+
+EXAMPLES = {
+    "Law": 'kind = "thickness", limits = [3, 8], width = 20',
+    "Slots": "at = 40, width = 1.2, side = 'lower'",
+    "KeepOut": "point = [0, 0], normal = [0, 1]",
+    "StiffnessBounds": "lower = 1, upper = [2, 3, 2]",
+}
+"""Lines of properties that hold tables, written as in a design file."""
+
+OWN_BOXES = (
+    "curve", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
+    "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
+)  # fmt: skip
+"""Keys that are not one to one with a property: `strip_request` reads them."""
+
+OWN_TABLES = ("style", "limits", "keep")
+"""Keys whose own keys have properties."""
+
+KINDS = {"number": "Float", "count": "Integer", "flag": "Bool", "text": "String", "choice": "Enumeration"}
+UNITS = {"mm": "Length", "rad": "Angle"}
+GROUPS = {"style": "Style", "limits": "Nearest", "keep": "Nearest", "curve": "Curve", "sheet": "Sheet",
+          "widths": "Width", "ends": "Ends", "weight": "Mechanics"}  # fmt: skip
+NOTHING = "none"
+"""The choice that leaves an optional field out."""
+
+
+def name_of(path: str) -> str:
+    """The property that holds a key: MaxWidth, RatioLimit, KeepLength."""
+    if path in NAMES:
+        return NAMES[path]
+    table, _, key = path.rpartition(".")
+    name = key.title().replace("_", "")
+    if table == "limits" and name not in EXAMPLES:
+        return f"{name}Limit"
+    return f"Keep{name}" if table == "keep" else name
+
+
+def _property_of(path: str, field: Field) -> Property:
+    """The property of a key that is one value."""
+    kind, name, default = written(field.kind), name_of(path), field.default
+    called = KINDS.get(kind.name) or ("StringList" if kind.name == "list" else "String")
+    if kind.name == "number":
+        called = UNITS.get(field.asked.unit, called)
+    if kind.name == "list" and kind.of[0].name == "number":
+        called = "FloatList"
+    if kind.name == "choice":
+        choices = [*([] if default is not None else [NOTHING]), *kind.choices]
+        return Property(called, name, _group(path), field.help, choices)
+    empty = {"String": "", "StringList": [], "FloatList": [], "Bool": False, "Integer": 0}.get(called, 0.0)
+    record = called == "String" and not isinstance(default, str)  # written as a line of keys and values
+    given = empty if record or default in (None, REQUIRED, ()) else default
+    return Property(
+        called, name, _group(path), field.help, DEFAULTS.get(name, given), example=EXAMPLES.get(name, "")
+    )
+
+
+def _group(path: str) -> str:
+    table = path.partition(".")[0]
+    return GROUPS.get(table) or GROUPS.get(paths_of(StripKeys)[table].asked.group, "Strip")
+
+
+def _one_to_one() -> Iterator[tuple[str, Field]]:
+    known, of_files = paths_of(StripKeys), {one.name for one in declared(StripKeys)}
+    for path, field in known.items():
+        table, _, key = path.rpartition(".")
+        if path in OWN_BOXES or key in ("kind", "backing") or (table and table not in OWN_TABLES):
+            continue
+        if table or path not in (*OWN_TABLES, "shop", *of_files):
+            yield path, field
+    yield "shop.least_width", known["shop.least_width"]
+
+
+FIELDS = dict(_one_to_one())
+"""Keys that are one to one with a property, by their paths."""
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
@@ -29,25 +120,6 @@ PROPERTIES = (
         "",
         hidden=True,
     ),
-    Property("Length", "MaxWidth", "Width", "Width of the widest place; 0 leaves it to MinWidth", 30.0),
-    Property(
-        "Length", "MinWidth", "Width", "Width of the narrowest place, or a limit for it; 0 for none", 0.0
-    ),
-    Property(
-        "Length",
-        "LeastWidth",
-        "Width",
-        "Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes",
-        0.0,
-    ),
-    Property(
-        "Length",
-        "Smooth",
-        "Curve",
-        "How far the curve may be moved to smooth its curvature; 0 follows it as drawn",
-        0.0,
-    ),
-    Property("Length", "Joint", "Tabs", "Where a closed strip is joined, along its curve; 0 chooses", 0.0),
     Property("Bool", "Compensate", "Width", "Make up for slots, narrow tabs and holes in the widths", False),
     Property(
         "Bool",
@@ -56,15 +128,6 @@ PROPERTIES = (
         "Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known",
         False,  # in files of earlier versions, whose widths stay
     ),
-    Property("Float", "Creep", "Sheet", "Creep factor of the sheet in the long run; 0 leaves creep out", 0.0),
-    Property(
-        "String",
-        "Law",
-        "Width",
-        'Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"',
-        "",
-    ),
-    Property("Bool", "Anyway", "Width", "Make a strip that cannot be cut or handled, and say so", False),
     Property(
         "Length",
         "MaterialWidth",
@@ -73,18 +136,8 @@ PROPERTIES = (
         0.0,
     ),
     Property("Enumeration", "Style", "Style", "How stiffness becomes material", STYLES),
-    Property("Length", "OuterWidth", "Style", "Width of the outline, perforated or laminated", 30.0),
-    Property("Integer", "Columns", "Style", "Holes side by side in a perforated strip", 2),
-    Property("Integer", "Rows", "Style", "Holes one after the other; 0 chooses", 0),
-    Property("Float", "HoleRatio", "Style", "Largest share of the width that holes take", 0.85),
-    Property("Length", "LeastLigament", "Style", "Narrowest ligament between holes", 0.5),
-    Property("Length", "LeastHole", "Style", "Widest place of the narrowest hole", 1.0),
-    Property("Length", "HoleRadius", "Style", "Rounding of the holes' corners", 0.0),
-    Property("Enumeration", "HoleSides", "Style", "What the sides of holes are made of", HOLE_SIDES),
     Property("Enumeration", "Backing", "Style", "Sheet that is glued on in a laminated strip"),
     Property("String", "BackingData", "Style", "The backing's numbers", "", hidden=True),
-    Property("Length", "LeastBacking", "Style", "Narrowest backing of a laminated strip", 1.0),
-    Property("Length", "Dots", "Style", "Holes in the tabs that align the layers; 0 for none", 1.0),
     Property("Enumeration", "StartSupport", "Mechanics", "What holds the start of the curve", ENDS),
     Property("Enumeration", "EndSupport", "Mechanics", "What holds the end of the curve", ENDS),
     Property("Bool", "Gravity", "Mechanics", "Does the strip carry its own weight?", False),
@@ -106,7 +159,6 @@ PROPERTIES = (
         "Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]",
         "",
     ),
-    Property("Integer", "Samples", "Mechanics", "Nodes of the rod; 0 chooses", 0),
     Property(
         "Enumeration",
         "Follow",
@@ -114,23 +166,16 @@ PROPERTIES = (
         "Follow the curve exactly, or the nearest one within limits",
         FOLLOW,
     ),
-    Property("Float", "RatioLimit", "Nearest", "Largest stiffness ratio; 0 for none", 3.5),
     Property("Float", "MarginLimit", "Nearest", "Least stability margin; 5 is safely stable", 5.0),
     Property("Float", "StrainLimit", "Nearest", "Largest strain in percent; 0 takes the sheet's", 0.0),
     Property("Bool", "LimitMargin", "Nearest", "Does MarginLimit count?", True),
     Property("Bool", "LimitStrain", "Nearest", "Does the strain limit count?", True),
-    Property("Float", "CurvatureLimit", "Nearest", "Largest curvature, 1/mm; 0 for none", 0.0),
     Property("Length", "LeastLength", "Nearest", "Least length; counts with MostLength", 0.0),
     Property("Length", "MostLength", "Nearest", "Largest length; 0 for no limits", 0.0),
     Property("Length", "MostWidth", "Nearest", "Largest width, which bounds the ratio; 0 for none", 0.0),
-    Property("StringList", "KeepOut", "Nearest", "Ground and boxes: point = [0, 0], normal = [0, 1]", []),
-    Property("String", "StiffnessBounds", "Nearest", "Along the strip: lower = 1.5, upper = [2, 3, 2]", ""),
     Property("Enumeration", "KeepEnds", "Nearest", "Which ends stay where they are", KEPT_ENDS),
     Property("Bool", "KeepTangents", "Nearest", "Keep the tangents of both ends", False),
     Property("Enumeration", "TangentEnds", "Nearest", "Whose tangents KeepTangents keeps", TANGENT_ENDS),
-    Property("Bool", "KeepLength", "Nearest", "Keep the length", False),
-    Property("Enumeration", "KeepSymmetry", "Nearest", "Mirror image or half turn that stays", SYMMETRIES),
-    Property("FloatList", "KeepPoints", "Nearest", "Places along the curve that it still passes, mm", []),
     Property("Bool", "KeepLine", "Nearest", "Keep inflections on the curve's inflection line", False),
     Property("FloatList", "InflectionLine", "Nearest", "Two points of another line: x, y, x, y", []),
     Property("Length", "StartTab", "Ends", "Length of the tab at the start", 10.0),
@@ -139,8 +184,6 @@ PROPERTIES = (
     Property("Length", "TabHole", "Ends", "Diameter of a hole in the middle of each tab; 0 for none", 0.0),
     Property("String", "StartTabKeys", "Ends", "The first tab in full: length = 12, chamfer = 2", ""),
     Property("String", "EndTabKeys", "Ends", "The last tab in full", ""),
-    Property("StringList", "Slots", "Ends", "Slots: at = 40, width = 1.2, side = 'lower'", []),
-    Property("String", "EngravedText", "Ends", "Text engraved on the strip", ""),
     Property("Integer", "Quantity", "Ends", "How many of it are cut", 1),
     Property("String", "Verdict", "Result", "Can a flat strip take the curve?", "", result=True),
     Property("StringList", "Reasons", "Result", "Why not, and what else to know", [], result=True),
@@ -164,6 +207,14 @@ PROPERTIES = (
         "HeldDeviation",
         "Result",
         "Largest distance of the strip, as it is made and held, from its design",
+        0.0,
+        result=True,
+    ),
+    Property(
+        "Length",
+        "ExpectedDeviation",
+        "Result",
+        "How far a real strip strays from its design, by the model, what that leaves open, and its sheet",
         0.0,
         result=True,
     ),
@@ -191,6 +242,7 @@ PROPERTIES = (
         transient=True,
     ),
     CONTAINERS,
+    *(_property_of(*one) for one in FIELDS.items()),
 )
 
 NEAREST = tuple(

@@ -1,46 +1,42 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What the properties of a strip ask for, as the core's request."""
+"""What the properties of a strip ask for, as the table of a design file, which the core reads."""
 
+import math
+import tomllib
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
-from freecad.elastica_wb.features.strip_properties import PROPERTIES
+from freecad.elastica_wb.features.strip_properties import EXAMPLES, FIELDS, NOTHING, PROPERTIES, name_of
 from freecad.elastica_wb.host.property_table import require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
-from elastica_cad.errors import InputError
-from elastica_cad.fabrication.makeability.shop import LEAST_LIGAMENT_MM, Shop
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.styles import PLAIN, Style
-from elastica_cad.fabrication.strip_checks import AskedGravity
+from elastica_cad.declared import Field
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.fabrication.strip.styles import Style
+from elastica_cad.fabrication.strip_checks import pull_in_plane
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.records import Reader, blank, read_line
-from elastica_cad.forming.limits import BOTH_ENDS, Box, HalfPlane, Keep, Limits, bounds_along_strip
+from elastica_cad.formats.design_files.key_paths import put
+from elastica_cad.formats.design_files.records import BY_KIND, Reader, names_of
+from elastica_cad.formats.design_files.strip_table import read_fields, read_request
+from elastica_cad.formats.design_files.tables import Table, merged
+from elastica_cad.forming.limits import BOTH_ENDS
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.refusals import Length, note
 
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
-MOST_SAMPLES = 20000  # a second's work
-LAW_LINE, BLANK_LINE = (
-    'kind = "thickness", limits = [3, 8], width = 20',
-    "stations = [0, 300], curvatures = [0, 0.01]",
-)
-MASS_LINE, WEIGHT_LINE = "at = 90, mass = 3", "alpha = 1, own = true"
-KEEP_OUT_LINE, BOUNDS_LINE = "point = [0, 0], normal = [0, 1]", "lower = 1, upper = [2, 3, 2]"
-TAB_LINE = "length = 12, chamfer = 2"
+BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
+MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
+
+SHEET, BACKING = "sheet", "backing"
+"""What the sheets of a strip are called in its table: their numbers are those that the file keeps."""
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
@@ -52,47 +48,92 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         Numbers that no strip has: a slip of the keyboard, or another unit.
     """
     _refuse_slips(obj, drawn)
-    sheet, nearest = _sheet(obj), obj.Follow == "Nearest"
-    backing = sheet_called(obj.Backing, obj.BackingData) if obj.Style == "Laminated" else None
-    width = obj.MaxWidth.Value if obj.Style == "Plain" else obj.MaterialWidth.Value
-    law = None
-    if obj.Law.strip():
-        law = read_line(obj.Law, "Law", BoundedLaw, Reader(sheet=sheet), example=LAW_LINE)
-    return StripSpec(
-        drawn.curve,
-        sheet,
-        drawn.plane,
-        max_width=width or None if law is None else None,  # a law has its own limits
-        min_width=obj.MinWidth.Value or None if law is None else None,
-        style=_style(obj, backing),
-        limits=_limits(obj, sheet) if nearest else None,
-        keep=_keep(obj) if nearest else None,
-        gravity=_gravity(obj, drawn),
-        loads=_loads(obj),
-        supports=Supports(obj.StartSupport, obj.EndSupport),
-        natural_curvature=_natural_curvature(obj),
-        samples=None if nearest else obj.Samples or None,
-        ends=_ends(obj),
-        joint=obj.Joint.Value or None,
-        slots=_lines(obj.Slots, "Slots", Slot),
-        label=obj.EngravedText,
-        smooth=obj.Smooth.Value or None,
-        shop=_shop(obj),
-        compensate=True if obj.Compensate else None if obj.Anticlastic else False,
-        creep=obj.Creep,
-        law=law,
-        ignore_limits=obj.Anyway,
-    )
+    table = table_of(obj, drawn, nearest=obj.Follow == "Nearest")
+    return read_request(Table(table, "", {}), _reader(obj), drawn.curve, drawn.plane)
 
 
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """The rod nearest to the curve within the limits, also where the strip is to follow its curve exactly."""
-    sheet, supports = _sheet(obj), Supports(obj.StartSupport, obj.EndSupport)
-    plain = StripSpec(drawn.curve, sheet, drawn.plane, max_width=1.0, gravity=_gravity(obj, drawn))
+    asked = read_fields(Table(table_of(obj, drawn, nearest=True), "", {}), _reader(obj))
+    gravity, _ = pull_in_plane(asked.get("gravity"), _sheet(obj), drawn.plane)
     return RodSpec(
-        drawn.curve, plain.gravity_in_plane, supports, _natural_curvature(obj),
-        limits=_limits(obj, sheet), keep=_keep(obj),
+        drawn.curve, gravity, asked.get("supports", Supports()), asked.get("natural_curvature", 0.0),
+        limits=asked["limits"], keep=asked["keep"],
     )  # fmt: skip
+
+
+def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
+    """The table of a design file that asks for the same.
+
+    Raises
+    ------
+    InputError
+        A line that is no table, or a range whose ends are the wrong way round.
+    """
+    table: dict[str, Any] = {}
+    for path, field in FIELDS.items():
+        if name_of(path) in obj.PropertiesList and _counts(obj, path, nearest=nearest):
+            value = _value(obj, name_of(path), field)
+            if value is not None:
+                put(table, path, value)
+    if (gravity := _gravity(obj, drawn)) is not None:
+        table["gravity"] = gravity
+    for key, read in READ.items():
+        if key in ("limits", "keep") and not nearest:
+            continue
+        value = read(obj)
+        if value is not None:
+            table[key] = merged(table.get(key, {}), value) if isinstance(value, dict) else value
+    return table
+
+
+def _reader(obj: Any) -> Reader:
+    sheets = {SHEET: _sheet(obj)}
+    if getattr(obj, "Style", "") == "Laminated":
+        sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
+    return Reader(sheets)
+
+
+def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
+    """Does the property of a key say something of this strip?"""
+    table, _, key = path.rpartition(".")
+    if table == "style":
+        return key in names_of(BY_KIND[Style][obj.Style.lower()])
+    if table in ("limits", "keep"):
+        return nearest
+    if path in ("max_width", "min_width"):  # a law has its own limits
+        return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
+    return path != "samples" or not nearest
+
+
+def _value(obj: Any, name: str, field: Field) -> Any:
+    """The value of a property as a file has it; None where it asks for nothing."""
+    value = getattr(obj, name)
+    value = getattr(value, "Value", value)
+    if field.asked.unit == "rad":
+        value = math.radians(value)
+    if field.kind.name == "list" and field.kind.of[0].name != "number":
+        return _lines(value, name, EXAMPLES.get(name, "")) or None
+    if field.kind.name in ("table", "list", "either"):
+        return (_line(value, name, EXAMPLES.get(name, "")) if isinstance(value, str) else list(value)) or None
+    return None if field.default is None and value in (0, NOTHING) and value is not False else value
+
+
+def _line(line: str, name: str, example: str) -> dict[str, Any]:
+    """The table that a line of a property holds."""
+    try:
+        return tomllib.loads(f"line = {{{line}}}")["line"]
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InputError(
+            "{place}: {line} cannot be read: write keys and values, such as {example}",
+            place=name,
+            line=quoted(line),
+            example=example,
+        ) from error
+
+
+def _lines(lines: Iterable[str], name: str, example: str) -> list[dict[str, Any]]:
+    return [_line(line, name, example) for line in lines if line.strip()]
 
 
 def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
@@ -110,12 +151,6 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
             "the thickness of the sheet is {thickness}, less than any foil's: is its unit right?",
             thickness=Length(lengths["Thickness"]),
         )
-    if obj.Samples > MOST_SAMPLES:
-        raise InputError(
-            "{samples} samples are asked for: {most} are the most, 0 chooses",
-            samples=obj.Samples,
-            most=MOST_SAMPLES,
-        )
 
 
 def _sheet(obj: Any) -> Sheet:
@@ -126,77 +161,71 @@ def _sheet(obj: Any) -> Sheet:
     return replace(sheet, thickness=thickness, thickness_range=None)
 
 
-def _shop(obj: Any) -> Shop:
-    """Limits of the workshop; ligaments are as fine as the style is told to make them."""
-    ligament = obj.LeastLigament.Value if obj.Style == "Perforated" else LEAST_LIGAMENT_MM
-    return Shop(least_width=obj.LeastWidth.Value or None, least_ligament=ligament)
+def _style(obj: Any) -> dict[str, Any] | None:
+    if "Style" not in obj.PropertiesList:
+        return None
+    kind = obj.Style.lower()
+    return {"kind": kind, "backing": BACKING} if kind == "laminated" else {"kind": kind}
 
 
-def _style(obj: Any, backing: Sheet | None) -> Style:
-    if obj.Style == "Perforated":
-        return Perforated(
-            width=obj.OuterWidth.Value,
-            columns=obj.Columns,
-            rows=obj.Rows or None,
-            hole_ratio=obj.HoleRatio,
-            least_ligament=obj.LeastLigament.Value,
-            least_hole=obj.LeastHole.Value,
-            corner_radius=obj.HoleRadius.Value,
-            sides=obj.HoleSides,
-        )
-    if backing is not None:
-        return Laminated(
-            width=obj.OuterWidth.Value,
-            backing=backing,
-            least_backing=obj.LeastBacking.Value,
-            dots=obj.Dots.Value,
-        )
-    return PLAIN
+def _max_width(obj: Any) -> float | None:
+    """What a style leaves of its outline at most; that of a plain strip has a property of its own."""
+    if getattr(obj, "Style", "Plain") == "Plain" or obj.Law.strip():
+        return None
+    return obj.MaterialWidth.Value or None
 
 
-def _gravity(obj: Any, drawn: DrawnCurve) -> AskedGravity:
+def _shop(obj: Any) -> dict[str, Any] | None:
+    """Ligaments are as fine as the style is told to make them."""
+    perforated = getattr(obj, "Style", "") == "Perforated"
+    return {"least_ligament": obj.LeastLigament.Value} if perforated else None
+
+
+def _compensate(obj: Any) -> bool | None:
+    """All, nothing, or what is made up for unless one is told."""
+    if "Compensate" not in obj.PropertiesList or (obj.Anticlastic and not obj.Compensate):
+        return None
+    return bool(obj.Compensate)
+
+
+def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
     """Where the strip's weight falls in space."""
     if not obj.Gravity:
         return None
-    direction = tuple(obj.GravityDirection)
+    direction = list(obj.GravityDirection)
     if not any(direction):
         raise InputError("the direction of gravity is zero: give a vector such as (0, 0, -1)")
     if not obj.GravityLength.Value:
         return direction
-    return Gravity.in_plane(obj.GravityLength.Value, direction, drawn.plane.x_axis, drawn.plane.y_axis)
+    felt = Gravity.in_plane(obj.GravityLength.Value, direction, drawn.plane.x_axis, drawn.plane.y_axis)
+    return None if felt is None else {"length": felt.length, "direction": list(felt.direction)}
 
 
-def _natural_curvature(obj: Any) -> NaturalCurvature:
-    if obj.Blank.strip():
-        return read_line(obj.Blank, "Blank", blank, example=BLANK_LINE)
-    curvature: float = obj.NaturalCurvature
-    return curvature
+def _natural_curvature(obj: Any) -> Any:
+    return _line(obj.Blank, "Blank", BLANK_LINE) if obj.Blank.strip() else obj.NaturalCurvature or None
 
 
-def _loads(obj: Any) -> tuple[PointMass, ...] | Weight:
-    if obj.WeightLaw:
-        return read_line(obj.WeightLaw, "WeightLaw", Weight, example=WEIGHT_LINE)
-    return _lines(obj.Loads, "Loads", PointMass, example=MASS_LINE)
-
-
-def _limits(obj: Any, sheet: Sheet) -> Limits:
-    bounds = obj.StiffnessBounds
-    return Limits(
-        ratio=obj.RatioLimit or None,
-        margin=obj.MarginLimit if obj.LimitMargin else None,
-        curvature=obj.CurvatureLimit or None,
-        sheet=sheet if obj.LimitStrain else None,
-        strain=obj.StrainLimit / 100 or None if obj.LimitStrain else None,
-        length=_range(obj, "Length"),
-        width=_range(obj, "Width"),
-        keep_out=_walls(obj.KeepOut),
-        stiffness_bounds=read_line(bounds, "StiffnessBounds", bounds_along_strip, example=BOUNDS_LINE)
-        if bounds
-        else None,
+def _loads(obj: Any) -> Any:
+    if "Loads" not in obj.PropertiesList:
+        return None
+    weight = obj.WeightLaw.strip()
+    return (
+        _line(weight, "WeightLaw", WEIGHT_LINE) if weight else _lines(obj.Loads, "Loads", MASS_LINE) or None
     )
 
 
-def _range(obj: Any, kind: str) -> tuple[float, float] | None:
+def _limits(obj: Any) -> dict[str, Any]:
+    strain = (obj.StrainLimit / 100 or True) if obj.LimitStrain else None
+    asked = {
+        "margin": obj.MarginLimit if obj.LimitMargin else None,
+        "strain": strain,
+        "length": _range(obj, "Length"),
+        "width": _range(obj, "Width"),
+    }
+    return {key: value for key, value in asked.items() if value is not None}
+
+
+def _range(obj: Any, kind: str) -> list[float] | None:
     """Least and most, mm; none where there is no most."""
     least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
     if not most:
@@ -209,44 +238,48 @@ def _range(obj: Any, kind: str) -> tuple[float, float] | None:
             least=Length(least),
             most=Length(most),
         )
-    return least, most
+    return [least, most]
 
 
-def _keep(obj: Any) -> Keep:
-    line = tuple(obj.InflectionLine)
-    return Keep(
-        ends=BOTH_ENDS[obj.KeepEnds],
-        tangents=BOTH_ENDS[obj.TangentEnds] if obj.KeepTangents else False,
-        length=obj.KeepLength,
-        symmetry=None if obj.KeepSymmetry == "none" else obj.KeepSymmetry,
-        points=tuple(obj.KeepPoints),
-        line=(line[:2], line[2:]) if line else obj.KeepLine or None,
-    )
+def _keep(obj: Any) -> dict[str, Any]:
+    line = list(obj.InflectionLine)
+    ends, tangents = BOTH_ENDS[obj.KeepEnds], BOTH_ENDS[obj.TangentEnds] if obj.KeepTangents else False
+    asked: dict[str, Any] = {"ends": ends, "tangents": tangents}
+    asked = {key: value if isinstance(value, bool) else list(value) for key, value in asked.items()}
+    if line:
+        return asked | {"line": [line[:2], line[2:]]}
+    return asked | ({"line": True} if obj.KeepLine else {})
 
 
-def _ends(obj: Any) -> tuple[Tab, Tab]:
+def _ends(obj: Any) -> list[dict[str, Any]] | None:
+    if "StartTab" not in obj.PropertiesList:
+        return None
     tabs = []
     for side in ("Start", "End"):
-        keys = getattr(obj, f"{side}TabKeys")
-        length = getattr(obj, f"{side}Tab").Value
-        tabs.append(read_line(keys, f"{side}TabKeys", Tab, example=TAB_LINE) if keys else _tab(obj, length))
-    return tabs[0], tabs[1]
+        keys, length = getattr(obj, f"{side}TabKeys"), getattr(obj, f"{side}Tab").Value
+        tabs.append(_line(keys, f"{side}TabKeys", TAB_LINE) if keys.strip() else _tab(obj, length))
+    return tabs
 
 
-def _tab(obj: Any, length: float) -> Tab:
+def _tab(obj: Any, length: float) -> dict[str, Any]:
     hole = obj.TabHole.Value
-    holes = (Hole(length / 2, hole),) if hole and length else ()
-    return Tab(length, corner_radius=obj.TabRadius.Value if length else 0.0, holes=holes)
+    if not length:
+        return {"length": 0.0}
+    holes = {"holes": [{"at": length / 2, "diameter": hole}]} if hole else {}
+    return {"length": length, "corner_radius": obj.TabRadius.Value, **holes}
 
 
-def _lines(lines: list[str], where: str, record: Any, *, example: str = "") -> tuple[Any, ...]:
-    """The records of all lines that are not empty."""
-    return tuple(read_line(line, where, record, example=example) for line in lines if line.strip())
-
-
-def _walls(lines: list[str]) -> tuple[HalfPlane | Box, ...]:
-    kept = (line for line in lines if line.strip())
-    return tuple(
-        read_line(line, "KeepOut", Box if "lower" in line else HalfPlane, example=KEEP_OUT_LINE)
-        for line in kept
-    )
+READ: dict[str, Callable[[Any], Any]] = {
+    "sheet": lambda _: SHEET,
+    "style": _style,
+    "max_width": _max_width,
+    "shop": _shop,
+    "compensate": _compensate,
+    "supports": lambda obj: [obj.StartSupport, obj.EndSupport],
+    "natural_curvature": _natural_curvature,
+    "loads": _loads,
+    "ends": _ends,
+    "limits": _limits,
+    "keep": _keep,
+}
+"""Keys whose properties are not one to one: two boxes for one value, or one box for two."""

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD as App
+from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import InputError
 
@@ -17,7 +18,10 @@ OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change asks for no recompute; not
 
 @dataclass(frozen=True)
 class Property:
-    """One property of a feature; `default` is a value or, for enumerations, the list of choices."""
+    """One property of a feature; `default` is a value or, for enumerations, the list of choices.
+
+    An `example` of what is written into it is shown behind the help.
+    """
 
     kind: str
     name: str
@@ -27,6 +31,7 @@ class Property:
     result: bool = False
     hidden: bool = False
     transient: bool = False
+    example: str = ""
 
     @property
     def type_id(self) -> str:
@@ -36,7 +41,8 @@ class Property:
     @property
     def translated_help(self) -> str:
         """What it means, in the user's language."""
-        return str(App.Qt.translate("App::Property", self.help))
+        told = worded(str(App.Qt.translate("App::Property", self.help)))
+        return f"{told} {self.example}" if self.example else told
 
 
 def ensure(obj: Any, table: Iterable[Property]) -> None:

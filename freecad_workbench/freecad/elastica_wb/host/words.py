@@ -7,16 +7,13 @@ The core and the workbench make records: an English template and its values. A c
 language for each of the English ones; what it does not hold is said in English.
 """
 
-import json
 from dataclasses import dataclass
-from functools import cache
-from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.host.resources import RESOURCES, translate
+from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad._printable import printable
-from elastica_cad.refusals import Wording
+from elastica_cad.words import Translated
 
 USUAL_MM = 10.0  # mm: a strip's width tells which of its units FreeCAD would use for all
 
@@ -35,27 +32,12 @@ def shown_unit() -> Unit:
     return Unit({'"': "in", "'": "ft"}.get(name, name), size)
 
 
-class Words(Wording):
+class Words(Translated):
     """A user's words."""
 
     def __init__(self, language: str, unit: Unit, point: str) -> None:
+        super().__init__(language)
         self.unit, self.size, self.point = unit.name, unit.size, point
-        self._catalogue = catalogue("en") | catalogue(language)
-
-    def template(self, text: str) -> str:
-        """From the catalogue."""
-        return self._catalogue.get(text, text)
-
-    def format_field(self, value: Any, spec: str) -> str:
-        """Words that the core chooses, such as "start", are in the catalogue too."""
-        return super().format_field(self.template(value) if type(value) is str else value, spec)
-
-
-@cache
-def catalogue(language: str) -> dict[str, str]:
-    """What a language has for English templates."""
-    words: dict[str, str] = json.loads((RESOURCES / "words" / f"{language}.json").read_text(encoding="utf-8"))
-    return words
 
 
 def user_language() -> str:

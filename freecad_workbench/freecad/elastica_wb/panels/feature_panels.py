@@ -28,6 +28,7 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
+from elastica_cad.fabrication.holding.held_shape import about
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 from elastica_cad.refusals import Length, note
 
@@ -52,7 +53,8 @@ def _held_deviation(obj: Any) -> object:
     """How far it strays; not yet known, or none where it takes no shape and the footnote says why."""
     if not obj.Held:
         return "..."
-    return Length(obj.HeldDeviation.Value) if obj.HeldDeviation.Value else "-"
+    far = obj.ExpectedDeviation.Value
+    return note("about {far}", far=about(far)) if far else "-"
 
 
 def _sideways_margin(obj: Any) -> str:

@@ -227,7 +227,7 @@ class PropertyPanel(Panel):
         failed = bool(why_not_made(obj))
         told = () if failed else layout.told(obj)
         rows = "".join(
-            f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{worded(note('{value}', value=value))}</b></td></tr>"
+            f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{worded(note('{given}', given=value))}</b></td></tr>"
             for name, value in told
         )
         self.form.numbers.setText(f"<table>{rows}</table>" if rows else "")

@@ -1,0 +1,30 @@
+"""The table [pair] of a design file: a part with two rest shapes."""
+
+from pathlib import Path
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
+from elastica_cad.formats.design_files.design_file import own_sheets, parse_design
+from elastica_cad.formats.design_files.model_tables import DesignKeys
+from elastica_cad.formats.design_files.records import CurveReader, Reader, names_of
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.formats.file_access.source_file import require_file
+
+
+def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
+    """The part that the table [pair] of a design file asks for.
+
+    Raises
+    ------
+    InputError
+        No such table, an unknown key, a value of the wrong kind, a curve that cannot be read; the place is named.
+    """
+    path = require_file(path)
+    top = Table(parse_design(path), str(path), {}).only(*names_of(DesignKeys))
+    if not top.has("pair"):
+        raise InputError("{path} has no table [pair]: give two curves, or ask `elastica model`", path=path)
+    top.scope = top.within(top.raw("let", {}))
+    found: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(
+        FlexureSpec, top.table("pair")
+    )
+    return found

@@ -1,0 +1,56 @@
+"""A part with two states as one picture: as it is cut, in both states, and its force over travel."""
+
+import numpy as np
+
+from elastica_cad.fabrication.flexure import Flexure
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
+
+CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
+CHORD_SHARE = 1e-4  # of the length: how closely the picture follows splines
+
+
+def pair_sheet(part: Flexure) -> Figure:
+    """The part flat, in its states with the holes of the holder, and the push from one to the other."""
+    chord = CHORD_SHARE * part.pair.length
+    lines = part.states
+    drawn = [
+        part.outline.points(chord),
+        np.concatenate([part.outline_along(one).points(chord) for one in lines]),
+    ]
+    tall = [float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 3.2)) for p in drawn]
+    panels = [Panel(tall[0], 0.3, 0.1), Panel(tall[1], 0.35, 0.1), Panel(1.8, 0.35, 0.5, 0.7, 0.2)]
+    figure, (flat, bent, push) = new_page(panels)
+    flat.fill(*drawn[0].T, color=CUT, lw=0.6, ec=INK)
+    for hole in part.holes:
+        flat.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
+    _even(
+        flat,
+        f"as cut: {part.sheet.name}, {part.thickness_range[0]:.2f} to {part.thickness_range[1]:.2f} mm thick",
+    )
+    way = part.travel
+    for line in way.position[:: max(1, len(way.position) // 6)]:
+        bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
+    for line, colour, name in zip(lines, (FIRST, SECOND), ("first", "second"), strict=True):
+        bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=name)
+        for x, y in part.hole_places(line).reshape(-1, 2):
+            bent.plot(x, y, "o", ms=3, color="white", mec=INK, mew=0.6)
+    bent.legend(frameon=False, fontsize=8, loc="best")
+    held = "the same clamps" if part.pair.bistable else "two settings of the end"
+    _even(bent, f"both states, {held}; strained by {100 * max(part.strain):.2f} % at most")
+    push.plot(way.travel, way.force, color=FIRST, lw=1.2)
+    push.axhline(0, color=INK, lw=0.5)
+    if way.snap is not None:
+        push.axvline(way.snap, color=SECOND, lw=0.8, ls=":")
+    label = "mm of the pushed point" if part.pair.bistable else "share of the way of the end"
+    push.set_xlabel(label, fontsize=8)
+    push.set_ylabel("N", fontsize=8)
+    push.tick_params(labelsize=7)
+    push.set_title(f"force, {way.largest_force:.3g} N at most", fontsize=9, loc="left")
+    return figure
+
+
+def _even(axes: Axes, title: str) -> None:
+    """Equal scales, no frame."""
+    axes.set_aspect("equal")
+    axes.axis("off")
+    axes.set_title(title, fontsize=9, loc="left")

@@ -1,0 +1,107 @@
+"""What a real strip strays by: the linear answer to a sheet that is off, beside strips bent forward."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holding.expected_error import MakingTolerance
+from elastica_cad.fabrication.holding.held_shape import HeldShape, about
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.paths.profile import Profile
+
+pytestmark = pytest.mark.core
+
+ARCH = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
+PLY = replace(ec.Sheet.named("birch-plywood-0.8"), poisson_ratio=0.0)
+NOTHING = MakingTolerance(0.0, 0.0, 0.0, 0.0)
+
+
+@pytest.fixture(scope="module")
+def strip():
+    return Strip(ec.optimal_rod(ARCH, samples=241), PLY, max_width=30.0)
+
+
+def shifted(rod, changed, angles=None):
+    bent = ec.bend(changed, angles=angles)
+    return float(np.hypot(*(bent.position - rod.position).T).max())
+
+
+def softened(rod, share):
+    return rod.with_stiffness(Profile.interpolate(rod.s, rod.stiffness * share))
+
+
+def test_a_wave_of_thickness_moves_it_as_far_as_when_it_is_bent(strip):
+    rod = strip.rod
+    told = replace(strip, tolerance=replace(NOTHING, thickness_wave=0.003)).held().sheet
+    turns = 2 * np.pi * rod.s / rod.length
+    waves = (np.cos(turns + phase) for phase in np.pi * np.arange(8) / 8)
+    found = max(shifted(rod, softened(rod, (1 + 0.003 * wave) ** 3)) for wave in waves)
+    assert told["thickness"] == pytest.approx(found, rel=0.03)
+    assert sum(told.values()) == told["thickness"]
+
+
+def test_clamps_and_kerf_do_too(strip):
+    rod = strip.rod
+    told = replace(strip, tolerance=MakingTolerance(0.0, 0.0, 0.004, 0.5)).held().sheet
+    angles = (float(rod.angle[0]) + 0.004, float(rod.angle[-1]))
+    assert told["clamp at the start"] == pytest.approx(shifted(rod, rod, angles), rel=0.02)
+    narrower = softened(rod, 1 - 0.5 / strip.width(rod.s))
+    assert told["kerf"] == pytest.approx(shifted(rod, narrower), rel=0.05)
+
+
+def test_only_sheets_with_a_grain_feel_it(strip):
+    assert "grain" in strip.held().sheet
+    even = replace(strip, sheet=replace(PLY, grain="none"))
+    assert "grain" not in even.held().sheet
+    unknown = replace(strip, sheet=replace(PLY, shear_modulus=None), slots=(Slot(150.0, width=1.0),))
+    assert "grain" not in unknown.held().sheet
+    assert "The shear modulus of birch-plywood-0.8 is not known" in str(unknown.held())
+
+
+def test_what_is_expected_says_where_it_comes_from(strip):
+    shape = strip.held()
+    assert shape.expected == pytest.approx(np.hypot(np.hypot(shape.deviation, shape.open), shape.sheet_adds))
+    assert "most of it from the sheet: the model says" in str(shape)
+    slotted = replace(strip, slots=(Slot(150.0, width=1.0),), tolerance=NOTHING).held()
+    assert slotted.sheet_adds == 0.0
+    assert "most of it as modelled" in str(slotted)
+    assert slotted.open > 0.1 * slotted.parts["slots"]
+
+
+def test_slots_in_plywood_soften_it_more_than_in_an_even_sheet(strip):
+    """By finite elements 1.7 times (E / G = 15, nu = 0.1)."""
+    slots = (Slot(150.0, width=1.0),)
+    even = replace(strip, sheet=replace(PLY, shear_modulus=None), slots=slots)
+    grained = replace(strip, slots=slots)
+    assert grained.held().parts["slots"] / even.held().parts["slots"] == pytest.approx(1.9, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(0.8312, "0.83 mm"), (0.00123, "0.0012 mm"), (191.0, "190 mm"), (9.96, "10 mm")]
+)
+def test_numbers_have_two_digits(value, text):
+    assert str(about(value)) == text
+
+
+def test_slips_are_refused(strip):
+    with pytest.raises(InputError, match="the tolerance kerf is -1: it can't be negative"):
+        MakingTolerance(kerf=-1)
+    with pytest.raises(InputError, match="MakingTolerance"):
+        replace(strip, tolerance=0.01)
+
+
+def test_a_shape_knows_no_sheet_unless_it_is_told(strip):
+    held = strip.held()
+    assert HeldShape(held.rod, 1.0, {}, held.start, held.end).expected == 1.0
+
+
+def test_slots_beside_each_other_are_left_open(strip):
+    beside = replace(strip, slots=(Slot(198.0, width=1.0), Slot(204.0, width=1.0, side="lower"))).held()
+    apart = replace(strip, slots=(Slot(150.0, width=1.0), Slot(204.0, width=1.0, side="lower"))).held()
+    assert beside.open > beside.parts["slots"]
+    assert "The slots at 198 mm and 204 mm lie nearer to each other than they are deep" in str(beside)
+    assert apart.open < 0.3 * apart.parts["slots"]

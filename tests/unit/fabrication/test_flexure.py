@@ -1,0 +1,163 @@
+"""Parts with two states: thickness, strain, outline, holder, the push from state to state, and what is refused."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError, StrainError
+from elastica_cad.fabrication.flexure import Flexure, Pad, curved_beam_factor
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.mechanics.bending.pushed_rod import push_path
+from elastica_cad.mechanics.material.sheet import Sheet
+
+pytestmark = pytest.mark.core
+
+POM = Sheet.named("pom-3")
+
+
+def arch(rise: float, width: float = 150.0) -> PlaneCurve:
+    """With level ends."""
+    x = width * np.array([0, 0.18, 0.35, 0.7, 0.82, 1])
+    return PlaneCurve.spline(np.column_stack([x, [0, 0, rise, rise, 0, 0]]), degree=4)
+
+
+@pytest.fixture(scope="module")
+def clip() -> Flexure:
+    """A bistable part."""
+    return FlexureSpec(arch(24), arch(-20), POM, label="CLIP").make()
+
+
+@pytest.fixture(scope="module")
+def stand() -> Flexure:
+    """A part with two settings of its end."""
+    first = PlaneCurve.spline([(0, 0), (40, 0), (62, 22), (72, 52), (89, 99)], degree=4)
+    second = PlaneCurve.spline([(0, 0), (40, 0), (66, 15), (90, 40), (122, 72)], degree=4)
+    return FlexureSpec(first, second, "pla-4", printed=True, least_thickness=2.0).make()
+
+
+def test_thickness_makes_the_stiffness(clip):
+    rod = clip.pair.first
+    h = clip.thickness_at(rod.s)
+    bending = POM.youngs_modulus * POM.thickness * h**3 / 12
+    assert bending == pytest.approx(clip.bending_stiffness * rod.stiffness, rel=1e-5)
+    assert h.min() == pytest.approx(clip.thickness_range[0])
+
+
+def test_what_the_way_asks_for_decides_how_thick_a_bistable_part_is(clip):
+    assert max(clip.strain) < clip.travel.strain.max() <= POM.max_strain
+    assert clip.travel.strain.max() > 0.9 * POM.max_strain
+    assert clip.warnings == ()
+
+
+def test_curved_beams_are_strained_more_inside():
+    """Against the stress of a ring's inner side, r d(angle), integrated over the section."""
+    h, R = 0.2, 1.0
+    y = np.linspace(-h / 2, h / 2, 20001)
+    shift = -np.mean(y / (R + y)) / np.mean(1 / (R + y))
+    strain = (y + shift) / (R + y)  # no force in all
+    moment = np.sum(strain * y) * (y[1] - y[0])
+    straight = moment / (h**3 / 12) * h / 2
+    assert np.abs(strain[0]) / straight == pytest.approx(curved_beam_factor(np.array([h / R]))[0], rel=1e-3)
+
+
+def test_the_outline_is_one_closed_chain_of_splines_arcs_and_lines(clip):
+    splines = [one for one in clip.outline.segments if isinstance(one, Spline)]
+    assert len(splines) == 2
+    assert clip.outline.closed
+    assert clip.outline.widest_gap < 1e-6
+    assert clip.outline.area > 0
+    s = np.linspace(10, 140, 200)
+    place, angle = clip.centre.at(s)
+    normal = np.column_stack([-np.sin(angle), np.cos(angle)])
+    edge = place + clip.thickness_at(s)[:, None] / 2 * normal
+    assert np.min([distances(one, edge) for one in splines], axis=0).max() < 2e-3
+
+
+def test_the_pads_carry_the_holes_and_one_plate_takes_them(clip, stand):
+    both = [clip.hole_places(line) for line in clip.states]
+    assert np.abs(both[0] - both[1]).max() < 0.05
+    assert len(clip.holder().on("CUT_INNER")) == 4
+    assert len(stand.holder().on("CUT_INNER")) == 6
+    assert [text.text for text in stand.holder().texts] == ["1", "2"]
+    apart = np.hypot(*np.diff(clip.hole_places(clip.centre)[0], axis=0)[0])
+    assert apart == pytest.approx(Pad().length - 2 * Pad().inset)
+
+
+def test_a_fillet_gives_as_much_as_the_strip_it_replaces(clip):
+    """The compliance of the thickened root, summed by trapezia, is that of the strip up to the drawn end."""
+    h, r = float(clip.thickness_at(np.zeros(1))[0]), clip.fillet
+    x = np.linspace(0, r, 20001)
+    wide = h + 2 * (r - np.sqrt(r**2 - x**2))
+    give = np.sum((h / wide) ** 3) * (x[1] - x[0])
+    root = 0.44 * (h + 2 * r) * (h / (h + 2 * r)) ** 3
+    assert r - clip.overhang(0.0) == pytest.approx(give + root, rel=1e-3)
+
+
+def test_the_push_is_the_slope_of_the_energy_and_ends_in_the_other_state(clip):
+    way = clip.travel
+    middle = (way.travel[1:] + way.travel[:-1]) / 2
+    slope = np.diff(way.energy) / np.diff(way.travel)
+    calm = np.abs(np.diff(way.force)) < 0.1 * way.largest_force
+    assert np.interp(middle, way.travel, way.force)[calm] == pytest.approx(
+        slope[calm], abs=0.02 * way.largest_force
+    )
+    assert way.reached
+    assert clip.travel_back.reached
+    assert 0 < way.snap < way.travel[-1]
+    assert way.force[0] == pytest.approx(0, abs=1e-6)
+
+
+def test_a_pushed_arch_gives_as_half_of_it_led_does():
+    """Pushed in its middle an arch stays symmetrical at first, so half of it, led so, tells the force."""
+    from elastica_cad.mechanics.bending.bend_forward import bend
+    from elastica_cad.mechanics.rod.rod_record import Rod
+
+    whole = bend(Rod.straight(200.0), end=(196.0, 0.0))
+    half = bend(Rod.straight(100.0), end=tuple(whole.position[300]), angles=(0.0, 0.0))
+    u = 0.3
+    pushed = push_path(whole, 100.0, (0, -1), [0.0, u], thickness=0.2)
+    led = bend(half, end=(half.position[-1] - [0, u]), angles=(0.0, 0.0))
+    assert pushed.force[1] == pytest.approx(2 * abs(led.force[-1][1]), rel=0.02)
+
+
+def test_settings_are_led_from_one_to_the_other(stand):
+    assert not stand.pair.bistable
+    assert stand.travel.reached
+    assert stand.travel_back is None
+    report = stand.as_dict()
+    assert report["bistable"] is False
+    assert report["reports"] == []
+
+
+def test_curves_drawn_apart_are_held_by_the_same_clamps(clip):
+    away = np.array([[1, 0, 9.0], [0, 1, -40], [0, 0, 1]])
+    moved = FlexureSpec(arch(24), arch(-20).transformed(away), POM, least_thickness=1.0).make()
+    assert moved.pair.bistable
+    assert np.abs(moved.rods[1].position - clip.rods[1].position).max() < 1e-6
+
+
+def test_a_part_too_thin_says_how_large_it_would_have_to_be():
+    with pytest.raises(InputError, match="times as large") as refused:
+        FlexureSpec(arch(10, 60), arch(-10, 60), POM).make()
+    assert refused.value.refusal.values["share"] > 1
+    assert FlexureSpec(arch(10, 60), arch(-10, 60), POM, ignore_limits=True).make().warnings
+
+
+def test_a_part_that_nothing_bends_asks_how_thick_it_shall_be():
+    with pytest.raises(InputError, match="say how thick"):
+        FlexureSpec(arch(24), arch(24), POM).make()
+    assert FlexureSpec(arch(24), arch(24), POM, least_thickness=2.0).make().strain == (0, 0)
+
+
+def test_a_part_that_breaks_is_refused():
+    with pytest.raises(StrainError, match="breaks"):
+        FlexureSpec(arch(24), arch(-20), "pla-4", least_thickness=4.0).make()
+
+
+def test_a_part_that_touches_itself_is_refused():
+    loop = PlaneCurve.arc((0, 40), 40, -np.pi / 2, -np.pi / 2 + 2 * np.pi - 0.15)
+    wide = PlaneCurve.arc((0, 60), 60, -np.pi / 2, -np.pi / 2 + loop.length / 60)
+    with pytest.raises(InputError, match="of itself"):
+        FlexureSpec(wide, loop, "polypropylene-3", match="shape", least_thickness=1.0).make()
