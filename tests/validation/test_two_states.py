@@ -53,7 +53,7 @@ def require_as_dense(first: PlaneCurve, second: PlaneCurve) -> TwoStateRod | Non
         assert rod.residual < 1e-8
         place = drawn.at(rod.s * drawn.length / rod.length).position
         assert np.abs(rod.position - place).max() < 1e-6 * rod.length
-        assert found.stable == (dense_margin(rod) > 0)
+        assert found.stable == (dense_margin(rod, 200) > 0)
     for rod in between.states:
         assert astray(rod) < 1e-6
     return pair
