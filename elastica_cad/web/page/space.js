@@ -15,7 +15,8 @@ export class Space {
       host.textContent = t("This browser shows no 3D: it needs WebGL.");
       return;
     }
-    const canvas = this.renderer.domElement;
+    const canvas = this.renderer.domElement, gl = this.renderer.getContext(), told = gl.getExtension("WEBGL_debug_renderer_info");
+    this.isSlow = /swiftshader|llvmpipe|software/i.test(told ? gl.getParameter(told.UNMASKED_RENDERER_WEBGL) : "");
     Object.assign(canvas, { tabIndex: 0 });
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", t("The bent strip in space; arrow keys turn it"));

@@ -11,7 +11,7 @@ import { LANGUAGES, speaker } from "./words.js";
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
 const HOLDERS = { rings: "Rings", base: "Base plate", fixtures: "Printed blocks", stand: "Whatever fits" };
 const SNAPS = [0, 1, 5, 10];
-const SPACE_MS = 60; // between two pictures of the bent strip while it is dragged
+const SPACE_MS = 30, SLOW_SPACE_MS = 300; // between two pictures of the bent strip while it is dragged
 const REST_MS = 250; // after the last change, until the whole model is made
 
 export function mount(root, channel, hello, { linked = null, address = false, kept = "elastica-studio", onchange = () => {} } = {}) {
@@ -165,8 +165,9 @@ class Studio {
     this.frames = null;
     this.bar.value = 1;
     this.forces.textContent = "";
-    this.drawing.axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
-    this.drawing.show({ points: this.points(design), ghost: null });
+    const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
+    this.drawing.show({ points: this.points(design) });
+    if (axis !== this.drawing.axis) Object.assign(this.drawing, { axis }).paint();
     if (!this.drawing.fingers.size) {
       this.form.show();
       this.model3d.show();
@@ -222,25 +223,38 @@ class Studio {
   paint(answer) {
     const { t } = this;
     this.answer = answer;
-    this.drawing.show({ answer });
+    this.drawing.show({ answer, ghost: null });
     if (!answer) {
-      this.verdict.className = "verdict";
+      Object.assign(this.verdict, { className: "verdict", said: "" });
       this.verdict.replaceChildren(html("strong", {}, t("Draw at least three points")), html("p", {}, t("Click on the drawing to set the first points of a curve, or start from an example.")));
-      this.numbers.replaceChildren();
+      this.tabulate([]);
       showFlat(this.flat, null);
       return;
     }
     const { refused } = answer, state = refused ? "no" : answer.warnings.length ? "care" : "yes";
     const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state];
     const texts = refused ? [refused.message] : [...answer.warnings, ...(answer.deviation == null ? [answer.text] : [])];
-    this.verdict.className = `verdict ${state}`;
-    this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
+    const said = [title, ...texts].join();
+    if (said !== this.verdict.said) { // a reader of the screen hears what is new
+      this.verdict.className = `verdict ${state}`;
+      this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
+    }
+    this.verdict.said = said;
     showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
-    this.numbers.replaceChildren(...(refused ? [] : this.rows(answer)).flatMap(([name, value]) => [html("dt", {}, t(name)), html("dd", {}, value)]));
+    this.tabulate(refused ? [] : this.rows(answer));
     if (answer.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
       if (this.answer?.position && !this.whole.checked) this.space.show(this.answer);
-    }, SPACE_MS);
+    }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
+  }
+
+  // Only the values that change are written anew.
+  tabulate(rows) {
+    const cells = this.numbers.children;
+    if (cells.length !== 2 * rows.length) this.numbers.replaceChildren(...rows.flatMap(() => [html("dt"), html("dd")]));
+    rows.forEach(([name, value], k) => [this.t(name), value].forEach((text, i) => {
+      if (cells[2 * k + i].textContent !== text) cells[2 * k + i].textContent = text;
+    }));
   }
 
   rows(answer) {
