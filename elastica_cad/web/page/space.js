@@ -72,9 +72,9 @@ export class Space {
     this.drawSoon();
   }
 
-  // One strip in the plane of its drawing.
-  show(shape) {
-    this.showModel({ shapes: [shape], places: [[0, UPRIGHT]], plates: [] });
+  // Strips in the plane of their drawing.
+  showAll(shapes) {
+    this.showModel({ shapes, places: shapes.map((_, k) => [k, UPRIGHT]), plates: [] });
   }
 
   showModel({ shapes, places, plates }) {
