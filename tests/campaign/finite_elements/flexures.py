@@ -59,7 +59,9 @@ class FlexedPart:
         return near and forces and (all(self.snapped) or not any(self.told))
 
 
-def flexed_parts(folder: Path, names: Sequence[str] = ("stand", "clip", "lopsided clip")) -> Iterator[FlexedPart]:
+def flexed_parts(
+    folder: Path, names: Sequence[str] = ("stand", "clip", "lopsided clip")
+) -> Iterator[FlexedPart]:
     """The two examples that are shipped, and a lopsided clip."""
     for name in names:
         if name == "lopsided clip":
