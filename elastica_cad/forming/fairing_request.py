@@ -79,8 +79,9 @@ class Smoothing:
                 else note("the stiffness ratio as drawn was {ratio:.3g}", ratio=before)
             )
             found.append(note(
-                "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve at most; "
-                "{before} (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).",
+                "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve "
+                "at most; {before} (smooth = 0, --set smooth=0, takes it as drawn, a larger number "
+                "makes it fairer).",
                 far=Length(self.moved), before=ratio, severity="warning",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:

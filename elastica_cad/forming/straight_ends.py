@@ -78,11 +78,17 @@ class StraightEnds:
                 "strip are counted from where it begins to bend.",
                 first=first,
                 last=last,
+                severity="warning",
             )
         if first:
             return note(
                 "The straight first {first} of the curve are the strip's tab; places along the strip are counted "
                 "from where it begins to bend.",
                 first=first,
+                severity="warning",
             )
-        return note("The straight last {last} of the curve are the strip's tab.", last=last) if last else None
+        if last:
+            return note(
+                "The straight last {last} of the curve are the strip's tab.", last=last, severity="warning"
+            )
+        return None

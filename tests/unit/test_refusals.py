@@ -1,6 +1,8 @@
 """Errors carry a record: template, typed values, places and changes; old names of options say what they are now."""
 
 import pickle
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 
 import click
 import pytest
@@ -19,8 +21,9 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
-from elastica_cad.refusals import note, sentences
+from elastica_cad.refusals import Listed, Point, note, sentences
 
+WAVE = [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)]  # no strip takes it
 FAR = InputError(
     "the ends are {distance} apart: bring them closer",
     distance=Length(1234.5),
@@ -46,7 +49,7 @@ def test_a_place_is_added_once_and_leaves_the_text():
 
 @pytest.mark.parametrize("kind", [InputError, NotRealizable])
 def test_errors_are_pickled_with_their_records(kind):
-    wave = PlaneCurve.spline([(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)], degree=4)
+    wave = PlaneCurve.spline(WAVE, degree=4)
     problem = FAR if kind is InputError else NotRealizable(check_equilibrium(wave))
     again = pickle.loads(pickle.dumps(problem.at(strip="A1")))
     assert type(again) is kind
@@ -85,3 +88,25 @@ def test_sentences_that_are_put_together_can_be_taken_apart():
 
 def test_a_small_length_has_three_digits_too():
     assert f"{Length(0.000123456)}" == "0.000123 mm"
+
+
+def refuse(number):
+    """What a worker answers, and what it raises for odd numbers."""
+    if number % 2:
+        raise NotRealizable(check_equilibrium(PlaneCurve.spline(WAVE, degree=4)))
+    return note("at {places}, near {place}", places=Listed([Length(number), Length(7)]), place=Point((1, 2)))
+
+
+def test_a_process_pool_returns_records_whole():
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+        even, odd = pool.submit(refuse, 2), pool.submit(refuse, 3)
+        assert even.result() == refuse(2)
+        assert even.result().values["places"] == (2, 7)
+        with pytest.raises(NotRealizable) as raised:
+            odd.result()
+    again = raised.value.refusal
+    with pytest.raises(NotRealizable) as here:
+        refuse(3)
+    assert again.record == here.value.refusal.record
+    assert again.kind == "not realizable"
+    assert again.changes == (Change("nearest", True),)

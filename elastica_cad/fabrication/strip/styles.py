@@ -55,7 +55,7 @@ GUIDE_MM = 0.5
 """A backing that is nearer than this to the base's edge everywhere is not marked on the base."""
 
 
-NO_WIDTH = "a strip needs max_width or min_width (mm): the rod only fixes how widths compare"
+NO_WIDTH = "a strip needs max_width or min_width, in mm: its curve fixes only how widths compare"
 """Message of a plain strip without a width; other styles have their own outline."""
 
 

@@ -226,7 +226,7 @@ def design_of(
     slips.tell()
     if top.has("pair"):
         raise InputError(
-            "{where_} holds a part with two rest shapes: `elastica pair` makes it", where_=top.where
+            "{place} holds a part with two rest shapes: `elastica pair` makes it", place=top.where
         )
     if not entries and revolution is None:
         raise InputError("{place} has no strips: write at least one table [[strips]]", place=top.where)
@@ -367,8 +367,8 @@ def _require_labels(before: Sequence[StripEntry], entries: Sequence[StripEntry],
     for entry in entries:
         if entry.label in taken or alike.setdefault(entry.label, _likeness(entry)) != _likeness(entry):
             raise InputError(
-                "{where_}: two strips are labelled {twice!r}; give each its own label, with {{i}} for the count",
-                where_=where,
+                "{place}: two strips are labelled {twice!r}; give each its own label, with {{i}} for the count",
+                place=where,
                 twice=entry.label,
             )
 

@@ -138,7 +138,7 @@ def section_curves(
             try:
                 curve, told = _curve(line, tolerance, wavelength, false_turn)
             except (InputError, NotConvergedError) as error:
-                reports.append(f"{line.name}: {error}")
+                reports.append(error.at(strip=line.name).refusal)
                 continue
             found.append(curve)
             reports += told

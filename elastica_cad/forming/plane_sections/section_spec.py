@@ -15,7 +15,7 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve, sec
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.running_sums import lengths_along
-from elastica_cad.refusals import Length, Listed, Point, Refusal, note, sentences
+from elastica_cad.refusals import Length, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
 """Largest number of planes."""
@@ -339,11 +339,9 @@ class PlaneSplit:
     @property
     def name(self) -> str:
         """The plane."""
-        return note(
-            "the plane through {place} across {normal}",
-            place=Point(self.point),
-            normal=Listed(map(float, self.normal)),
-        )
+        x, y, z = map(float, self.normal)
+        across = "the plane through {place} across ({x:.4g}, {y:.4g}, {z:.4g})"
+        return note(across, place=Point(self.point), x=x, y=y, z=z)
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_by`."""

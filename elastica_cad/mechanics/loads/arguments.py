@@ -51,7 +51,7 @@ def require_ratio(ratio: object, name: str) -> None:
     """Refuse a bound of max K / min K below 1, or one that is no number."""
     if not (is_number(ratio) and ratio >= 1):
         raise InputError(
-            "{name} is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4",
+            "{name} is {ratio}: the largest stiffness over the least cannot be below 1; plain strips allow 2 to 4",
             name=name,
             ratio=ratio,
         )

@@ -431,7 +431,8 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
     for mass in weight.masses:
         if not (np.isfinite(mass.mass) and 0 <= mass.at <= length):
             raise InputError(
-                "point mass of {mass:.6g} g at {at:.6g} does not lie on the curve of {length:.6g}",
+                "the point mass of {mass:.6g} g at {at:g} does not lie on the curve: give a place from 0 to "
+                "{length}",
                 mass=mass.mass,
                 at=Length(mass.at),
                 length=Length(length),

@@ -26,7 +26,7 @@ TANGENT_ENDS = KEPT_ENDS[:3]
 
 NAMES = {
     "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
-    "ignore_limits": "Anyway", "label": "EngravedText",
+    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText",
 }  # fmt: skip
 """Properties that are not called as their keys: users' files have these names."""
 
@@ -81,7 +81,8 @@ def _property_of(path: str, field: Field) -> Property:
         choices = [*([] if default is not None else [NOTHING]), *kind.choices]
         return Property(called, name, _group(path), field.help, choices)
     empty = {"String": "", "StringList": [], "FloatList": [], "Bool": False, "Integer": 0}.get(called, 0.0)
-    given = empty if default in (None, REQUIRED, ()) else default
+    record = called == "String" and not isinstance(default, str)  # written as a line of keys and values
+    given = empty if record or default in (None, REQUIRED, ()) else default
     return Property(
         called, name, _group(path), field.help, DEFAULTS.get(name, given), example=EXAMPLES.get(name, "")
     )

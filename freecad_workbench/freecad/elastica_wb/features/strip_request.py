@@ -125,8 +125,8 @@ def _line(line: str, name: str, example: str) -> dict[str, Any]:
         return tomllib.loads(f"line = {{{line}}}")["line"]
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(
-            "{where_}: {line} cannot be read: write keys and values, such as {example}",
-            where_=name,
+            "{place}: {line} cannot be read: write keys and values, such as {example}",
+            place=name,
             line=quoted(line),
             example=example,
         ) from error
