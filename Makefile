@@ -45,8 +45,9 @@ programs:
 	tests/freecad/setup.sh
 	tests/smoke/setup.sh
 
+# A file of tests stays on one process: what its tests share is made once.
 test-main: lint test-oldest
-	$(BIN)/python -m pytest -n 2 --durations=30 --ignore=tests/freecad --ignore=tests/smoke --ignore=tests/oldest --ignore=tests/benchmarks
+	$(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder --durations=30 --ignore=tests/freecad --ignore=tests/smoke --ignore=tests/oldest --ignore=tests/benchmarks
 
 # FreeCAD's own Python modules are loaded into this process, so it is one of its own.
 test-windows: $(VENV)/test-installed
@@ -103,6 +104,9 @@ campaign-manual: programs $(VENV)/test-installed
 
 campaign-programs: programs $(VENV)/test-installed
 	$(RECORD) programs $(SUITE) tests/smoke
+
+campaign-studio: programs $(VENV)/test-installed
+	$(RECORD) studio $(SUITE) -s tests/studio
 
 campaign-elements: programs .venv-campaign/installed
 	$(RECORD) elements .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign

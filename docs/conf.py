@@ -78,11 +78,11 @@ def list_contents(_app, docname, source):
 
 
 def lead_to_english(app, doctree):
-    """Pages that this language has not are linked in English."""
+    """Pages that this language has not are linked in English; files outside of the manual by its English index."""
     up = "../" * (app.env.docname.count("/") + 1)
     for link in list(doctree.findall(pending_xref)):
-        page = link["reftarget"]
-        if link["refdomain"] == "doc" and page not in app.env.found_docs:
+        page = "index" if link["reftarget"].startswith("/") else link["reftarget"]
+        if link["refdomain"] == "doc" and link["reftarget"] not in app.env.found_docs:
             target = f"{up}{page}.html" + (f"#{link['reftargetid']}" if link.get("reftargetid") else "")
             link.replace_self(nodes.reference("", "", *link.children, refuri=target, internal=True))
 

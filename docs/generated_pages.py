@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from enum import Enum
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -31,8 +32,8 @@ NAMES = {
         "nearest_rod", "nearest_rods", "NearestRod", "Status", "Limits", "Keep", "Box", "HalfPlane",
     ),
     "Strips": (
-        "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot", "Shop",
-        "Drawing", "save",
+        "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot",
+        "FabricationLimits", "Drawing", "save",
     ),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
@@ -46,6 +47,13 @@ NUMBER = {"type": ["number", "string"]}
 
 WIDTH = 88
 """Columns of a command's help, as on a terminal."""
+
+SHOWN: dict[str, Any] = {
+    "max_content_width": WIDTH,
+    "terminal_width": WIDTH,
+    "help_option_names": ["-h", "--help"],
+}
+"""How help is shown; click takes the names from the first context in which a command shows its help."""
 
 
 def pages() -> dict[str, str]:
@@ -61,7 +69,7 @@ def pages() -> dict[str, str]:
 
 def command_line() -> str:
     """Each command with its own help."""
-    context = click.Context(elastica, info_name="elastica", max_content_width=WIDTH, terminal_width=WIDTH)
+    context = click.Context(elastica, info_name="elastica", **SHOWN)
     parts = ["# Command line", "",
              "What `elastica --help` and `elastica COMMAND --help` print.", "",
              "Every command takes `--json` ([one record](../json.md) for programs), `-q`, `-v`, and lengths with "
@@ -70,9 +78,7 @@ def command_line() -> str:
     parts += [_help(elastica, context)]
     for name in elastica.list_commands(context):
         command = elastica.get_command(context, name)
-        inner = click.Context(
-            command, info_name=name, parent=context, max_content_width=WIDTH, terminal_width=WIDTH
-        )
+        inner = click.Context(command, info_name=name, parent=context, **SHOWN)
         parts += [f"## elastica {name}", "", _help(command, inner)]
     return "\n".join(parts)
 

@@ -15,7 +15,7 @@ from elastica_cad.errors import (
 )
 from elastica_cad.fabrication.drawings.drawing import Drawing as Drawing
 from elastica_cad.fabrication.flexure import Flexure as Flexure
-from elastica_cad.fabrication.makeability.shop import Shop as Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits as FabricationLimits
 from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.fabrication.model.strip_model import Model as Model
 from elastica_cad.fabrication.model.touching_widths import touching_widths as touching_widths

@@ -239,8 +239,8 @@ def how_to_install(package: str) -> str:
     return " ".join(words)
 
 
-RENAMED = {"anyway": "ignore_limits"}
-"""Public names of options that were changed, by the old one."""
+RENAMED = {"anyway": "ignore_limits", "joint": "seam_position", "Shop": "FabricationLimits"}
+"""Public names that were changed, by the old one."""
 
 
 def refuse_renamed(asked: Iterable[str]) -> None:

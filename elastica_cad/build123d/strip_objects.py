@@ -61,10 +61,15 @@ class _Made(StripBody):
         """The strip as cut, on the xy plane."""
         return FlatStrip(self, mode=bd.Mode.PRIVATE)
 
-    @property
-    def bent(self) -> "_Bent":
-        """The strip bent, on its curve; called with new ends it is bent further: `rib.bent(end=(120, 0))`."""
-        return _Bent(self)
+    def bent(self, **moved: Unpack[BendOptions]) -> "BentStrip":
+        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`.
+
+        `start` and `end` are points in space, or two numbers in the `frame` of the body, mm; `angles` (degrees in
+        that frame) and all others as in `mechanics.bend`.
+        """
+        if not moved:
+            return BentStrip(self, mode=bd.Mode.PRIVATE)
+        return BentStrip(self._bent_anew(moved), plane=self.frame, mode=bd.Mode.PRIVATE)
 
     def slider(self, end: Point) -> "Slider":
         """A joint of this body: the travel of its end to a point in space, or two numbers in its `frame`, mm."""
@@ -137,22 +142,6 @@ class _Made(StripBody):
     def __setstate__(self, state: dict[str, Any]) -> None:
         color = state[COLOR]
         self.__dict__.update(state | {COLOR: None if color is None else bd.Color(*color)})
-
-
-class _Bent:
-    """Makes the bent body of a strip, as it is or with its ends led elsewhere."""
-
-    def __init__(self, owner: _Made) -> None:
-        self._owner = owner
-
-    def __call__(self, **moved: Unpack[BendOptions]) -> "BentStrip":
-        """The body with its ends led to `start` and `end`: points in space, or two numbers in the `frame` of the
-        body, mm; `angles` (degrees in that frame) and all others as in `mechanics.bend`.
-        """
-        owner = self._owner
-        if not moved:
-            return BentStrip(owner, mode=bd.Mode.PRIVATE)
-        return BentStrip(owner._bent_anew(moved), plane=owner.frame, mode=bd.Mode.PRIVATE)
 
 
 class Slider(bd.LinearJoint):

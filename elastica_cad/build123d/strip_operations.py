@@ -40,7 +40,7 @@ def elastic_strip(
     *,
     sheet: Sheet | str | None = None,
     max_width: float | None = None,
-    form: Literal["flat", "bent", "outline"] = "flat",
+    form: Literal["bent", "flat", "outline"] = "bent",
     mode: bd.Mode = bd.Mode.ADD,
     **options: Unpack[StripOptions],
 ) -> Any:
@@ -53,9 +53,10 @@ def elastic_strip(
         The material, or the name of a built-in one.
     max_width : float
         As in `StripOutline`.
-    form : "flat", "bent" or "outline"
-        The strip as cut (`FlatStrip`), as bent (`BentStrip`), or its flat pattern (`StripOutline`). Bent it stands
-        on the pending edges where these are, as locations put them there; flat it lies at each active location.
+    form : "bent", "flat" or "outline"
+        The strip as bent (`BentStrip`), as cut (`FlatStrip`, which is `.flat` of a bent one too), or its flat
+        pattern (`StripOutline`). Bent it stands on the pending edges where these are, as locations put them
+        there; flat it lies at each active location.
     mode : Mode
         How it joins the builder's part or sketch.
     **options
@@ -63,7 +64,7 @@ def elastic_strip(
 
     Returns
     -------
-    FlatStrip, BentStrip or StripOutline
+    BentStrip, FlatStrip or StripOutline
         Where pending edges make several chains a `ShapeList` of them, one a chain.
 
     Raises

@@ -240,7 +240,7 @@ def _workplane_strip(
     sheet: Sheet | str,
     *,
     max_width: float | None = None,
-    form: Form = "flat",
+    form: Form = "bent",
     combine: bool | str = False,
     clean: bool = True,
     **options: Unpack[StripOptions],
@@ -253,9 +253,10 @@ def _workplane_strip(
         The material, or the name of a built-in one.
     max_width : float
         As in `strip_outline`.
-    form : "flat", "bent" or "outline"
-        Flat it lies on the workplane, the start of its free part at the origin, as its outline does, which is a
-        face to be extruded; bent it stands on the edges, which are moved to the points of the stack, where there
+    form : "bent", "flat" or "outline"
+        Flat (which is `.flat` of a bent one too) it lies on the workplane, the start of its free part at the
+        origin, as its outline does, which is a face to be extruded; bent it stands on the edges, which are moved
+        to the points of the stack, where there
         are some.
     combine, clean
         As in `Workplane.eachpoint`; of solids only.

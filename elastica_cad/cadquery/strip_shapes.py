@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack
 import cadquery as cq
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.solids.strip_solids import (
     BentSolid,
     BodyRecord,
@@ -397,7 +397,9 @@ def end_fixture(
     made, block = make_fixture_on(
         edges, sheet, max_width=max_width, end=end, floor=floor, number=number, **drawn_on, **options
     )
-    return dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
+    fixture = dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
+    fixture.label, fixture.color = block.label, cq.Color(*FIXTURE_COLOR)
+    return fixture
 
 
 def _drawn(path: Drawn) -> tuple[Any, dict[str, Any]]:

@@ -27,6 +27,7 @@ COMMANDS = {
     "reshape": "reshape_command:reshape",
     "sections": "sections_command:sections",
     "coupon": "coupon_command:coupon",
+    "compare": "compare_command:compare",
     "sheets": "sheets_command:sheets",
     "studio": "studio_command:studio",
     "help": "help_command:help_command",

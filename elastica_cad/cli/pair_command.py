@@ -116,7 +116,8 @@ def _tell(kit: PairKit) -> None:
         f"({part.sheet.name} bears {100 * part.sheet.max_strain:.2f} %)"
     )
     stays = [f"margin {one.margin:.3g} ({one.word})" for one in pair_.stability]
-    say(f"first state {stays[0]}, second state {stays[1]}")
+    side = [one.word for one in part.sideways]
+    say(f"first state {stays[0]}, second state {stays[1]}; sideways {side[0]} and {side[1]}")
     if pair_.bistable:
         at, _ = part.pushed
         back = part.travel_back

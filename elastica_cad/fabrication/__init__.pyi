@@ -38,6 +38,7 @@ from elastica_cad.fabrication.holders.slotted_frame import (
     slotted_frame as slotted_frame,
 )
 from elastica_cad.fabrication.holders.held_tabs import held_shapes as held_shapes, tab_seats as tab_seats
+from elastica_cad.fabrication.measuring import Measuring as Measuring
 from elastica_cad.fabrication.holding.expected_error import (
     MakingTolerance as MakingTolerance,
     open_deviation as open_deviation,
@@ -53,7 +54,7 @@ from elastica_cad.fabrication.interlocking.interlock import (
 )
 from elastica_cad.fabrication.flexure import Flexure as Flexure, FlexureTravel as FlexureTravel, Pad as Pad
 from elastica_cad.fabrication.flexure_spec import FlexureSpec as FlexureSpec
-from elastica_cad.fabrication.makeability.shop import Shop as Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits as FabricationLimits
 from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.fabrication.model.strip_model import Model as Model
 from elastica_cad.fabrication.model.touching_widths import touching_widths as touching_widths

@@ -44,6 +44,7 @@ APART = 3.0
 
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
+SHAPES = 8  # of a travel, at which the part may not touch itself
 FAR_SHARE = 0.05
 """Of the largest way of a point from one state to the other: one that goes less far is no place to push at."""
 
@@ -211,8 +212,11 @@ class Flexure:
             return self.least_thickness
         from scipy.optimize import brentq
 
+        if self.pair.check.any_stiffness:
+            raise InputError("both curves have the same shape, so nothing is bent: say how thick the part shall be "
+                             "(least_thickness, --least-thickness)")  # fmt: skip
         most = self.sheet.max_strain
-        high = 2 * most / max(self._bends.max(), 1e-12)  # the factor of curved beams only lowers it
+        high = 2 * most / float(self._bends.max())  # the factor of curved beams only lowers it
 
         def excess(scale: float) -> float:
             return float(self._strains(self._bends, scale).max()) - most
@@ -527,6 +531,16 @@ class Flexure:
         near = np.abs(s[:, None] - s[None]) <= APART * (half[:, None] + half[None]) + s[1] - s[0]
         return float(np.where(near, np.inf, apart).min())
 
+    def _gap_on_the_way(self, way: FlexureTravel) -> float:
+        """The same of some of the shapes between the states, mm."""
+        s = np.linspace(0.0, self.pair.length, way.position.shape[1])
+        gaps = []
+        for place in way.position[:: max(1, len(way.position) // SHAPES)]:
+            along = np.gradient(place, s, axis=0)
+            angle = np.unwrap(np.arctan2(along[:, 1], along[:, 0]))
+            gaps.append(self._gap(CentreLine(s, angle, place[0])))
+        return min(gaps)
+
     def _faults(self) -> Iterable[InputError]:
         """What keeps it from being made and used."""
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
@@ -583,6 +597,9 @@ class Flexure:
                 found.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
                                   "bears {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
+            if (gap := self._gap_on_the_way(way)) < CLEARANCE_MM:
+                found.append(note("on the way from state to state the part comes within {gap} of itself",
+                                  severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
             if not way.reached:
                 found.append(note("the way taken does not end in the second state: push it at another "
                                   "place, or lead it by hand", severity="warning"))  # fmt: skip

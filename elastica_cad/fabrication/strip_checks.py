@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._values import is_number, several
 from elastica_cad.errors import Change, InputError, rounded_up
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.outline import Tab
@@ -93,21 +93,21 @@ NEAREST_CALL = (
 """What a program that asked for a strip can do."""
 
 
-def check_joint(joint: float | None, curve: PlaneCurve) -> None:
+def check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
     """Refuse a place to begin that is not on the curve, or on one that is open."""
-    if joint is not None and not (is_number(joint) and 0 <= joint <= curve.length):
+    if seam_position is not None and not (is_number(seam_position) and 0 <= seam_position <= curve.length):
         raise InputError(
-            "joint is {joint!r}: give a place along the curve, 0 to {length:.4g}, or none",
-            joint=joint,
+            "seam_position is {seam!r}: give a place along the curve, 0 to {length:.4g}, or none",
+            seam=seam_position,
             length=Length(curve.length),
-            where={"field": "joint"},
+            where={"field": "seam_position"},
         )
-    if joint is not None and not curve.is_closed:
+    if seam_position is not None and not curve.is_closed:
         raise InputError(
-            "joint is {joint:g}, but the curve is open and begins at its own end: leave joint "
+            "seam_position is {seam:g}, but the curve is open and begins at its own end: leave it "
             "out, or close the curve",
-            joint=Length(joint),
-            where={"field": "joint"},
+            seam=Length(seam_position),
+            where={"field": "seam_position"},
         )
 
 
@@ -189,7 +189,7 @@ def limits_beside(
     return replace(limits, width=(narrowest, widest))
 
 
-def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Shop) -> float:
+def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: FabricationLimits) -> float:
     """The largest ratio of a plain strip's widths, mm, that the workshop can cut of a sheet.
 
     Raises
@@ -209,7 +209,7 @@ def ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Shop
     if least >= max_width:
         raise InputError(
             "max_width is {max_width:g}, but {name} needs {least} at its narrowest: widen the "
-            "strip, take another sheet, or allow less with shop=Shop(least_width=...)",
+            "strip, take another sheet, or allow less with shop=FabricationLimits(least_width=...)",
             max_width=Length(max_width),
             name=sheet.name,
             least=Length(least),

@@ -12,8 +12,8 @@ from elastica_cad._values import require_flag, require_positive, require_record,
 from elastica_cad.declared import Asked
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.holding.expected_error import USUAL_TOLERANCE, MakingTolerance
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.makeability.makeable_strip import make_within
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.outline import Hole, Tab, pair_of_tabs
@@ -22,8 +22,8 @@ from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style,
 from elastica_cad.fabrication.strip_checks import (
     AskedGravity,
     check_compensate,
-    check_joint,
     check_law,
+    check_seam,
     hung_weight,
     lightened,
     limits_beside,
@@ -88,7 +88,7 @@ class StripSpec(EqualByValue):
         Nodes of the rod; chosen unless given.
     ends : pair of Tab
         Of a closed strip the second is the lap that is glued behind its start, the first is left out.
-    joint : float, optional
+    seam_position : float, optional
         Where a closed strip begins and ends, mm along the curve as drawn; where it is bent least unless given, or
         as drawn with limits or keep. All places along the strip are counted from there. None for an open curve.
     straight_ends : bool
@@ -102,7 +102,7 @@ class StripSpec(EqualByValue):
         How far the curve may be moved to make its curvature and the slope of that continuous, mm; 0: exactly as
         drawn. Unless given only curves of a pen tool whose curvature jumps, read from a drawing, are moved, by
         0.1 mm or 5e-4 of the length at most, or by what the digits of the file leave open (see `smooth_curve`).
-    shop : Shop
+    shop : FabricationLimits
         What the workshop can make: least widths and the largest sheet.
     compensate : bool, optional
         True: change the widths so that the strip as made (slots, narrow tabs, leaning ligaments, anticlastic
@@ -205,7 +205,7 @@ class StripSpec(EqualByValue):
             written=Tab | tuple[Tab, Tab],
         ),
     ] = (Tab(10.0), Tab(10.0))
-    joint: Annotated[
+    seam_position: Annotated[
         float | None,
         Asked(
             "Where a closed strip is joined, along its curve; where it is bent least unless given.",
@@ -234,7 +234,7 @@ class StripSpec(EqualByValue):
             group="curve",
         ),
     ] = None
-    shop: Annotated[Shop, Asked("What the workshop can make.", group="limits")] = DEFAULT_SHOP
+    shop: Annotated[FabricationLimits, Asked("What the workshop can make.", group="limits")] = DEFAULT_LIMITS
     compensate: Annotated[
         bool | None,
         Asked(
@@ -284,7 +284,7 @@ class StripSpec(EqualByValue):
             check_law(self.law, self.material, self.style, ends, slots, sized=sized)
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
-        check_joint(self.joint, self.curve)
+        check_seam(self.seam_position, self.curve)
         if not isinstance(self.label, str):
             raise InputError("label is {label!r}: give a text, empty for none", label=self.label)
         if not isinstance(self.ignore_limits, bool):
@@ -295,9 +295,10 @@ class StripSpec(EqualByValue):
             )
         require_flag(self.straight_ends, "straight_ends")
         check_compensate(self.compensate)
-        if not isinstance(self.shop, Shop):
+        if not isinstance(self.shop, FabricationLimits):
             raise InputError(
-                "shop is {shop!r}: give a Shop record, such as Shop(least_width=2.0)", shop=self.shop
+                "shop is {shop!r}: give a FabricationLimits record, such as FabricationLimits(least_width=2.0)",
+                shop=self.shop,
             )
         settled = {
             "sheet": given,
@@ -410,8 +411,8 @@ class StripSpec(EqualByValue):
         curve = self.run_ins.bent
         if not curve.is_closed or (curve.has_corners and not self.smooth):  # refused, with places as drawn
             return curve
-        if self.joint is not None:
-            return begin_at(curve, self.joint)
+        if self.seam_position is not None:
+            return begin_at(curve, self.seam_position)
         counted = isinstance(self.natural_curvature, RestCurvature)  # from the start
         return curve if self.limits or self.keep or counted else begin_at(curve, flattest_place(curve))
 

@@ -100,7 +100,7 @@ class Box:
 Row: TypeAlias = tuple[float, ...]
 
 
-def bounds_along_strip(
+def _bounds_along_strip(
     lower: Annotated[float | Row | None, Asked("Least value, or values at equal distances.", least=1)] = None,
     upper: Annotated[
         float | Row | None, Asked("Largest value, or values at equal distances.", least=1)
@@ -189,7 +189,7 @@ class Limits:
         Asked(
             "Bounds of the stiffness over its least value, along the strip.",
             group="limits",
-            written=bounds_along_strip,
+            written=_bounds_along_strip,
         ),
     ] = None
 

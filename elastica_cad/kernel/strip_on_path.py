@@ -23,12 +23,19 @@ from elastica_cad.kernel.strip_body import (
 )
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import Length, note
 
 # what solves and holds strips is imported when it is asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holders.end_fixtures import EndFixture
     from elastica_cad.fabrication.strip_spec import StripSpec
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
+
+FAR_SHARE = 0.01
+"""Of the length: a nearest strip that leaves the drawn curve by more is told."""
+
+SHORTEST_MM = 5.0
+"""No strip is shorter: a curve was drawn in metres."""
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
@@ -85,6 +92,10 @@ def make_strip_on(
     from elastica_cad.fabrication.strip_checks import told_in_python
     from elastica_cad.fabrication.strip_spec import StripSpec
 
+    drawn = getattr(path, "line", None)
+    path = (
+        path if drawn is None or callable(drawn) else drawn
+    )  # a builder of lines stands for what it has drawn
     asked = {name: value for name, value in asked.items() if value is not None}
     _refuse_unknown(asked)
     frame = _frame_of(asked.pop("plane")) if "plane" in asked else None
@@ -113,10 +124,21 @@ def make_strip_on(
     else:
         drawn_on = None if workplane is None else _frame_of(workplane).axes.T
         curve, frame = plane_curve(path, frame, turned=drawn_on)
+    if curve.length < SHORTEST_MM:
+        raise InputError(
+            "the curve is {length:.3g} long: draw it in millimetres (in metres it would be {metres:.3g})",
+            length=Length(curve.length),
+            metres=Length(1000 * curve.length),
+        )
     spec = StripSpec(curve, sheet, frame, **asked)
     with told_in_python(spec.curve, spec.may_change):
         strip, deviation = _made(spec)
     _warn_of(strip)
+    if deviation > FAR_SHARE * strip.rod.length:
+        warn(note(
+            "the strip leaves the drawn curve by up to {far}, {percent:.2g} % of its length: it was allowed to",
+            far=Length(deviation), percent=100 * deviation / strip.rod.length,
+        ))  # fmt: skip
     return MadeStrip(strip, frame, deviation)
 
 

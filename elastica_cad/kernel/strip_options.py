@@ -6,7 +6,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from elastica_cad.fabrication.holding.expected_error import MakingTolerance
-    from elastica_cad.fabrication.makeability.shop import Shop
+    from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
     from elastica_cad.fabrication.slots.slot import Slot
     from elastica_cad.fabrication.strip.outline import Tab
     from elastica_cad.fabrication.strip.styles import Style
@@ -47,7 +47,7 @@ class StripOptions(TypedDict, total=False):
     """Nodes of the rod; chosen unless given."""
     ends: "Tab | Sequence[Tab]"
     """Tab of both ends, or the two of start and end."""
-    joint: "float | None"
+    seam_position: "float | None"
     """Where a closed strip is joined, along its curve; where it is bent least unless given (mm)."""
     straight_ends: "bool"
     """Straight first and last pieces of the curve become the tabs; false: the whole curve is bent."""
@@ -57,7 +57,7 @@ class StripOptions(TypedDict, total=False):
     """Text engraved on the strip, and its name in messages."""
     smooth: "float | None"
     """How far the curve may be moved to become fair; 0 follows it exactly as drawn (mm)."""
-    shop: "Shop"
+    shop: "FabricationLimits"
     """What the workshop can make."""
     compensate: "bool | None"
     """Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone."""

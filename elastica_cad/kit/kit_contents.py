@@ -13,8 +13,8 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture, crowded_bl
 from elastica_cad.fabrication.holders.held_tabs import hold_each, holder_plays, rocking_tabs
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.interlocking.collisions import tell_missing_slots
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.makeability.makeable_strip import Splice, joined_within, spliced
-from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.assembly import Holder, unheld_ends
 from elastica_cad.fabrication.model.strip_model import Model
@@ -153,7 +153,7 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
     return bool(spec.holders or model.plates)
 
 
-def _shop_of(strip: Strip, spec: KitSpec, asked: Mapping[str, Shop]) -> Shop:
+def _shop_of(strip: Strip, spec: KitSpec, asked: Mapping[str, FabricationLimits]) -> FabricationLimits:
     """The shop asked for, whose stock is what the margins of a nested sheet leave where that is less."""
     shop = asked.get(strip.label, spec.shop)
     if shop.lap is None:

@@ -13,7 +13,7 @@ from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
@@ -134,7 +134,7 @@ def save_model(
     parts: bool = True,
     force: bool = False,
     done: Callable[[str, int], None] | None = None,
-    shop: Shop = DEFAULT_SHOP,
+    shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> SavedKit:
     """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
@@ -158,7 +158,7 @@ def save_model(
         Overwrite files that exist.
     done : callable, optional
         Called with the name of each file that has been written, and how many there are in all.
-    shop : Shop
+    shop : FabricationLimits
         What the workshop can make.
     ignore_limits : bool
         Write strips that it cannot, and say so in the report.

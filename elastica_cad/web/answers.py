@@ -15,6 +15,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.drawing import LAYERS
+from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.model.assembly import assembly_parts
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -92,12 +93,14 @@ def answer(request: Mapping[str, Any]) -> Record | Download:
     design = request.get("design")
     if design is not None and not isinstance(design, Mapping):
         raise InputError("the design is no table of keys and values")
-    with TemporaryDirectory(prefix="elastica-studio-") as folder, read_below(folder):
-        try:
-            _refuse_files(design)
+    try:
+        _refuse_files(design)
+        if asked not in WITH_FILES:
+            return asked(request)
+        with TemporaryDirectory(prefix="elastica-studio-") as folder, read_below(folder):
             return asked(request, FilePath(folder))
-        except ElasticaError as problem:
-            return refused(problem)
+    except ElasticaError as problem:
+        return refused(problem)
 
 
 def refused(problem: ElasticaError) -> Record:
@@ -144,20 +147,25 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
     return asked_spec(request["design"], request.get("strip", 0))
 
 
-def _strip(request: Mapping[str, Any], _: FilePath) -> Record:
+def _strip(request: Mapping[str, Any]) -> Record:
     """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
     spec = _spec(request)
     check = check_equilibrium(spec.curve, spec.supports, spec.natural_curvature)
-    drawn = spec.curve.sample(DRAWN_NODES + 1)
-    told = {"drawn": _rounded(drawn.position, 3), "theorem": _theorem(check), "text": str(check)}
+    told: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
         if not (check.realizable or spec.may_change):
             raise NotRealizable(check)
         found = spec.rod_spec.solve()
         made = spec.make(found)
     except ElasticaError as problem:
-        return told | refused(problem)
-    return told | _shape(made) | _numbers(made, found)
+        return told | _drawn(spec) | refused(problem)
+    told |= _shape(made) | {"flat": _flat(made)} | _numbers(made, found)
+    told |= _drawn(spec) if spec.may_change else {}
+    return told if request.get("live") else told | _steadiness(made)
+
+
+def _drawn(spec: StripSpec) -> Record:
+    return {"drawn": _rounded(spec.curve.sample(DRAWN_NODES + 1).position, 3)}
 
 
 def _theorem(check: EquilibriumCheck) -> Record:
@@ -201,31 +209,32 @@ def _natural(rod: Rod) -> FloatArray:
 
 
 def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
-    """The flat part, what is to be known of the strip, and whether all of that is well."""
-    rod, verdict = made.rod, stability(made.rod)
+    """What is to be known of the strip at once."""
     low, high = made.width.extremes
     forces = made.reactions()
-    warnings = list(made.warnings)
+    near = found if isinstance(found, NearestRod) else None
+    return {
+        "warnings": list(made.warnings),
+        "deviation": None if near is None else round(near.deviation, 3),
+        "length": round(made.rod.length, 2),
+        "widths": [round(low, 2), round(high, 2)],
+        "ratio": round(made.rod.ratio, 3),
+        "used": round(made.strain_verdict.used, 3),
+        "strain": round(made.max_strain, 5),
+        "mass": float(f"{made.mass:.4g}"),
+        "force": float(f"{np.hypot(*forces.end_force):.3g}"),
+        "moment": float(f"{abs(forces.end_moment):.3g}"),
+    }
+
+
+def _steadiness(made: Strip) -> Record:
+    """Whether the strip stays, which is asked once the pointer rests."""
+    verdict, warnings = stability(made.rod), list(made.warnings)
     if not verdict.stable:
         warnings.insert(0, note(verdict.meaning))
     if made.sideways.needs_guiding:
         warnings.append(str(made.sideways))
-    near = found if isinstance(found, NearestRod) else None
-    return {
-        "flat": _flat(made),
-        "warnings": warnings,
-        "deviation": None if near is None else round(near.deviation, 3),
-        "length": round(rod.length, 2),
-        "widths": [round(low, 2), round(high, 2)],
-        "ratio": round(rod.ratio, 3),
-        "used": round(made.strain_verdict.used, 3),
-        "strain": round(made.max_strain, 5),
-        "margin": float(f"{verdict.margin:.3g}"),
-        "stable": verdict.word,
-        "mass": float(f"{made.mass:.4g}"),
-        "force": float(f"{np.hypot(*forces.end_force):.3g}"),
-        "moment": float(f"{abs(forces.end_moment):.3g}"),
-    } | _shape(made)
+    return {"margin": float(f"{verdict.margin:.3g}"), "stable": verdict.word, "warnings": warnings}
 
 
 def _flat(made: Strip) -> list[Record]:
@@ -233,15 +242,14 @@ def _flat(made: Strip) -> list[Record]:
     drawn: list[Record] = []
     below = 0.0
     for drawing in made.drawings():
-        (_, low), (_, high) = drawing.bounds
+        lines = [(item.layer, _line(item.path)) for item in drawing.paths]
+        lines += [(text.layer, _line(stroke)) for text in drawing.texts for stroke in text_strokes(text)]
+        heights = np.concatenate([points[:, 1] for _, points in lines])
+        shift = np.array([0.0, below - heights.max()])
         for layer in LAYERS:
-            loops = [
-                _rounded(_line(item.path) + np.array([0.0, below - high]), 2)
-                for item in drawing.strokes
-                if item.layer == layer
-            ]
+            loops = [_rounded(points + shift, 2) for name, points in lines if name == layer]
             drawn += [{"layer": layer, "loops": loops}] if loops else []
-        below -= 1.1 * (high - low)
+        below -= 1.1 * np.ptp(heights)
     return drawn
 
 
@@ -251,7 +259,7 @@ def _line(path: Path) -> FloatArray:
     return np.concatenate([points, points[:1]]) if path.closed else points
 
 
-def _nearest(request: Mapping[str, Any], _: FilePath) -> Record:
+def _nearest(request: Mapping[str, Any]) -> Record:
     """The nearest curve that can be made, stays, and keeps the sheet whole, or within the limits of the design."""
     spec = _spec(request)
     if not spec.may_change:
@@ -279,7 +287,7 @@ def _nearest(request: Mapping[str, Any], _: FilePath) -> Record:
     }
 
 
-def _sheets(request: Mapping[str, Any], _: FilePath) -> Record:
+def _sheets(request: Mapping[str, Any]) -> Record:
     """What each sheet makes of the strip: the share of what it bears, or why it cannot."""
     spec, rows = _spec(request), []
     for name in sheet_names():
@@ -295,7 +303,7 @@ def _sheets(request: Mapping[str, Any], _: FilePath) -> Record:
     return {"sheets": rows}
 
 
-def _bend(request: Mapping[str, Any], _: FilePath) -> Record:
+def _bend(request: Mapping[str, Any]) -> Record:
     """The shapes of the strip from flat to its design and on, with the forces at its end; where it snaps."""
     spec = _spec(request)
     made = spec.make()
@@ -334,7 +342,7 @@ def _frame(made: Strip, travel: Any, k: int, part: float) -> Record:
     }
 
 
-def _model(request: Mapping[str, Any], _: FilePath) -> Record:
+def _model(request: Mapping[str, Any]) -> Record:
     """Every strip in its place, with what holds it."""
     design = _design(request)
     kit = kit_of(design.model(), design.kit, entries=design.entries)
@@ -385,7 +393,7 @@ def _matrix(frame: Frame) -> list[float]:
     return [round(float(x), 6) for x in rows.T.ravel()]
 
 
-def _edit(request: Mapping[str, Any], _: FilePath) -> Record:
+def _edit(request: Mapping[str, Any]) -> Record:
     """The curve of the strip with one control point more, which leaves its shape as it is, or with one less."""
     curve, k = _spec(request).curve, request.get("remove")
     if k is None:
@@ -497,7 +505,7 @@ def _rounded(values: Any, digits: int) -> list[Any]:
     return rows
 
 
-QUESTIONS: Mapping[str, Callable[[Mapping[str, Any], FilePath], Record | Download]] = {
+QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "strip": _strip,
     "nearest": _nearest,
     "sheets": _sheets,
@@ -508,3 +516,6 @@ QUESTIONS: Mapping[str, Callable[[Mapping[str, Any], FilePath], Record | Downloa
     "file": _file,
 }
 """What the page may ask."""
+
+WITH_FILES = (_read, _file)
+"""They are given a folder of their own, and read from nowhere else."""

@@ -21,7 +21,11 @@ OPTIONS = {
 }
 
 bent = cq.Workplane("XZ").spline(POINTS, tangents=TANGENTS).elasticStrip(SHEET, form="bent", **OPTIONS)
-flat = cq.Workplane("XY", origin=(0, -60, 0)).spline(POINTS, tangents=TANGENTS).elasticStrip(SHEET, **OPTIONS)
+flat = (
+    cq.Workplane("XY", origin=(0, -60, 0))
+    .spline(POINTS, tangents=TANGENTS)
+    .elasticStrip(SHEET, form="flat", **OPTIONS)
+)
 rib = bent.val()
 
 wood = cq.Color(0.85, 0.70, 0.48)

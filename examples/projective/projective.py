@@ -30,7 +30,9 @@ def main(folder="out/projective"):
         )
         strip = ec.Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25, label=name)
         placed.append(ec.Placed(strip, (0, 60 * len(placed), 0), (1, 0, 0), (0, 0, 1)))
-    fine = ec.Shop(least_width=1.0)  # card is cut with a knife here: the ends of the second are 1.2 mm wide
+    fine = ec.FabricationLimits(
+        least_width=1.0
+    )  # card is cut with a knife here: the ends of the second are 1.2 mm wide
     print(ec.save_model(ec.Model(tuple(placed), name="projective"), folder, shop=fine, force=True))
 
 

@@ -70,7 +70,7 @@ class TestFreeFunctions:
 
     def test_several_edges_and_workplanes(self, edge):
         arc = cq.Edge.makeThreePointArc(cq.Vector(0, 0), cq.Vector(10, 10), cq.Vector(20, 0))
-        with pytest.warns(StripWarning, match=r"strain 4\.00 %.*beyond"):
+        with pytest.warns(StripWarning, match=r"strain 4 %.*beyond"):
             assert flat_strip([arc], SHEET, max_width=5, ignore_limits=True).rod.length == pytest.approx(
                 10 * np.pi
             )
@@ -88,7 +88,7 @@ class TestWorkplane:
         assert work.val().strip.label == "A1"
 
     def test_flat_lies_on_the_workplane(self):
-        work = cq.Workplane("XZ", origin=(0, 7, 0)).spline(POINTS).elasticStrip(SHEET, **OPTIONS)
+        work = cq.Workplane("XZ", origin=(0, 7, 0)).spline(POINTS).elasticStrip(SHEET, form="flat", **OPTIONS)
         box = work.val().BoundingBox()
         assert (box.ymin, box.ymax) == pytest.approx((6.2, 7), abs=1e-5)
         assert box.xmin == pytest.approx(-12, abs=1e-5)
@@ -114,7 +114,7 @@ class TestWorkplane:
 
     def test_combines(self):
         base = cq.Workplane().box(400, 60, 10).faces(">Z").workplane()
-        work = base.spline(POINTS).elasticStrip(SHEET, combine=True, **OPTIONS)
+        work = base.spline(POINTS).elasticStrip(SHEET, form="flat", combine=True, **OPTIONS)
         strip = flat_strip(cq.Workplane().spline(POINTS), SHEET, **OPTIONS)
         assert work.solids().size() == 1
         assert work.val().Volume() == pytest.approx(400 * 60 * 10 + strip.Volume(), rel=1e-6)
@@ -122,11 +122,11 @@ class TestWorkplane:
     def test_selected_edges(self):
         work = cq.Workplane().spline(POINTS)
         work.ctx.popPendingEdges()
-        assert work.elasticStrip(SHEET, **OPTIONS).val().isValid()
+        assert work.elasticStrip(SHEET, form="flat", **OPTIONS).val().isValid()
 
     def test_assembly_with_constraints(self, edge):
         """Two strips end to end, by the tags of their end faces."""
-        flat = cq.Workplane().spline(POINTS).elasticStrip(SHEET, **OPTIONS)
+        flat = cq.Workplane().spline(POINTS).elasticStrip(SHEET, form="flat", **OPTIONS)
         made = (
             cq.Assembly(name="pair")
             .add(flat, name="one", color=cq.Color(0.85, 0.7, 0.48))

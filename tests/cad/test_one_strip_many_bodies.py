@@ -213,7 +213,7 @@ class TestCadQuery:
 
         register()
         drawn = cq.Workplane().spline([(0, 0), (40, 40), (90, 50), (140, 0)])
-        many = drawn.pushPoints([(0, 0), (0, 60), (0, 120)]).elasticStrip(SHEET, max_width=20)
+        many = drawn.pushPoints([(0, 0), (0, 60), (0, 120)]).elasticStrip(SHEET, max_width=20, form="flat")
         assert sorted(round(body.Center().y) for body in many.vals()) == [0, 60, 120]
         assert sorted(round(face.Center().y) for face in many.faces(tag="end").vals()) == [0, 60, 120]
         drawn = cq.Workplane().spline([(0, 0), (40, 40), (90, 50), (140, 0)])
@@ -221,7 +221,7 @@ class TestCadQuery:
         assert len(two.elasticStrip(SHEET, max_width=20, form="bent").vals()) == 2
         drawn = cq.Workplane("XZ").spline([(0, 0), (40, 40), (90, 50), (140, 0)])
         two = drawn.moveTo(0, 90).spline([(40, 130), (90, 140), (140, 90)], includeCurrent=True)
-        four = two.pushPoints([(0, 0), (0, 60)]).elasticStrip(SHEET, max_width=20)
+        four = two.pushPoints([(0, 0), (0, 60)]).elasticStrip(SHEET, max_width=20, form="flat")
         assert sorted(round(body.Center().z) for body in four.vals()) == [0, 0, 60, 60]
 
 

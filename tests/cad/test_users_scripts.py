@@ -131,13 +131,17 @@ class TestCadQuery:
 
         register()
         drawn = cq.Workplane("XZ").spline([(0, 0), (60, 50), (120, 0)])
-        result = drawn.rect(400, 200, forConstruction=True).vertices().elasticStrip(SHEET, max_width=12)
+        result = (
+            drawn.rect(400, 200, forConstruction=True)
+            .vertices()
+            .elasticStrip(SHEET, max_width=12, form="flat")
+        )
         assert result.solids().size() == 4
         corners = sorted((round(body.Center().x), round(body.Center().z)) for body in result.vals())
         assert np.ptp(corners, axis=0) == pytest.approx((400, 200), abs=1)
         base = cq.Workplane().box(500, 300, 2, centered=(False, True, False))
         joined = base.faces(">Z").workplane().spline([(0, 0), (60, 50), (120, 0)]).elasticStrip(
-            SHEET, max_width=12, combine=True
+            SHEET, max_width=12, form="flat", combine=True
         )  # fmt: skip
         assert joined.solids().size() == 1
         assert joined.val().Volume() > base.val().Volume()
@@ -271,3 +275,45 @@ def test_a_skin_is_there_soon_after_its_library(project_root):
         [sys.executable, "-c", code], cwd=project_root, capture_output=True, text=True, check=False
     )
     assert told.stdout.strip() == "[]", told.stderr
+
+
+class TestWhatAScriptExpects:
+    """Defaults and words that people guess."""
+
+    POINTS = ((0, 0), (60, 50), (120, 0))
+
+    def test_a_strip_is_bent_and_has_a_flat_one(self):
+        import build123d as bd
+
+        from elastica_cad.build123d import elastic_strip
+
+        with bd.BuildPart() as part:
+            with bd.BuildLine(bd.Plane.XZ) as drawn:
+                bd.Spline(*self.POINTS)
+            rib = elastic_strip(sheet=SHEET, max_width=12)
+        assert part.part.bounding_box().size.Z > 20
+        assert pytest.approx(rib.strip.sheet.thickness) == rib.flat.bounding_box().size.Z
+        assert rib.bent().volume == pytest.approx(rib.volume)
+        again = elastic_strip(drawn, sheet=SHEET, max_width=12)  # a builder stands for its line
+        assert again.volume == pytest.approx(rib.volume)
+
+    def test_a_curve_drawn_in_metres_is_refused(self):
+        import cadquery as cq
+
+        from elastica_cad.cadquery import bent_strip
+
+        edge = cq.Edge.makeSpline([cq.Vector(x / 1000, y / 1000) for x, y in self.POINTS])
+        with pytest.raises(InputError, match="draw it in millimetres"):
+            bent_strip(edge, SHEET, max_width=12)
+
+    def test_a_fixture_of_cadquery_has_its_own_name_and_colour(self):
+        import cadquery as cq
+
+        from elastica_cad.cadquery import bent_strip
+
+        rib = bent_strip(
+            cq.Edge.makeSpline([cq.Vector(*point) for point in self.POINTS]), SHEET, max_width=12
+        )
+        block = rib.fixture("end")
+        assert block.label != rib.label
+        assert block.color.toTuple() != rib.color.toTuple()

@@ -127,8 +127,9 @@ MORE_REQUESTS = {
     ),
     "closed where it is bent least": Request(WIDE, WIDE_OPTION, WIDE_KEY, WIDE_IN_FREECAD, OVAL),
     "closed within limits": Request(
-        WIDE | {"joint": 60.0, "limits": Limits(ratio=9.0)}, f"{WIDE_OPTION} --set joint=60 --ratio 9",
-        f"{WIDE_KEY}joint = 60\nlimits.ratio = 9",
+        WIDE | {"seam_position": 60.0, "limits": Limits(ratio=9.0)},
+        f"{WIDE_OPTION} --set seam_position=60 --ratio 9",
+        f"{WIDE_KEY}seam_position = 60\nlimits.ratio = 9",
         WIDE_IN_FREECAD | NEAREST_IN_FREECAD | {"RatioLimit": 9.0, "Joint": 60.0}, OVAL,
     ),
     "a batten under its weight": Request(

@@ -9,7 +9,7 @@ limit, and all that a curve may keep.
 from dataclasses import dataclass
 from typing import Any
 
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
@@ -81,7 +81,7 @@ REQUESTS = {
         BOW, thickness=0.3,
     ),
     "narrower than can be handled, of a faired curve": Request(
-        {"min_width": 1.5, "ignore_limits": True, "smooth": 0.5, "shop": Shop(least_width=2.0)},
+        {"min_width": 1.5, "ignore_limits": True, "smooth": 0.5, "shop": FabricationLimits(least_width=2.0)},
         "--min-width 1.5 --ignore-limits --set smooth=0.5 --set shop.least_width=2",
         """min_width = 1.5
            ignore_limits = true
@@ -117,7 +117,8 @@ REQUESTS = {
     "perforated, rolled beforehand, guided at its start": Request(
         {"style": Perforated(width=24.0, columns=2, rows=6, hole_ratio=0.72, least_ligament=0.4, least_hole=1.2,
                              corner_radius=0.1, sides="arc"),
-         "shop": Shop(least_ligament=0.4), "natural_curvature": 0.002, "supports": Supports("guided", "clamped"),
+         "shop": FabricationLimits(least_ligament=0.4), "natural_curvature": 0.002,
+         "supports": Supports("guided", "clamped"),
          "ends": (Tab(12, holes=(Hole(6, 3),)), Tab(8, holes=(Hole(4, 3),)))},
         """--style perforated --outer-width 24 --set style.columns=2 --set style.rows=6
            --set style.hole_ratio=0.72 --set style.least_ligament=0.4 --set shop.least_ligament=0.4
@@ -174,10 +175,10 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         ARCH, sheet="pom-0.5",
     ),
     "closed, joined where it is told, widths in proportion to the stiffness": Request(
-        {"max_width": 20.0, "joint": 60.0, "ends": (Tab(8), Tab(8)), "compensate": False},
-        "--max-width 20 --set joint=60 --tab 8 --no-compensate",
+        {"max_width": 20.0, "seam_position": 60.0, "ends": (Tab(8), Tab(8)), "compensate": False},
+        "--max-width 20 --set seam_position=60 --tab 8 --no-compensate",
         """max_width = 20
-           joint = 60
+           seam_position = 60
            ends = { length = 8 }
            compensate = false""",
         {"MaxWidth": 20.0, "Joint": 60.0, "StartTab": 8.0, "EndTab": 8.0, "Anticlastic": False},
@@ -305,7 +306,7 @@ REFUSED = {
         'max_width = 20\nsupports = ["clamped", "slide-x"]', {"MaxWidth": 20.0, "EndSupport": "slide-x"}, HINGED,
     ),
     "narrower than the workshop can": Request(
-        {"min_width": 1.5, "shop": Shop(least_width=2.0)}, "--min-width 1.5 --set shop.least_width=2",
+        {"min_width": 1.5, "shop": FabricationLimits(least_width=2.0)}, "--min-width 1.5 --set shop.least_width=2",
         "min_width = 1.5\nshop = { least_width = 2 }", {"MaxWidth": 0.0, "MinWidth": 1.5, "LeastWidth": 2.0}, ARCH,
     ),
     "perforated, with larger holes than are let": Request(
@@ -340,7 +341,8 @@ REFUSED = {
         WAVE,
     ),
     "joined, though the curve is open": Request(
-        {"max_width": 20.0, "joint": 60.0}, "--max-width 20 --set joint=60", "max_width = 20\njoint = 60",
+        {"max_width": 20.0, "seam_position": 60.0}, "--max-width 20 --set seam_position=60",
+        "max_width = 20\nseam_position = 60",
         {"MaxWidth": 20.0, "Joint": 60.0}, ARCH,
     ),
     "a slot beside the strip": Request(

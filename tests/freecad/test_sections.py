@@ -146,7 +146,6 @@ def test_closed_sections_are_split_or_named(document, ball):
             assert abs(middle[side]) == pytest.approx(found.curve.length / np.pi, rel=1e-2)
 
 
-@pytest.mark.campaign
 def test_closed_sections_alone_are_told_once(document, ball):
     ball.Placement.Base = App.Vector(0.004, 7.3, 0)
     made = curves.section(document, [ball])

@@ -139,7 +139,7 @@ def _what_helps(row, _):
     elif row[0].startswith("plates that join"):
 
         def joined(lap, **asked):
-            return strayed(shop=ec.Shop(stock=(250, 100), lap=lap), **asked)
+            return strayed(shop=ec.FabricationLimits(stock=(250, 100), lap=lap), **asked)
 
         assert joined(20.0, compensate=True) < 0.5 * joined(20.0)
         assert strayed() < joined(10.0) < joined(20.0)

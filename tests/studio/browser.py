@@ -76,6 +76,12 @@ class Studio:
         (one,) = [one for one in self.all(selector) if one.text == text and one.is_displayed()]
         one.click()
 
+    def start(self, name):
+        """Begin with one of the examples."""
+        self.all("[data-do=starts]")[0].click()
+        self.until(lambda: self.all(f"[data-name={name}]"))[0].click()
+        self.until(lambda: self.verdict() and "#" in self.browser.current_url)
+
     def mouse(self, kind, at, **more):
         more = {"button": "left", "buttons": 1} | more
         self.browser.execute_cdp_cmd(

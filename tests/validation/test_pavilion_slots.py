@@ -9,7 +9,7 @@ import pytest
 from elastica_cad.fabrication.holders.held_tabs import held_shapes
 from elastica_cad.fabrication.holders.plate_pairs import plate_pair
 from elastica_cad.fabrication.interlocking.collisions import missing_slots
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS
 from elastica_cad.fabrication.makeability.uncuttable_parts import find_strip_faults
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
 from elastica_cad.fabrication.strip.outline import Tab
@@ -137,7 +137,7 @@ def test_the_design_file_with_its_feet_is_made_up_for(tmp_path, project_root):
     assert sorted(strayed[1])[3] < 0.1
     assert any("still locks" in text for text in made_up.reports)
     _widened_as_told(made_up, plain)
-    assert not any(find_strip_faults(strip, DEFAULT_SHOP) for strip in made_up.strips)
+    assert not any(find_strip_faults(strip, DEFAULT_LIMITS) for strip in made_up.strips)
 
 
 def _written(path, text):

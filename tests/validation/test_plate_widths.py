@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -107,7 +107,7 @@ def test_all_that_can_be_made_up_for_is_when_asked():
 
 def test_a_long_strip_that_bends_as_a_plate_is_cut_in_pieces():
     long = ARCH.transformed(np.diag([1.0, 1.0, 0.25]))
-    made = make_strip(long, CARD, max_width=60.0, shop=Shop(stock=(700.0, 500.0), lap=40.0))
+    made = make_strip(long, CARD, max_width=60.0, shop=FabricationLimits(stock=(700.0, 500.0), lap=40.0))
     assert made.plates is not None
     assert made.held().as_plate
 

@@ -140,24 +140,24 @@ def _values(kind: Kind) -> list[str]:
     return found
 
 
-def in_words(kind: Kind) -> str:
+def _in_words(kind: Kind) -> str:
     """What a value may be, for people.
 
     Examples
     --------
-    >>> in_words(paths_of(CommandKeys)["limits.strain"].kind)
+    >>> _in_words(paths_of(CommandKeys)["limits.strain"].kind)
     'true or false, or a number'
     """
     kind = written(kind)
     if kind.name == "either":
-        return ", or ".join(dict.fromkeys(in_words(one) for one in kind.of))
+        return ", or ".join(dict.fromkeys(_in_words(one) for one in kind.of))
     if kind.name == "choice":
         return " or ".join(str(one) for one in kind.choices)
     if kind.name == "table":
         assert kind.record is not None
         return f"table {title(kind.record)}"
     if kind.name == "list":
-        inner, size = in_words(kind.of[0]), "" if kind.size is None else f"{kind.size} "
+        inner, size = _in_words(kind.of[0]), "" if kind.size is None else f"{kind.size} "
         plural = {"a number": "numbers", "true or false": "times true or false"}.get(inner, f"times {inner}")
         return f"[{size}{plural}]" if inner in ("a number", "true or false") else f"list of {inner}"
     plain = {"number": "a number", "count": "a whole number", "flag": "true or false", "text": "a text"}
@@ -175,7 +175,7 @@ def explained(path: str, option: str) -> str:
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
     field = require_path_of(path.removeprefix("strips."), record)
     asked = field.asked
-    lines = [told(field.help, asked.unit), f"Value: {in_words(field.kind)}."]
+    lines = [told(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
     bounds = [f"least {asked.least:g}"] if asked.least is not None else []
     bounds += [f"most {asked.most:g}"] if asked.most is not None else []
     if bounds:

@@ -29,7 +29,7 @@ from elastica_cad.fabrication.holders.plates import (
 )
 from elastica_cad.fabrication.holding.rest_in_seats import Lean, lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
@@ -266,7 +266,7 @@ def end_plates(
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
     name: Annotated[str, Asked("Name of its files.")] = "ring",
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> tuple[BasePlate, ...]:
     """A plate for the tabs of each end of any strips, in the plane that suits these tabs.
@@ -290,7 +290,7 @@ def end_plates(
     gap : float, optional
         Two plates instead of each, so far apart, mm, that hold inclined tabs at their angle; the second is called
         NAME-start-outer and so on.
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make.
     ignore_limits : bool
         Make plates that the workshop cannot, and say so in their warnings.

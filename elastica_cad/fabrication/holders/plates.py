@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_ends, tabs_to_hold
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     accept_faults,
     find_plate_faults,
@@ -168,7 +168,7 @@ def base_plate(
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
     ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     name: Annotated[str, Asked("Name of its files.")] = "base",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> BasePlate:
     """One plate with a slot for every tab that stands on it.
@@ -197,7 +197,7 @@ def base_plate(
     ends : sequence of "start" and "end"
         Which tabs may stand on it.
     name : str
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make: bridges between slots, the largest sheet.
     ignore_limits : bool
         Make a plate that the workshop cannot, and say so in its warnings.
@@ -273,7 +273,7 @@ def plate_with(
     border: float,
     shape: Shape = "hull",
     name: str = "base",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> BasePlate:
     """The plate around slots; refused where two meet, and without `ignore_limits` where it cannot be made."""
@@ -296,7 +296,7 @@ def _check_slots(
     slots: Sequence[TabSlot],
     others: Sequence[Path] = (),
     *,
-    shop: Shop | None,
+    shop: FabricationLimits | None,
     ignore_limits: bool,
 ) -> tuple[str, ...]:
     """Warnings for a plate with slots and other cuts that was made in spite of faults; see `accept_faults`."""
@@ -484,7 +484,7 @@ class Ring:
     def _inner(self) -> tuple[Path, ...]:
         return (*(slot.path for slot in self.slots), *self._others)
 
-    def checked(self, shop: Shop | None = None, *, ignore_limits: bool = False) -> "Ring":
+    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> "Ring":
         """The ring with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
@@ -559,7 +559,7 @@ def ring_plate(
     play: float = PLAY_MM,
     clearance: float = CLEARANCE_MM,
     name: str = "ring",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> Ring:
     """The ring or cap about the z axis that holds one end of all strips of a surface of revolution.
@@ -582,7 +582,7 @@ def ring_plate(
     clearance : float
         Added to the width of slots, mm.
     name : str
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make: bridges between slots, the largest sheet.
     ignore_limits : bool
         Make a ring that the workshop cannot, and say so in its warnings.
@@ -643,7 +643,7 @@ def ring_around(
     *,
     border: float = BORDER_MM,
     name: str = "ring",
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> Ring:
     """The ring about the axis of its frame that has these slots; see `ring_plate`."""

@@ -16,7 +16,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, centred_text
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pairs import lean_pair, require_gap, tab_plane, through_slots
 from elastica_cad.fabrication.holders.plates import PLAY_MM, BasePlate, TabSlot, plate_with
-from elastica_cad.fabrication.makeability.shop import Shop, shop_or_default
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits, limits_or_default
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_plate_faults
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct
@@ -78,7 +78,7 @@ class Rib:
     label: Text
     warnings: tuple[str, ...] = ()
 
-    def checked(self, shop: Shop | None = None, *, ignore_limits: bool = False) -> "Rib":
+    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> "Rib":
         """The rib with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
@@ -140,7 +140,7 @@ def slotted_frame(
     clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
     border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:
     """A frame of plates: each rail follows the tabs of one end, ribs hold the rails apart at their angle.
@@ -164,7 +164,7 @@ def slotted_frame(
     gap : float, optional
         Two rails instead of each, so far apart, mm, that hold inclined tabs at their angle; the steps of the ribs'
         tongues keep the gap.
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make: bridges between slots, the largest sheet.
     ignore_limits : bool
         Make rails and ribs that the workshop cannot, and say so in their warnings.
@@ -218,7 +218,7 @@ def slotted_frame(
         _RailPlan.of(placed, end, sheet, play=play, clearance=clearance, behind=behind) for end in ENDS
     ]  # fmt: skip
     across = _across(rails)
-    room = max(SLOT_ROOM_MM, shop_or_default(shop).bridge_for(sheet))
+    room = max(SLOT_ROOM_MM, limits_or_default(shop).bridge_for(sheet))
     stations = _stations([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
     plans = [
         _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))

@@ -18,13 +18,14 @@ from elastica_cad.fabrication.holding.held_shape import (
     strayed,
 )
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 PHASES = 8
 """Of a wave along the strip that are tried."""
 
 OPEN_SHARES: Mapping[str, float] = {
-    "slots": 0.15,
+    "slots": 0.22,
     "narrow tabs": 0.3,
     "steps of width": 0.3,
     "leaning ligaments": 0.7,
@@ -36,13 +37,19 @@ OPEN_SHARES: Mapping[str, float] = {
 }
 """Of what each cause does to a strip: the largest error of the model (`docs/finite_elements.md`)."""
 
-OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT = 6e-5, 2.5e-4, 3e-4
-"""Of the length, whatever the causes: of any strip; of one whose sheet curls across, at nu = 0.3 and as nu^2; and
-of one that is perforated or laminated, whose drawing only comes near to its stiffness."""
+OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
+"""Of the length, whatever the causes: of any strip; of one whose sheet curls across, at nu = 0.3 and as nu^2; of
+one that is perforated or laminated; and of such a one in a sheet with grain, whose holes and borders are computed
+as those of a sheet without, in proportion to what sqrt(E / G) has more."""
 
 
 def open_deviation(
-    length: float, sheet: Sheet, parts: Mapping[str, float], *, approximated: bool = False
+    length: float,
+    sheet: Sheet,
+    parts: Mapping[str, float],
+    *,
+    approximated: bool = False,
+    crowded: bool = False,
 ) -> float:
     """How far, mm, a strip of a perfect sheet may lie from where the model has it.
 
@@ -55,9 +62,15 @@ def open_deviation(
         What each cause does to the strip before widths make up for it, mm.
     approximated : bool
         Does the drawing only come near to the stiffness, as holes and backings do?
+    crowded : bool
+        Do slots lie so near to each other that what they do together is not known?
     """
-    shares = OPEN_PLAIN + OPEN_CURLED * (sheet.poisson_ratio / 0.3) ** 2 + OPEN_BUILT * approximated
-    return shares * length + sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
+    nu = sheet.poisson_ratio
+    shares = OPEN_PLAIN + OPEN_CURLED * (nu / 0.3) ** 2
+    if approximated:
+        shares += OPEN_BUILT + OPEN_GRAINED * max(0.0, (even_shear_ratio(nu) / sheet.shear_ratio) ** 0.5 - 1)
+    left = parts.get("slots", 0.0) * crowded
+    return shares * length + left + sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
 
 
 @dataclass(frozen=True)

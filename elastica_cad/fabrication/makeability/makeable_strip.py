@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.marks import Cuts, end_numbers, label_off_cuts, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
@@ -289,7 +289,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     return Splice(strip, found[0], lap, found[1] if len(found) > 1 else ())
 
 
-def spliced(strip: Strip, shop: Shop) -> Splice | None:
+def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
     """The strip in pieces, where the shop joins pieces and the strip is longer than its stock."""
     if shop.lap is None:
         return None
@@ -300,7 +300,7 @@ def spliced(strip: Strip, shop: Shop) -> Splice | None:
     return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
 
 
-def joined_within(strip: Strip, shop: Shop) -> Strip:
+def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
     """The strip with the plates that join its pieces, where the shop cuts it in pieces; else without any."""
     joined = spliced(strip, shop)
     plates = None if joined is None else joined.plates
@@ -339,7 +339,7 @@ def _placed(
     return tuple(float(s[k]) for k in reversed(chosen))
 
 
-def make_within(strip: Strip, shop: Shop, *, compensate: bool, ignore_limits: bool) -> Strip:
+def make_within(strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool) -> Strip:
     """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
 
     Raises
@@ -383,7 +383,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
     )
 
 
-def compensate_within(strip: Strip, shop: Shop) -> Strip:
+def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
     """The strip with compensated widths; as it is, with a warning, where those could not be cut and handled."""
     better = compensate_widths(strip)
     faults = find_strip_faults(better, shop)

@@ -8,12 +8,12 @@ import numpy as np
 from elastica_cad._counts import and_more, told_apart
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
-from elastica_cad.fabrication.makeability.shop import (
+from elastica_cad.fabrication.makeability.fabrication_limits import (
     FILLED_SLOT_MM,
     SLENDEREST,
     WIDEST_SLOT_THICKNESSES,
-    Shop,
-    shop_or_default,
+    FabricationLimits,
+    limits_or_default,
 )
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -217,7 +217,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
 
 
-def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
+def find_strip_faults(strip: Strip, shop: FabricationLimits | None = None) -> tuple[Fault, ...]:
     """Everything that keeps a strip from being cut and handled, the base first.
 
     Widths are measured on the cut loops: free part, tabs, necks beside slots and holes.
@@ -231,7 +231,7 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
     """
     if strip.layout.size is not None:  # not cut from a sheet: its law has limits of its own
         return ()
-    shop = shop or Shop()
+    shop = shop or FabricationLimits()
     name = strip.label or "strip"
     joined = shop.lap is not None  # of pieces
     stocks = [shop.stock_for(layer.sheet) for layer in strip.layers]
@@ -273,12 +273,12 @@ def find_plate_faults(
     sheet: Sheet,
     outline: Path,
     holes: Sequence[Path],
-    shop: Shop | None = None,
+    shop: FabricationLimits | None = None,
     called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
     """Find what cannot be cut of a ring, a base or a rail: bridges between its cuts, and its size; `called`
     names first holes."""
-    shop = shop_or_default(shop)
+    shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
     return (

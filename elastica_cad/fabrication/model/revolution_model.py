@@ -11,8 +11,8 @@ from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pairs import ring_pair
 from elastica_cad.fabrication.holders.plates import FLATTEST_RAD, PLAY_MM, Ring, ring_plate, slot_reach
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.makeability.makeable_strip import refuse_broken
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -55,7 +55,7 @@ def revolution(
     rings: Sheet | str | None = None,
     gap: float | None = None,
     name: str = "revolution",
-    shop: Shop = DEFAULT_SHOP,
+    shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> Model:
     """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
@@ -76,7 +76,7 @@ def revolution(
         Two rings instead of each where tabs go through, so far apart, mm, that hold the tabs at their angle; see
         `ring_pair`.
     name : str
-    shop : Shop
+    shop : FabricationLimits
         What the workshop can make.
     ignore_limits : bool
         Make strips and rings that the workshop cannot, and say so in their warnings.
@@ -116,7 +116,7 @@ def revolve(
     rings: Sheet | str | None = None,
     gap: float | None = None,
     name: str = "revolution",
-    shop: Shop = DEFAULT_SHOP,
+    shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> Model:
     """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`.
@@ -143,7 +143,7 @@ def revolve(
         )
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
-    require_record(shop, Shop, "the shop", "a Shop")
+    require_record(shop, FabricationLimits, "the shop", "a FabricationLimits")
     if ends is not None:
         ends = several("ends", ends, Tab, "Tab")
         if len(ends) != 2:
@@ -173,7 +173,7 @@ class _Asked:
     ends: tuple[Tab, Tab] | None
     rings: Sheet | None
     gap: float | None
-    shop: Shop
+    shop: FabricationLimits
     ignore_limits: bool
 
     def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring, ...], tuple[str, ...]]:

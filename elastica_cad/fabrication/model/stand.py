@@ -12,7 +12,7 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtur
 from elastica_cad.fabrication.holders.plate_pairs import end_plates, facing_plates
 from elastica_cad.fabrication.holders.plates import BasePlate
 from elastica_cad.fabrication.holders.slotted_frame import Rib, slotted_frame
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import note
@@ -38,7 +38,11 @@ class Stand:
 
 @refusing_old_names
 def stand(
-    placed: Sequence[Placed], sheet: Sheet | str, *, shop: Shop | None = None, ignore_limits: bool = False
+    placed: Sequence[Placed],
+    sheet: Sheet | str,
+    *,
+    shop: FabricationLimits | None = None,
+    ignore_limits: bool = False,
 ) -> Stand:
     """One plate for all tabs, or two that the strips hold apart, or a frame, or a block for every end.
 
@@ -47,7 +51,7 @@ def stand(
     placed : sequence of Placed
     sheet : Sheet or its name
         Of plates; blocks are printed.
-    shop : Shop, optional
+    shop : FabricationLimits, optional
         What the workshop can make; plates that it cannot are passed by.
     ignore_limits : bool
         Take them all the same.

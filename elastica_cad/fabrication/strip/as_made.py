@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -39,7 +40,7 @@ from elastica_cad.mechanics.material.plain_section import crack_energy
 from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
 from elastica_cad.mechanics.material.stiffness_law import BendFactor
 from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, as_bent, resample
-from elastica_cad.refusals import note
+from elastica_cad.refusals import Length, note
 
 CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""
@@ -135,6 +136,9 @@ LEAST_SHARE = 0.01
 
 PLATES = "plates"
 """Over joints of pieces, as a cause."""
+
+LEAST_SHEARING = 0.8
+"""Of G / E of a sheet without grain: what shears more easily has a grain."""
 
 KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
 """Causes that hang on how the sheet shears."""
@@ -356,6 +360,13 @@ def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[
     return found
 
 
+def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
+    """Places of the first two slots that are nearer to each other than the deeper of them is deep."""
+    points = (slot.center_line(width)[0] for slot in slots)
+    lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
+    return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
+
+
 def _beside_tabs(
     width: Profile, tab_widths: tuple[float | None, float | None], corner: float
 ) -> list[tuple[float, float]]:
@@ -417,6 +428,8 @@ class StripAsMade:
         The joint of a closed strip.
     curl : Curl, optional
         How the stiffness of the nodes follows their curvature.
+    crowded : tuple of float
+        Places, mm, of two slots that are nearer to each other than the deeper of them is deep; empty of others.
     """
 
     design: Rod
@@ -428,6 +441,7 @@ class StripAsMade:
     approximated: bool
     lap: LapJoint | None = None
     curl: Curl | None = None
+    crowded: tuple[float, ...] = ()
 
     @classmethod
     def of(
@@ -463,6 +477,7 @@ class StripAsMade:
             if ends[1].length and closes(rod)
             else None,
             _curl_of(design, layout),
+            _crowded(slots, layout.width),
         )
 
     @cached_property
@@ -514,7 +529,13 @@ class StripAsMade:
             *poses,
             corrected=asked is not self,
             as_plate=self.as_plate,
-            open=open_deviation(rod.length, self.layout.sheet, parts, approximated=self.approximated),
+            open=open_deviation(
+                rod.length,
+                self.layout.sheet,
+                parts,
+                approximated=self.approximated,
+                crowded=bool(self.crowded),
+            ),
             sheet=sheet_effects(self.loaded, self.design, self.layout.sheet, self._cut_breadth, tolerance),
             notes=self._notes(seats),
         )
@@ -533,6 +554,23 @@ class StripAsMade:
                     "The shear modulus of {sheet} is not known, so it counts as a sheet without grain: beside "
                     "slots, tabs and steps it is softer than that",
                     sheet=sheet.name,
+                )
+            )
+        if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
+            found.append(
+                note(
+                    "Holes and layers count as in a sheet without grain: {sheet} shears more easily, and what that "
+                    "does is left open",
+                    sheet=sheet.name,
+                )
+            )
+        if self.crowded:
+            found.append(
+                note(
+                    "The slots at {first} and {second} lie nearer to each other than they are deep: what they do "
+                    "together is left open",
+                    first=Length(self.crowded[0]),
+                    second=Length(self.crowded[1]),
                 )
             )
         if any(seat is not None for seat in seats):

@@ -5,7 +5,7 @@ from functools import cache
 from typing import Any
 
 from elastica_cad.declared import Field, Kind, Record
-from elastica_cad.errors import InputError, near_names, quoted
+from elastica_cad.errors import RENAMED, InputError, near_names, quoted
 from elastica_cad.formats.design_files.records import fields_of, word_of, written
 
 
@@ -82,6 +82,8 @@ def require_path_of(path: str, record: Record) -> Field:
         There is none; the message names the nearest.
     """
     known = paths_of(record)
+    if RENAMED.get(path) in known:
+        raise InputError("{old} is now called {new}", old=path, new=RENAMED[path])
     if path not in known:
         near = near_path(path, known)
         hint = f"did you mean {near}?" if near else "`elastica help` lists them"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import HoldingTabs
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.placed_strip import strip_names
 from elastica_cad.formats.drawing_files.drawing_style import Scheme
 from elastica_cad.formats.drawing_files.dxf_drawing import DxfVersion
@@ -121,7 +121,7 @@ class HolderSpec:
         return str(self.options.get("name", self.kind))
 
     def made(
-        self, model: "Model", shop: Shop = DEFAULT_SHOP, *, ignore_limits: bool = False
+        self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
         """Plates, ribs and blocks, and a sentence on what was chosen, or an empty one.
 
@@ -190,7 +190,7 @@ class KitSpec:
         Length of a bar to check the machine's scale with, mm.
     pages : str or None
         Paper on which every part is printed at full size, in one PDF.
-    shop : Shop
+    shop : FabricationLimits
         What the workshop can make.
     ignore_limits : bool
         Make what it cannot, and say so in the report.
@@ -202,7 +202,7 @@ class KitSpec:
     coupon: bool = False
     reference_bar: float | None = None
     pages: str | None = None
-    shop: Shop = DEFAULT_SHOP
+    shop: FabricationLimits = DEFAULT_LIMITS
     ignore_limits: bool = False
 
     def extras(self, model: "Model") -> "tuple[Piece, ...]":

@@ -19,8 +19,7 @@ from elastica_cad.formats.design_files.revolution_table import RevolutionKeys
 from elastica_cad.formats.design_files.strip_table import SharedKeys, StripKeys
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_library import sheet_keys
+from elastica_cad.mechanics.material.sheet import Sheet, sheet_keys
 
 Pair: TypeAlias = tuple[float, float]
 Names: TypeAlias = str | tuple[str, ...]

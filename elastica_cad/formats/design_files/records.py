@@ -28,7 +28,7 @@ CurveReader = Callable[..., list[PlaneCurve]]
 Range = tuple[float, float]
 
 
-def thickness(
+def _thickness(
     sheet: Sheet,
     limits: Annotated[Range, Asked("Least and largest thickness.", "mm", least=0)],
     width: Annotated[float, Asked("Width of the batten.", "mm", least=0)],
@@ -37,14 +37,14 @@ def thickness(
     return ThicknessLaw(sheet, *limits, width=width)
 
 
-def rod(
+def _rod(
     sheet: Sheet, limits: Annotated[Range, Asked("Least and largest diameter.", "mm", least=0)]
 ) -> RoundLaw:
     """A round rod, turned thinner."""
     return RoundLaw(sheet, *limits)
 
 
-def tube(
+def _tube(
     sheet: Sheet,
     limits: Annotated[Range, Asked("Least and largest outer diameter.", "mm", least=0)],
     bore: Annotated[float, Asked("Inner over outer diameter.", least=0, most=1)],
@@ -53,7 +53,7 @@ def tube(
     return RoundLaw(sheet, *limits, bore=bore)
 
 
-def leaves(
+def _leaves(
     sheet: Sheet,
     leaves: Annotated[int, Asked("Leaves of the sheet, at most.", least=2)],
     width: Annotated[float, Asked("Width of the leaves.", "mm", least=0)],
@@ -63,7 +63,7 @@ def leaves(
     return LeavesLaw(sheet, leaves, width, fewest)
 
 
-def blank(
+def _blank(
     stations: Annotated[
         tuple[float, ...], Asked("From 0 to the length of the strip; one twice is a step.", "mm")
     ],
@@ -73,7 +73,7 @@ def blank(
     return RestCurvature.linear(stations, curvatures)
 
 
-def drawn_blank(
+def _drawn_blank(
     curve: Annotated[PlaneCurve, Asked("In which the blank lies before it is bent.")],
 ) -> RestCurvature:
     """A blank that is drawn as it lies unbent."""
@@ -92,7 +92,7 @@ def _cutting(kerf: float | str = 0.0, **options: Any) -> Cutting:
 
 BY_KIND: dict[Record, dict[str, Record]] = {
     Style: {"plain": Plain, "perforated": Perforated, "laminated": Laminated},
-    BoundedLaw: {"thickness": thickness, "rod": rod, "tube": tube, "leaves": leaves},
+    BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
 """What a table makes by the word of its key `kind`; the first is meant where it is left out."""
 
@@ -103,7 +103,7 @@ WRITTEN: dict[Record, Kind] = {
     Sheet: Kind("text"),
     Formula: Kind("number"),
     Supports: kind_of(tuple[EndName, EndName]),
-    RestCurvature: Kind("either", (kind_of(blank), kind_of(drawn_blank))),
+    RestCurvature: Kind("either", (kind_of(_blank), kind_of(_drawn_blank))),
 }
 """How records are written that are no tables of their fields; modules that read others add theirs."""
 

@@ -5,7 +5,7 @@ from typing import Annotated, Any, TypeAlias
 
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
@@ -51,7 +51,7 @@ class RevolutionKeys:
         tuple[Tab, Tab] | None,
         Asked("Tab of both ends, or the two of start and end.", written=Tab | tuple[Tab, Tab]),
     ] = None
-    shop: Annotated[Shop, Asked("What the workshop can make.")] = DEFAULT_SHOP
+    shop: Annotated[FabricationLimits, Asked("What the workshop can make.")] = DEFAULT_LIMITS
     ignore_limits: Annotated[bool, Asked("Make strips that cannot be cut or handled, and say so.")] = False
 
     @property
@@ -100,7 +100,7 @@ class RevolutionEntry:
         Of the rings at both ends.
     gap : float or None
         Between two rings that hold inclined tabs, mm; one ring each without.
-    shop : Shop
+    shop : FabricationLimits
         What the workshop can make.
     ignore_limits : bool
         Make what it cannot, and say so.
@@ -112,7 +112,7 @@ class RevolutionEntry:
     ends: tuple[Tab, Tab] | None = None
     rings: Sheet | None = None
     gap: float | None = None
-    shop: Shop = DEFAULT_SHOP
+    shop: FabricationLimits = DEFAULT_LIMITS
     ignore_limits: bool = False
 
     def model(self, name: str) -> Model:

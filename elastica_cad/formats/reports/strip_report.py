@@ -8,8 +8,10 @@ from elastica_cad._values import is_whole, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.holders.holding_template import distance_between, held_ends, tell_ends
 from elastica_cad.fabrication.holding.held_shape import HeldShape, Reactions
+from elastica_cad.fabrication.measuring import Measuring
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
+from elastica_cad.formats.reports.measuring_sheet import measuring_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -185,6 +187,7 @@ def report_strip(
         "backing_side": strip.backing_side or None,
         "ends": _ends(strip),
         "held": _held(strip),
+        "measuring": _measuring(strip),
         "joint": _joint(strip),
         "mass": round_numbers(strip.mass),
         "layers": _layers(strip),
@@ -344,6 +347,16 @@ def _held(strip: Strip) -> dict[str, Any] | None:
     """The strip with ends held as designed; None where it finds no shape near the design."""
     try:
         return report_held(strip.held())
+    except NotConvergedError:
+        return None
+
+
+def _measuring(strip: Strip) -> dict[str, Any] | None:
+    """What can be measured on it, for `elastica compare`; None of a closed one, or without a rest shape."""
+    if strip.is_closed:
+        return None
+    try:
+        return measuring_record(Measuring.of(strip))
     except NotConvergedError:
         return None
 

@@ -92,13 +92,13 @@ def _bezier_parts(points: FloatArray, a: FloatArray, b: FloatArray) -> FloatArra
     return np.stack(parts, axis=1)
 
 
-def _kind(segment: Segment) -> object:
+def _kind(segment: Segment) -> Hashable:
     """What segments have in common that are evaluated together: clamped splines without weights their degree."""
     if isinstance(segment, Spline):
         curve = segment.curve
         clamped = (curve.knots[0], curve.knots[-1]) == curve.domain
         return curve.degree if clamped and not curve.is_rational else segment
-    return type(segment)
+    return type(segment).__name__
 
 
 def _motion(segments: Sequence[Segment]) -> _Motion:
@@ -108,8 +108,8 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
     lines = [segment for segment in segments if isinstance(segment, Line)]
     splines = [segment for segment in segments if isinstance(segment, Spline)]
     if lines:
-        ends = np.array([[line.start, line.end] for line in lines])
-        return _on_splines([*np.tile([0.0, 0.0, 1.0, 1.0], (len(lines), 1))], [*ends], 1)
+        ends = [np.array([line.start, line.end]) for line in lines]
+        return _on_splines([np.array([0.0, 0.0, 1.0, 1.0])] * len(lines), ends, 1)
     first = splines[0]
     if len(splines) == 1:
         return lambda _, u, derivative: first.velocity_at(u) if derivative else first.at(u)

@@ -23,6 +23,12 @@ CALM = 1e-8
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
 """Of the largest stiffness of a node: added where the energy is no valley or a step would raise it."""
 
+NOISE = 2e-13
+"""Of the stiffness of an edge against stretching: what rounding leaves of the forces."""
+
+ROUNDING = 1e-11
+"""Of the energy: a step that promises less is taken whatever the sum of so many terms says."""
+
 KICK = 1e-4
 """Of the length: off a ridge, in a lopsided bow that no symmetry of the rod undoes."""
 
@@ -261,10 +267,8 @@ class _Chain:
             if held:
                 band = self._holding(band)
                 slope[self.pushed - 1, 0] = 0.0
-            calm = np.abs(slope).max() <= CALM * max(
-                float(np.abs(self._edge_forces(x)).max()), self.s[-1] ** -2
-            )
-            if calm:
+            pulls = max(float(np.abs(self._edge_forces(x)).max()), self.s[-1] ** -2)
+            if np.abs(slope).max() <= max(CALM * pulls, NOISE * self.axial.max()):
                 if damping == 0.0 or _solved(band, slope.ravel()) is not None:
                     return x
                 if kicked:
@@ -281,7 +285,9 @@ class _Chain:
                     there = x.copy()
                     there[1:-1] += step.reshape(-1, 2)
                     energy = self.energy(there)
-                    if energy <= here + 1e-14 * abs(here):
+                    # near rest the energy falls by less than its rounding
+                    promised = float(-slope.ravel() @ step)
+                    if energy <= here or promised <= ROUNDING * abs(here):
                         x, here = there, energy
                         damping = damping / DAMPING_STEP if damping > LEAST_DAMPING else 0.0
                         break

@@ -3,16 +3,17 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
-from functools import lru_cache
+from functools import cache, lru_cache
 from os import PathLike
 from pathlib import Path
+from types import MappingProxyType
 from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
 from elastica_cad._notebook import html_table
 from elastica_cad._values import is_number, is_one_of, is_series, require_number
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Asked, Field, declared
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
@@ -30,7 +31,6 @@ from elastica_cad.mechanics.material.sheet_library import (
     library_files,
     read_figures,
     require_printable,
-    sheet_keys,
     toml_text,
     toml_value,
 )
@@ -142,7 +142,7 @@ class Sheet:
         What is found in practice, in the number's own unit; without it the number is taken as certain.
     least_width, least_ligament, least_bridge : float, optional
         Narrowest strip or tongue, ligament of a perforated strip, and bridge between the cuts of a plate that can
-        be cut and lifted out, mm; without them rules of thumb speak (`Shop`).
+        be cut and lifted out, mm; without them rules of thumb speak (`FabricationLimits`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
     break_strain : float, optional
@@ -514,6 +514,17 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
     return own, tuple(problems)
 
 
+SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
+"""Of keys in files, which say their unit."""
+
+
+@cache
+def sheet_keys() -> Mapping[str, Field]:
+    """What a table of a sheet may hold: the fields of `Sheet`, by keys that say their unit."""
+    known = {one.name + SUFFIXES.get(one.asked.unit, ""): one for one in declared(Sheet)}
+    return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
+
+
 @lru_cache(maxsize=64)
 def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
     """The file as it is in this state; it is asked for often."""
@@ -561,7 +572,7 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
     ...     round(load_sheets(file)["my-pom"].elasto_gravity_length, 1)
     159.6
     """
-    return _sheets(read_figures(path), str(path))
+    return _sheets(read_figures(path, sheet_keys()), str(path))
 
 
 def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
@@ -572,7 +583,7 @@ def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
     InputError
         As `load_sheets`.
     """
-    return _sheets(figures_from_table(table, where), where)
+    return _sheets(figures_from_table(table, where, sheet_keys()), where)
 
 
 def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sheet]:

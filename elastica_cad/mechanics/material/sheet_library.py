@@ -4,14 +4,14 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
-from functools import cache, lru_cache
+from functools import lru_cache
 from math import isfinite
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from elastica_cad._values import require_path
-from elastica_cad.declared import Field, declared
+from elastica_cad.declared import Field
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.refusals import note
 
@@ -27,19 +27,6 @@ UNITS = {
     "max_strain": "parts of the length (0.01 = 1 %)",
     "kerf": "mm",
 }
-
-SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
-"""Of keys in files, which say their unit."""
-
-
-@cache
-def sheet_keys() -> Mapping[str, Field]:
-    """What a table of a sheet may hold: the fields of `Sheet`, by keys that say their unit."""
-    from elastica_cad.mechanics.material.sheet import Sheet
-
-    known = {one.name + SUFFIXES.get(one.asked.unit, ""): one for one in declared(Sheet)}
-    return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
-
 
 # key -> (lowest, highest that any sheet has, what the unit is)
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
@@ -72,9 +59,8 @@ def plausible_number(value: object, key: str, where: str) -> float:
     return number
 
 
-def _advise_key(key: str) -> str:
+def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
     """Suggest the known key that is nearest to an unknown one."""
-    keys = sheet_keys()
     for known, field in keys.items():
         stem = field.name
         if key.lower() == known.lower() or (
@@ -306,7 +292,7 @@ def library_files() -> tuple[Path, ...]:
     )
 
 
-def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
+def read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
     """Fields of `Sheet` but for its name, by name, from a user's file: see `load_sheets`.
 
     Raises
@@ -361,17 +347,17 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
             given=quoted(data["schema"]),
             schema=SCHEMA,
         )
-    return figures_from_table(data.get("sheets", {}), str(path))
+    return figures_from_table(data.get("sheets", {}), str(path), keys)
 
 
-def figures_from_table(table: object, where: str) -> dict[str, dict[str, Any]]:
+def figures_from_table(table: object, where: str, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
     """The same from the parsed table ``sheets`` of a TOML file; `where` names the file in messages."""
     if not isinstance(table, Mapping) or not table:
         raise InputError("{place} holds no sheet: write at least one table [sheets.NAME]", place=where)
-    return {name: _fields(name, entry, where) for name, entry in table.items()}
+    return {name: _fields(name, entry, where, keys) for name, entry in table.items()}
 
 
-def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
+def _fields(name: str, entry: object, file: str, keys: Mapping[str, Field]) -> dict[str, Any]:
     """Fields of one sheet."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
@@ -382,14 +368,13 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             entry=quoted(entry),
         )
     values: dict[str, Any] = {}
-    keys = sheet_keys()
     for key, value in entry.items():
         if key not in keys:
             raise InputError(
                 "{place}: unknown key {key!r}{advise_key}",
                 place=where,
                 key=key,
-                advise_key=_advise_key(key),
+                advise_key=_advise_key(key, keys),
             )
         field_name, kind = keys[key].name, keys[key].kind.name
         if kind == "either" and not isinstance(value, str):

@@ -41,6 +41,9 @@ class Imperfection:
         D).
     width_loss : float
         Width lost all along, mm, beyond what the kerf was corrected for; negative for a strip left too wide.
+    thickness_wave, wave_phase : float
+        Amplitude of a wave of thickness, one over the length of the strip, as a share of the thickness; and its
+        phase at the start, rad.
     """
 
     stiffness_range: float = 1.0
@@ -51,6 +54,8 @@ class Imperfection:
     end_angle: float = 0.0
     yield_curvature: float = np.inf
     width_loss: float = 0.0
+    thickness_wave: float = 0.0
+    wave_phase: float = 0.0
 
 
 def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None = None) -> Rod:
@@ -132,11 +137,15 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
     K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
     least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
     plate = _plate_of(rod)
+    wave = (1 + v.thickness_wave * np.cos(2 * np.pi * rod.s / rod.length + v.wave_phase)) ** 3
     if plate is not None:
-        return _plate_as_cut(rod, *plate, K / rod.stiffness, v)
+        return _plate_as_cut(rod, *plate, K * wave / rod.stiffness, v)
     if v.width_loss != 0:
         loss = v.width_loss / least
         K, B = (K - loss) / (1 - loss), 1 - loss
+    if v.thickness_wave:
+        low = float((K * wave).min())
+        K, B = K * wave / low, B * low
     changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
     return _with_weight(changed, v, B), B
 
@@ -183,6 +192,10 @@ MOST_SAMPLES = 100_000
 """Largest number of rods that are bent in one study."""
 
 
+SIGNED = ("angle", "width_loss", "thickness_wave", "wave_phase")
+"""Ranges that may reach below zero."""
+
+
 @dataclass(frozen=True)
 class ToleranceRanges:
     """Lowest and highest value of everything that may vary; see `Imperfection` for the meaning.
@@ -199,6 +212,8 @@ class ToleranceRanges:
         1/mm, for the thickness as designed.
     width_loss : (low, high)
         mm.
+    thickness_wave, wave_phase : (low, high)
+        Amplitude, as a share, and phase, rad, of a wave of thickness along the strip.
 
     Raises
     ------
@@ -213,6 +228,8 @@ class ToleranceRanges:
     angle: Range = (-0.035, 0.035)
     yield_curvature: Range = (np.inf, np.inf)
     width_loss: Range = (0.0, 0.0)
+    thickness_wave: Range = (-0.01, 0.01)
+    wave_phase: Range = (0.0, float(np.pi))
 
     def __post_init__(self) -> None:
         for name in (
@@ -223,6 +240,8 @@ class ToleranceRanges:
             "angle",
             "yield_curvature",
             "width_loss",
+            "thickness_wave",
+            "wave_phase",
         ):
             pair = numbers(getattr(self, name), f"the range of {name}")
             if pair.shape != (2,):
@@ -239,9 +258,9 @@ class ToleranceRanges:
                     low=low,
                     high=high,
                 )
-            if name not in {"angle", "width_loss"} and low <= 0:
+            if name not in SIGNED and low <= 0:
                 raise InputError("range of {name} begins at {low:g}: it must be positive", name=name, low=low)
-            if name in {"angle", "width_loss"} and not np.isfinite([low, high]).all():
+            if name in SIGNED and not np.isfinite([low, high]).all():
                 raise InputError(
                     "range of {name} is {low:g} to {high:g}: it must be finite", name=name, low=low, high=high
                 )
@@ -311,7 +330,7 @@ class ToleranceStudy:
     Attributes
     ----------
     effects : tuple of ToleranceEffect
-        Stiffness range, weight, end angles, plasticity, thickness, kerf: each alone.
+        Stiffness range, weight, end angles, plasticity, thickness, kerf, thickness along the strip: each alone.
     combined : ToleranceEffect
         All at once.
     seed : int
@@ -339,9 +358,9 @@ class ToleranceStudy:
 
     def __str__(self) -> str:
         """One line a cause: worst and 95 % deviation, mm."""
-        lines = [f"{'deviation, mm':<18}{'95 %':>9}{'worst':>9}"]
+        lines = [f"{'deviation, mm':<26}{'95 %':>9}{'worst':>9}"]
         for effect in (*self.effects, self.combined):
-            line = f"{effect.name:<18}{effect.percentile_95:>9.3f}{effect.worst:>9.3f}"
+            line = f"{effect.name:<26}{effect.percentile_95:>9.3f}{effect.worst:>9.3f}"
             if effect.failed:
                 line += f"   {effect.failed} of {effect.samples} found no rest shape"
             if effect.snapped:
@@ -451,6 +470,7 @@ _CAUSES: dict[str, dict[str, str]] = {
     "plasticity": {"yield_curvature": "yield_curvature"},
     "thickness": {"thickness": "thickness"},
     "kerf": {"width_loss": "width_loss"},
+    "thickness along the strip": {"thickness_wave": "thickness_wave", "wave_phase": "wave_phase"},
 }
 
 

@@ -117,8 +117,9 @@ export class Drawing {
 
   released(event) {
     this.fingers.delete(event.pointerId);
-    if (this.grabbed != null) this.on.release(this.grabbed);
+    const moved = this.grabbed != null;
     this.grabbed = null;
+    if (moved) this.on.release();
   }
 
   typed(event) {

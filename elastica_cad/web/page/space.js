@@ -122,7 +122,7 @@ export class Space {
     if (!this.ball || !width || !height) return;
     if (this.seen !== `${width} ${height}`) this.renderer.setSize(width, height);
     this.seen = `${width} ${height}`;
-    const { around, up, zoom } = this.turn, far = 0.95 * zoom * this.ball.radius / Math.sin((17.5 * Math.PI) / 180) / Math.min(width / height, 1);
+    const { around, up, zoom } = this.turn, far = 1.05 * zoom * this.ball.radius / Math.sin((17.5 * Math.PI) / 180) / Math.min(width / height, 1);
     const way = new THREE.Vector3(Math.cos(up) * Math.cos(around), Math.cos(up) * Math.sin(around), Math.sin(up));
     Object.assign(this.camera, { aspect: width / height, near: far / 100, far: 10 * far });
     this.camera.updateProjectionMatrix();

@@ -66,7 +66,7 @@ class Studio {
     this.dialog = html("dialog", { "aria-label": t("Start from") });
     this.bar = html("input", { type: "range", min: 0, max: 1, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
-    this.whole = html("input", { type: "checkbox", id: "whole", onchange: () => this.model() });
+    this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked, onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
     this.copies = html("div", { class: "fields" });
     this.which = html("div", {});
@@ -106,7 +106,7 @@ class Studio {
     this.drawing = new Drawing(plane, t, {
       grab: () => { this.fresh = true; },
       move: (k, point) => this.edit((curve) => { curve.spline[k] = point; }, this.fresh),
-      release: () => this.drawing.paintPoints(),
+      release: () => this.changed(),
       append: (point) => this.edit((curve) => {
         curve.spline.push(point);
         delete curve.knots;
@@ -193,7 +193,7 @@ class Studio {
       this.paint(null);
       return;
     }
-    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip });
+    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip, live: this.drawing.grabbed != null });
     if (!answer || answer.id < this.shown) return;
     this.shown = answer.id;
     this.paint(answer);
@@ -248,7 +248,7 @@ class Studio {
     return [
       ["length", `${number(answer.length)} mm`], ["width", `${answer.widths.map(number).join(" – ")} mm`], ["stiffness ratio", number(answer.ratio)],
       ["strain", `${number(+(100 * answer.strain).toFixed(2))} %, ${Math.round(100 * answer.used)} % ${t("of what the sheet bears")}`],
-      ["stability", `${number(answer.margin)}, ${t(answer.stable)}`], ["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`],
+      ["stability", answer.stable ? `${number(answer.margin)}, ${t(answer.stable)}` : "…"], ["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`],
       ...(answer.deviation == null ? [] : [["off the drawn curve", `${number(answer.deviation)} mm`]]),
     ];
   }
@@ -347,7 +347,7 @@ class Studio {
     for (const [k, design] of STARTS.entries()) {
       const answer = await this.channel.ask({ do: "strip", design, strip: 0 });
       if (!this.dialog.open) return;
-      if (answer?.drawn) cards[k + 1].firstChild.append(thumbnail(answer.drawn));
+      if (answer) cards[k + 1].firstChild.append(thumbnail(answer.position ?? answer.drawn));
     }
   }
 

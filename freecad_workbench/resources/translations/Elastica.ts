@@ -867,6 +867,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>thickness along the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>weight</source>
         <translation type="unfinished"></translation>
     </message>

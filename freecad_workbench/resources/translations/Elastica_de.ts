@@ -859,6 +859,10 @@
         <translation>Steifigkeit</translation>
     </message>
     <message>
+        <source>thickness along the strip</source>
+        <translation>Dicke entlang des Streifens</translation>
+    </message>
+    <message>
         <source>weight</source>
         <translation>Gewicht</translation>
     </message>

@@ -859,6 +859,10 @@
         <translation>刚度范围</translation>
     </message>
     <message>
+        <source>thickness along the strip</source>
+        <translation>沿条带的厚度</translation>
+    </message>
+    <message>
         <source>weight</source>
         <translation>自重</translation>
     </message>

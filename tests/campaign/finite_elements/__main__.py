@@ -10,6 +10,7 @@ from pathlib import Path
 
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
+from tests.campaign.finite_elements.drawn_by_seed import strips_drawn
 from tests.campaign.finite_elements.flexures import flexed_parts
 from tests.campaign.finite_elements.joined import joined_strips
 from tests.campaign.finite_elements.sideways import swings
@@ -29,7 +30,7 @@ def main() -> None:
         "--only",
         nargs="+",
         default=[""],
-        help="parts of names of strips, or: known, sideways, pockets, tapered, joined, flexures",
+        help="parts of names of strips, or: known, sideways, pockets, tapered, joined, drawn, flexures",
     )
     parser.add_argument("--widths", nargs="+", choices=list(WIDTHS), default=list(WIDTHS))
     asked = parser.parse_args()
@@ -61,6 +62,9 @@ def main() -> None:
     if wanted("flexures"):
         for flexed in flexed_parts(folder):
             told("flexures", flexed)
+    if wanted("drawn"):
+        for drawn in strips_drawn(folder):
+            told("drawn", drawn)
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):
             for widths in asked.widths:

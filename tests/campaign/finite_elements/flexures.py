@@ -1,6 +1,6 @@
 """Parts with two states by finite elements: cut files meshed, put into each state and let go, and pushed over."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,6 +22,9 @@ EXAMPLES = Path(__file__).parents[3] / "examples" / "two_states"
 
 PUSHES = 24
 """Steps of the pushed point on its way."""
+
+CENTRE_MM = 0.2
+"""Nodes nearer to the centre line hold it."""
 
 HELD_MM = 1.0
 """Beyond its root a pad is held: what the root itself gives belongs to the part."""
@@ -56,13 +59,16 @@ class FlexedPart:
         return near and forces and (all(self.snapped) or not any(self.told))
 
 
-def flexed_parts(folder: Path) -> Iterator[FlexedPart]:
+def flexed_parts(
+    folder: Path, names: Sequence[str] = ("stand", "clip", "lopsided clip")
+) -> Iterator[FlexedPart]:
     """The two examples that are shipped, and a lopsided clip."""
-    for name in ("stand", "clip"):
-        part = read_pair(EXAMPLES / f"{name}.toml", read_curves).make()
-        yield flexed(name, part, folder / name)
-    first, second = (_lopsided(rise) for rise in (30.0, -15.0))
-    yield flexed("lopsided clip", FlexureSpec(first, second, "pom-3").make(), folder / "lopsided")
+    for name in names:
+        if name == "lopsided clip":
+            part = FlexureSpec(*(_lopsided(rise) for rise in (30.0, -15.0)), "pom-3").make()
+        else:
+            part = read_pair(EXAMPLES / f"{name}.toml", read_curves).make()
+        yield flexed(name, part, folder / name.replace(" ", "-"))
 
 
 def _lopsided(rise: float) -> PlaneCurve:
@@ -128,6 +134,12 @@ class _Body:
         return (self.s < low - HELD_MM) | (self.s > high + HELD_MM)
 
     @property
+    def _turned(self) -> np.ndarray:
+        """Nodes that are pushed, whose directions are along and across the push."""
+        first = int(np.hypot(self.s - self.part.pushed[0], 3 * self.off).argmin())
+        return np.hypot(*(self.body.nodes[:, :2] - self.body.nodes[first, :2]).T) < 1e-6
+
+    @property
     def middle(self) -> np.ndarray:
         """Nodes of the plane half way through the depth, which the part does not leave."""
         return np.abs(self.body.nodes[:, 2] - self.part.sheet.thickness / 2) < 1e-9
@@ -165,9 +177,16 @@ class _Body:
         return [displaced(i, j, moved) for i in np.flatnonzero(self.held) for j in (0, 1)]
 
     def _free(self, line: CentreLine) -> list[str]:
-        """The step in which only the pads are held."""
-        return ["*STEP, NLGEOM, INC=300", "*STATIC", "1., 1., 1e-6", *strict(), "*BOUNDARY, OP=NEW",
-                *self._kept(line), *self._flat()]  # fmt: skip
+        """The step in which only the pads are held; before it one that holds the centre line too.
+
+        There sections come to what is left of their stress, so that the last step has little to do.
+        """
+        moved = self.pose(line) - self.body.nodes
+        centre = np.flatnonzero((np.abs(self.off) < CENTRE_MM) & ~self.held & ~self._turned)
+        begin = ["*STEP, NLGEOM, INC=300", "*STATIC", "1., 1., 1e-6", *strict(), "*BOUNDARY, OP=NEW"]
+        kept = [*self._kept(line), *self._flat()]
+        led = [displaced(i, j, moved) for i in centre for j in (0, 1)]
+        return [*begin, *kept, *led, "*END STEP", *begin, *kept]
 
     def let_go(self, line: CentreLine, folder: Path) -> np.ndarray:
         """Nodes (n, 3) at rest near a state."""
@@ -196,13 +215,11 @@ class _Body:
     def pushed(self, start: int, folder: Path) -> tuple[float, np.ndarray]:
         """The largest push, N, from one state over to the other, and the nodes when it is let go there."""
         line, part = self.part.states[start], self.part
-        at, way = part.pushed
+        _, way = part.pushed
         way = way if start == 0 else -way
         far = float(np.hypot(*way))
         away = way / far
-        distance = np.hypot(self.s - at, 3 * self.off)
-        first = int(distance.argmin())
-        plane = np.hypot(*(self.body.nodes[:, :2] - self.body.nodes[first, :2]).T) < 1e-6
+        plane = self._turned
         nodes = np.flatnonzero(plane)
         rest = self.let_go(line, folder / "rest")
         travel = part.travel if start == 0 else part.travel_back
@@ -228,7 +245,7 @@ class _Body:
             "*END STEP",
         ]
         free = [*self._free(line), "*END STEP"]
-        zero = float((rest - self.body.nodes)[first, :2] @ away)
+        zero = float((rest - self.body.nodes)[nodes[0], :2] @ away)
         hold = ["*STEP, NLGEOM, INC=1000", "*STATIC", f"{1 / PUSHES:g}, 1., 1e-7, {1 / PUSHES:g}", *strict(),
                 "*BOUNDARY, OP=NEW", *self._kept(line), *self._flat(),
                 *(f"{i + 1}, 1, 1, {zero + over:.12g}" for i in nodes),

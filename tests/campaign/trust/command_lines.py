@@ -73,7 +73,7 @@ LINES = (
     "--set shop.stock=[1525,800] --ignore-limits",
     "strip corners.svg --set curve.split_corners=true --sheet card-200gsm --max-width 15 -o out --all --force",
     "strip corners.svg --curve b --sheet card-200gsm --max-width 15 -o out --set smooth=0.5",
-    "strip ring.svg --sheet card-200gsm --max-width 15 -o out --set joint=40",
+    "strip ring.svg --sheet card-200gsm --max-width 15 -o out --set seam_position=40",
     "strip points.csv --sheet felt.toml:felt --max-width 15 -o out --set samples=101",
     "strip points.csv --sheet felt.toml:wool --max-width 15 -o out",
     "strip nothing.txt --sheet card-200gsm --max-width 15 -o out",

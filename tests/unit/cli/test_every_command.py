@@ -30,6 +30,7 @@ TYPED = {
     "reshape": ("bow.txt", "--top-right", "120", "80", "-o", "out"),
     "sections": ("bowl.obj", "--unit", "mm", "--radial", "2", "--sheet", "card-200gsm", "-o", "out"),
     "coupon": (*SHEET, "-o", "out"),
+    "compare": ("made.json", "read.toml"),
     "batten": (*SHEET, "--length", "600", "--camber", "10", "--at", "42", "--stock", "20", "2", "-o", "out"),
     "sheets": (),
     "new": ("lamp", "-o", "out"),
@@ -49,6 +50,9 @@ def typed(*words, cwd):
 @pytest.fixture
 def folder(tmp_path):
     (tmp_path / "bow.txt").write_text(BOW)
+    chord = {"marks": [], "expected": {"chord": 90}, "uncertain": {"chord": 1}, "causes": {}}
+    (tmp_path / "made.json").write_text(json.dumps({"measuring": chord}))
+    (tmp_path / "read.toml").write_text("chord = 90.5")
     for kind in ("arch", "sections"):
         assert typed("new", kind, "-q", cwd=tmp_path).exit_code == 0
     return tmp_path
@@ -73,7 +77,7 @@ def test_a_command_prints_one_record_with_the_documented_keys(folder, name):
     assert record["schema"] == f"elastica-{name}/1"
     written = record.get("files", [])
     assert all((folder / file).is_file() for file in written)
-    assert bool(written) == (name not in ("check", "sheets", "help"))
+    assert bool(written) == (name not in ("check", "sheets", "help", "compare"))
 
 
 @pytest.mark.campaign

@@ -167,15 +167,15 @@ def test_where_it_is_joined():
     asked = StripSpec(ELLIPSE, PLY, max_width=20)
     bent = np.abs(asked.make().rod.curvature)
     assert bent[0] == pytest.approx(bent.min(), rel=1e-4)
-    there = asked.changed(joint=100.0).make()
+    there = asked.changed(seam_position=100.0).make()
     assert there.rod.position[0] == pytest.approx(ELLIPSE.at(np.array([100.0])).position[0], abs=1e-6)
     assert there.ends[0].length == 0
-    with pytest.raises(InputError, match=r"joint is 1000.*0 to 66\d"):
-        asked.changed(joint=1000.0)
-    free = asked.changed(joint=100.0, limits=Limits(ratio=9.0)).make()
+    with pytest.raises(InputError, match=r"seam_position is 1000.*0 to 66\d"):
+        asked.changed(seam_position=1000.0)
+    free = asked.changed(seam_position=100.0, limits=Limits(ratio=9.0)).make()
     assert free.rod.position[0] == pytest.approx(there.rod.position[0], abs=1e-6)
-    with pytest.raises(InputError, match="joint is 100 mm, but the curve is open"):
-        asked.changed(joint=100.0, curve=PlaneCurve.arc((0, 0), 60, 0, 3))
+    with pytest.raises(InputError, match="seam_position is 100 mm, but the curve is open"):
+        asked.changed(seam_position=100.0, curve=PlaneCurve.arc((0, 0), 60, 0, 3))
 
 
 def test_a_closed_curve_begins_anywhere():
@@ -211,7 +211,7 @@ def test_drawn_to_begin_in_an_inflection_it_is_counted_from_elsewhere():
 def test_what_does_not_close():
     with pytest.raises(InputError, match="closed strip is of one sheet"):
         make_strip(CIRCLE, PLY, style=Laminated(width=20, backing=Sheet.named("card-200gsm")))
-    heavy = make_strip(CIRCLE, PLY, max_width=20, gravity=Gravity(300.0, (1.0, 0.3)), joint=40.0)
+    heavy = make_strip(CIRCLE, PLY, max_width=20, gravity=Gravity(300.0, (1.0, 0.3)), seam_position=40.0)
     assert any("where it closes" in text for text in heavy.warnings)
 
 

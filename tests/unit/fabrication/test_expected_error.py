@@ -97,3 +97,11 @@ def test_slips_are_refused(strip):
 def test_a_shape_knows_no_sheet_unless_it_is_told(strip):
     held = strip.held()
     assert HeldShape(held.rod, 1.0, {}, held.start, held.end).expected == 1.0
+
+
+def test_slots_beside_each_other_are_left_open(strip):
+    beside = replace(strip, slots=(Slot(198.0, width=1.0), Slot(204.0, width=1.0, side="lower"))).held()
+    apart = replace(strip, slots=(Slot(150.0, width=1.0), Slot(204.0, width=1.0, side="lower"))).held()
+    assert beside.open > beside.parts["slots"]
+    assert "The slots at 198 mm and 204 mm lie nearer to each other than they are deep" in str(beside)
+    assert apart.open < 0.3 * apart.parts["slots"]

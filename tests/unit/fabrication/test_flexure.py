@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.integrate import trapezoid
 
 from elastica_cad.errors import InputError, StrainError
 from elastica_cad.fabrication.flexure import Flexure, Pad, curved_beam_factor
@@ -41,8 +40,8 @@ def stand() -> Flexure:
 def test_thickness_makes_the_stiffness(clip):
     rod = clip.pair.first
     h = clip.thickness_at(rod.s)
-    EI = POM.youngs_modulus * POM.thickness * h**3 / 12
-    assert pytest.approx(clip.bending_stiffness * rod.stiffness, rel=1e-5) == EI
+    bending = POM.youngs_modulus * POM.thickness * h**3 / 12
+    assert bending == pytest.approx(clip.bending_stiffness * rod.stiffness, rel=1e-5)
     assert h.min() == pytest.approx(clip.thickness_range[0])
 
 
@@ -56,12 +55,8 @@ def test_curved_beams_are_strained_more_inside():
     """Against the stress of a ring's inner side, r d(angle), integrated over the section."""
     h, R = 0.2, 1.0
     y = np.linspace(-h / 2, h / 2, 20001)
-    bend, shift = 1.0, np.linalg.lstsq(
-        np.array([[trapezoid(1 / (R + y), y)]]),
-        np.array([-trapezoid(y / (R + y), y)]),
-        rcond=None,
-    )[0][0]  # fmt: skip
-    strain = bend * (y + shift) / (R + y)  # no force in all
+    shift = -np.mean(y / (R + y)) / np.mean(1 / (R + y))
+    strain = (y + shift) / (R + y)  # no force in all
     moment = np.sum(strain * y) * (y[1] - y[0])
     straight = moment / (h**3 / 12) * h / 2
     assert np.abs(strain[0]) / straight == pytest.approx(curved_beam_factor(np.array([h / R]))[0], rel=1e-3)
@@ -115,7 +110,7 @@ def test_the_push_is_the_slope_of_the_energy_and_ends_in_the_other_state(clip):
 
 
 def test_a_pushed_arch_gives_as_half_of_it_led_does():
-    """Pushed in its middle an arch stays symmetrical at first: half of it, led without turning, is another."""
+    """Pushed in its middle an arch stays symmetrical at first, so half of it, led so, tells the force."""
     from elastica_cad.mechanics.bending.bend_forward import bend
     from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -148,6 +143,12 @@ def test_a_part_too_thin_says_how_large_it_would_have_to_be():
         FlexureSpec(arch(10, 60), arch(-10, 60), POM).make()
     assert refused.value.refusal.values["share"] > 1
     assert FlexureSpec(arch(10, 60), arch(-10, 60), POM, ignore_limits=True).make().warnings
+
+
+def test_a_part_that_nothing_bends_asks_how_thick_it_shall_be():
+    with pytest.raises(InputError, match="say how thick"):
+        FlexureSpec(arch(24), arch(24), POM).make()
+    assert FlexureSpec(arch(24), arch(24), POM, least_thickness=2.0).make().strain == (0, 0)
 
 
 def test_a_part_that_breaks_is_refused():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     find_plate_faults,
     find_slot_faults,
@@ -76,7 +76,10 @@ def test_bridges_of_plates_have_a_limit_of_their_own():
     slots = [Path.rectangle(26, 12, corner=(10, 10)), Path.rectangle(26, 12, corner=(37, 10))]
     (fault,) = find_plate_faults("ring", Sheet.named("mdf-3"), plate, slots)
     assert "only 1 mm between a hole at (36.5" in fault.what
-    assert find_plate_faults("ring", Sheet.named("mdf-3"), plate, slots, Shop(least_bridge=0.9)) == ()
+    assert (
+        find_plate_faults("ring", Sheet.named("mdf-3"), plate, slots, FabricationLimits(least_bridge=0.9))
+        == ()
+    )
 
 
 def test_slots_far_wider_than_what_goes_through():
@@ -89,27 +92,31 @@ def test_longer_than_the_stock_and_too_slender():
     faults = find_strip_faults(strip(length=8000.0, max_width=3.6))
     assert any("larger than the stock of 3050 x 1525 mm" in fault.what for fault in faults)
     assert any("too slender to handle" in fault.what for fault in faults)
-    assert find_strip_faults(strip(length=900.0), Shop(stock=(600, 400)))
+    assert find_strip_faults(strip(length=900.0), FabricationLimits(stock=(600, 400)))
 
 
 def test_ligaments_are_judged_by_their_own_limit():
     style = Perforated(width=24.0, columns=2, rows=4, least_ligament=0.5)
     holed = Strip(Rod.straight(120.0, [1, 2, 1]), Sheet.named("card-200gsm"), style=style)
     assert find_strip_faults(holed) == ()
-    (fault,) = find_strip_faults(holed, Shop(least_ligament=0.8))
+    (fault,) = find_strip_faults(holed, FabricationLimits(least_ligament=0.8))
     assert "0.8 mm are needed" in fault.what
 
 
 def test_a_sheet_has_limits_of_its_own():
     fine = replace(PLYWOOD, least_ligament=0.2, least_bridge=0.7, stock=(300, 900))
-    assert (Shop().ligament_for(fine), Shop().bridge_for(fine), Shop().stock_for(fine)) == (
+    assert (
+        FabricationLimits().ligament_for(fine),
+        FabricationLimits().bridge_for(fine),
+        FabricationLimits().stock_for(fine),
+    ) == (
         0.2,
         0.7,
         (900, 300),
     )
-    given = Shop(least_ligament=0.4, least_bridge=1.0, stock=(600, 400))
+    given = FabricationLimits(least_ligament=0.4, least_bridge=1.0, stock=(600, 400))
     assert (given.ligament_for(fine), given.bridge_for(fine), given.stock_for(fine)) == (0.4, 1.0, (600, 400))
-    assert Shop().stock_for(PLYWOOD) == (3050, 1525)
+    assert FabricationLimits().stock_for(PLYWOOD) == (3050, 1525)
     with pytest.raises(InputError, match="least_bridge is 0; it must be positive"):
         replace(PLYWOOD, least_bridge=0)
 
@@ -117,7 +124,7 @@ def test_a_sheet_has_limits_of_its_own():
 @pytest.mark.parametrize("limits", [{"least_width": 0.0}, {"least_bridge": np.nan}, {"stock": (600, -1)}])
 def test_limits_that_make_no_sense(limits):
     with pytest.raises(InputError):
-        Shop(**limits)
+        FabricationLimits(**limits)
 
 
 def test_what_misses_by_less_than_usual_digits_show_is_told_with_more():

@@ -244,6 +244,6 @@ def test_thin_bridges_are_refused_and_named(vase):
         sheet=CARD,
         rings=BOARD,
         ends=(ec.Tab(8, width=20.2),) * 2,
-        shop=ec.Shop(least_bridge=0.3),
+        shop=ec.FabricationLimits(least_bridge=0.3),
     )
     assert wide.plates[0].warnings == ()

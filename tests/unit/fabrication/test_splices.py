@@ -31,7 +31,7 @@ WAVE = ec.PlaneCurve.spline([(0, 0), (700, 300), (1500, 0), (2300, -300), (3000,
 
 @pytest.fixture(scope="module")
 def arch():
-    return ec.make_strip(ARCH, PLY, max_width=120, label="A", shop=ec.Shop(stock=(4000, 1500)))
+    return ec.make_strip(ARCH, PLY, max_width=120, label="A", shop=ec.FabricationLimits(stock=(4000, 1500)))
 
 
 def test_pieces_and_plates_are_the_strip_cut_across(arch):
@@ -66,7 +66,7 @@ def test_what_the_plates_do_is_bent_forward(arch):
 @pytest.mark.campaign
 def test_plates_do_not_weigh_what_they_are_stiff():
     """An arch under its own weight, eight times as stiff within its plates and no heavier, shot by scipy."""
-    shop = ec.Shop(stock=(2200, 1500), lap=120.0)
+    shop = ec.FabricationLimits(stock=(2200, 1500), lap=120.0)
     heavy = ec.make_strip(ARCH, "birch-plywood-6", max_width=200, gravity=True, shop=shop)
     (at,) = heavy.plates.joints
     rod, sheet, held = heavy.rod, heavy.sheet, heavy.reactions()
@@ -147,7 +147,7 @@ def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
 
 
 def test_plates_that_would_lie_on_a_slot_are_laid_elsewhere(arch):
-    shop = ec.Shop(stock=(2200, 1500), lap=80.0)
+    shop = ec.FabricationLimits(stock=(2200, 1500), lap=80.0)
     joined = joined_within(arch, shop)
     (at,) = joined.plates.joints
     assert spliced(joined, shop).joints == (at,)
@@ -155,12 +155,12 @@ def test_plates_that_would_lie_on_a_slot_are_laid_elsewhere(arch):
     (other,) = spliced(crossed, shop).joints
     assert abs(other - at) > 40
     assert joined_within(crossed, shop).plates.joints == (other,)
-    assert joined_within(joined, ec.Shop(stock=(4000, 1500))).plates is None
+    assert joined_within(joined, ec.FabricationLimits(stock=(4000, 1500))).plates is None
 
 
 def test_joints_lie_where_the_strip_turns_least():
     """At the inflection of a wave, where a stiffer place changes nothing."""
-    wave = ec.make_strip(WAVE, PLY, max_width=120, shop=ec.Shop(stock=(4000, 1500)))
+    wave = ec.make_strip(WAVE, PLY, max_width=120, shop=ec.FabricationLimits(stock=(4000, 1500)))
     (middle,) = wave.rod.curve.inflections
     (at,) = splice(wave, 2600.0, 80.0).joints
     assert at == pytest.approx(middle, abs=20)
@@ -176,7 +176,7 @@ def test_joints_keep_off_slots(arch):
 def test_perforated_strips_are_solid_under_their_plates():
     """Holes under a plate stay uncut, the others go with their piece, and what that stiffens is bent forward."""
     style = ec.Perforated(width=120.0, columns=2, least_ligament=2.0)
-    strip = ec.make_strip(ARCH, PLY, style=style, label="A", shop=ec.Shop(stock=(4000, 1500)))
+    strip = ec.make_strip(ARCH, PLY, style=style, label="A", shop=ec.FabricationLimits(stock=(4000, 1500)))
     joined = splice(strip, 2200.0, 80.0)
     one, two, plate = joined.pieces
     (at,) = joined.joints
@@ -190,13 +190,13 @@ def test_perforated_strips_are_solid_under_their_plates():
         for hole in piece.drawing.on(CUT_INNER):
             assert np.all(side * (hole.bounds[:, 0] - at) >= 40)
     assert f"without the {sum(under)} holes that lie under them" in str(joined)
-    plain = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.Shop(stock=(4000, 1500)))
+    plain = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.FabricationLimits(stock=(4000, 1500)))
     assert joined.deviation > splice(plain, 2200.0, 80.0).deviation > 0.1
 
 
 def laminated(**more):
     style = ec.Laminated(width=60.0, backing=ec.Sheet.named("birch-plywood-0.8"))
-    shop = ec.Shop(stock=(4000, 1500))
+    shop = ec.FabricationLimits(stock=(4000, 1500))
     return ec.make_strip(ARCH, "birch-plywood-0.8", **({"style": style, "label": "A", "shop": shop} | more))
 
 
@@ -239,7 +239,7 @@ def test_three_glued_sheets_are_as_stiff_as_one_of_thrice_the_thickness():
 def test_marks_of_the_backing_go_on_across_the_pieces():
     wave = ec.PlaneCurve.spline([(0, 0), (300, 900), (1500, 400), (2700, 900), (3000, 0)])
     strip = ec.make_strip(
-        wave, "birch-plywood-0.8", label="A", shop=ec.Shop(stock=(6000, 1500)),
+        wave, "birch-plywood-0.8", label="A", shop=ec.FabricationLimits(stock=(6000, 1500)),
         style=ec.Laminated(width=60.0, backing=ec.Sheet.named("birch-plywood-1.5")),
         limits=ec.Limits(ratio=8.0), keep=ec.Keep(),
     )  # fmt: skip
@@ -303,12 +303,12 @@ def test_laps_that_cannot_be(arch, stock, lap, words):
 
 
 def test_only_where_it_is_needed(arch):
-    assert spliced(arch, ec.Shop(stock=(4000, 1500), lap=80)) is None
-    assert spliced(arch, ec.Shop(stock=(2500, 1250))) is None
-    assert spliced(arch, ec.Shop(stock=(2500, 1250), lap=80)) is not None
+    assert spliced(arch, ec.FabricationLimits(stock=(4000, 1500), lap=80)) is None
+    assert spliced(arch, ec.FabricationLimits(stock=(2500, 1250))) is None
+    assert spliced(arch, ec.FabricationLimits(stock=(2500, 1250), lap=80)) is not None
     with pytest.raises(InputError, match="larger than the stock of 2500 x 1250 mm"):
-        ec.make_strip(ARCH, PLY, max_width=120, shop=ec.Shop(stock=(2500, 1250)))
-    made = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.Shop(stock=(2500, 1250), lap=80))
+        ec.make_strip(ARCH, PLY, max_width=120, shop=ec.FabricationLimits(stock=(2500, 1250)))
+    made = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.FabricationLimits(stock=(2500, 1250), lap=80))
     assert any(text.startswith("cut in 2 pieces") for text in made.warnings)
 
 
@@ -428,7 +428,7 @@ def test_ends_of_a_strip_in_pieces_are_numbered_as_those_of_a_whole_one():
     spec = KitSpec(
         holders=(HolderSpec("fixtures"),),
         nesting=Nesting(sheet_size=(700.0, 400.0)),
-        shop=ec.Shop(stock=(700.0, 400.0), lap=60.0),
+        shop=ec.FabricationLimits(stock=(700.0, 400.0), lap=60.0),
     )
     pieces = kit_of(ec.Model([placed]), spec, effects=False).pieces
     told = {piece.name: [text.text for text in piece.drawing.texts] for piece in pieces}

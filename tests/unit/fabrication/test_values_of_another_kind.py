@@ -11,7 +11,7 @@ from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.interlocking.interlock import interlock
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.model.touching_widths import touching_widths
 from elastica_cad.fabrication.placed_strip import Placed
@@ -71,16 +71,16 @@ SLIPS = {
     "least_hole is '1'": lambda: Perforated(width=30, least_hole="1"),
     "least_backing is '1'": lambda: Laminated(20, SHEET, least_backing="1"),
     "dots are '1'": lambda: Laminated(20, SHEET, dots="1"),
-    "least_width is '2'": lambda: Shop(least_width="2"),
-    "the stock is 300: give the two sides": lambda: Shop(stock=300),
-    r"the stock is \('a', 3\)": lambda: Shop(stock=("a", 3)),
+    "least_width is '2'": lambda: FabricationLimits(least_width="2"),
+    "the stock is 300: give the two sides": lambda: FabricationLimits(stock=300),
+    r"the stock is \('a', 3\)": lambda: FabricationLimits(stock=("a", 3)),
     "a point mass is '5'": lambda: PointMass(50, "5"),
     "weight alpha is '1'": lambda: Weight("1"),
     "gravity length is '96'": lambda: Gravity("96"),
     "gravity direction 'down'": lambda: Gravity(96, "down"),
     "max_width is '20': it must be a number above 0": lambda: Strip(ROD, SHEET, max_width="20"),
     "ends are 0 tabs: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=()),
-    "ends are 1 tab: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=Tab(5)),
+    "ends are 1 tab: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=(Tab(5),)),
     "ends hold 5: give Tab records": lambda: Strip(ROD, SHEET, max_width=20, ends=(5, 5)),
     "slots hold 3: give Slot records": lambda: Strip(ROD, SHEET, max_width=20, slots=[3]),
     "the rod is a str: give a Rod": lambda: Strip("rod", SHEET, max_width=20),

@@ -122,7 +122,7 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     HEAD + "[[strips]]\ncurve = { spline = [[0, 0], [20, 30], [50, 40], [80, 30], [100, 0]], degree = 3, "
     "knots = [0, 0, 0, 0, 0.4, 1, 1, 1, 1], weights = [1, 1, 2, 1, 1] }\n",
     HEAD + "[[strips]]\ncurve.ellipse = { center = [0, 9], semi_axes = [90, 60], rotation = 0.1, above = 0 }\n",
-    ONE.replace("2.9 }", "6.483185307179586 }") + 'style = { kind = "plain" }\njoint = 10\n',
+    ONE.replace("2.9 }", "6.483185307179586 }") + 'style = { kind = "plain" }\nseam_position = 10\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "thickness", limits = [1, 3], width = 20 }\n',
     ONE.replace("max_width = 20\n", "") + 'samples = 201\nlaw = { kind = "rod", limits = [1, 3] }\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "tube", limits = [1, 3], bore = 0.5 }\n',

@@ -37,7 +37,7 @@ def tough(seed, number):
     [
         (3, 6, 14.5), (3, 19, 8.1), (77, 37, 6.0), (77, 75, 2.25),
         *(pytest.param(*one, marks=pytest.mark.campaign) for one in (
-            (3, 14, 16.1), (3, 26, 6.1), (3, 55, 8.7), (3, 59, 13.6), (3, 77, 22.2), (3, 83, 34.6))),
+            (3, 14, 16.1), (3, 26, 6.1), (3, 55, 8.7), (3, 59, 13.6), (3, 75, 2.1), (3, 77, 22.2), (3, 83, 34.6))),
     ],
 )  # fmt: skip
 def test_a_wish_that_some_rod_meets_is_not_refused(seed, number, distance):

@@ -12,13 +12,13 @@ from elastica_cad.mechanics.material.sheet import (
     least_plywood_radius,
     library_sheets,
     load_sheets,
+    sheet_keys,
     sheet_names,
 )
 from elastica_cad.mechanics.material.sheet_library import (
     NominalRatio,
     library_files,
     library_folders,
-    sheet_keys,
 )
 
 pytestmark = pytest.mark.core

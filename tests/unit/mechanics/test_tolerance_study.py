@@ -110,7 +110,7 @@ def test_study_is_the_same_for_the_same_seed_and_any_executor(heavy_arch):
         assert tolerance_study(heavy_arch, executor=threads, **options) == alone
     assert tolerance_study(heavy_arch, **{**options, "seed": 6}) != alone
     assert [effect.name for effect in alone.effects] == [
-        "stiffness range", "weight", "end angles", "plasticity", "thickness", "kerf",
+        "stiffness range", "weight", "end angles", "plasticity", "thickness", "kerf", "thickness along the strip",
     ]  # fmt: skip
     for effect in (*alone.effects, alone.combined):
         assert effect.worst >= effect.percentile_95 >= 0
@@ -240,3 +240,13 @@ def test_lost_width_needs_a_width(arch):
 def test_unknown_effect(arch):
     with pytest.raises(InputError, match="no effect is called 'wind'"):
         tolerance_study(arch, samples=1)["wind"]
+
+
+def test_a_wave_of_thickness_along_the_strip_moves_it_without_any_load(arch):
+    """As a whole the sheet's thickness leaves the shape alone."""
+    wave = perturb_rod(arch, Imperfection(thickness_wave=0.02, wave_phase=0.7))
+    K = arch.stiffness * (1 + 0.02 * np.cos(2 * np.pi * arch.s / arch.length + 0.7)) ** 3
+    assert wave.position == pytest.approx(bend(arch.with_stiffness(K)).position, abs=1e-9 * arch.length)
+    assert deviation(wave, arch) > 1e-4 * arch.length
+    study = tolerance_study(arch, samples=4)
+    assert study["thickness along the strip"].worst > study["thickness"].worst == 0.0

@@ -11,7 +11,7 @@ from elastica_cad import plot
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text
-from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.strip.outline import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -30,7 +30,12 @@ def made(name, width=30):
     label = f"the {name} strip with a rather long name that goes on and on until it is time for another line"
     ends = (Tab(10, holes=(Hole(5, 3),)), Tab(10))
     return make_strip(
-        CURVES[name], "birch-plywood-0.8", max_width=width, label=label, ends=ends, shop=Shop(least_width=0.1)
+        CURVES[name],
+        "birch-plywood-0.8",
+        max_width=width,
+        label=label,
+        ends=ends,
+        shop=FabricationLimits(least_width=0.1),
     )
 
 

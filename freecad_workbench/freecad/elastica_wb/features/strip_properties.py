@@ -26,7 +26,7 @@ TANGENT_ENDS = KEPT_ENDS[:3]
 
 NAMES = {
     "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
-    "ignore_limits": "Anyway", "label": "EngravedText",
+    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText",
 }  # fmt: skip
 """Properties that are not called as their keys: users' files have these names."""
 

@@ -20,7 +20,7 @@ SLENDEREST = 600.0  # length over least width, beyond which a loose strip cannot
 
 
 @dataclass(frozen=True)
-class Shop:
+class FabricationLimits:
     """Limits of the workshop; what is not given follows from the sheet.
 
     Parameters
@@ -44,8 +44,10 @@ class Shop:
 
     Examples
     --------
-    >>> Shop().width_for(Sheet.named("birch-plywood-0.8")), Shop(least_width=1.5).width_for(None)
-    (3.0, 1.5)
+    >>> FabricationLimits().width_for(Sheet.named("birch-plywood-0.8"))
+    3.0
+    >>> FabricationLimits(least_width=1.5).width_for(None)
+    1.5
     """
 
     least_width: Annotated[
@@ -118,13 +120,13 @@ class Shop:
         return long, short
 
 
-def shop_or_default(shop: Shop | None) -> Shop:
+def limits_or_default(shop: FabricationLimits | None) -> FabricationLimits:
     """The shop, one of which nothing is known for None; refuses what is neither."""
     if shop is None:
-        return DEFAULT_SHOP
-    require_record(shop, Shop, "the shop", "a Shop record")
+        return DEFAULT_LIMITS
+    require_record(shop, FabricationLimits, "the shop", "a FabricationLimits record")
     return shop
 
 
-DEFAULT_SHOP = Shop()
+DEFAULT_LIMITS = FabricationLimits()
 """A shop of which nothing is known."""

@@ -1,0 +1,76 @@
+"""`elastica compare`, as it is typed: the page and the readings to fill in, then what they say."""
+
+import json
+import re
+
+import pytest
+from click.testing import CliRunner
+
+import elastica_cad as ec
+from elastica_cad.cli.commands import elastica
+from elastica_cad.formats.curve_files.json_curves import curves_json
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("compare")
+    drawn = folder / "arch.json"
+    drawn.write_text(
+        curves_json([ec.PlaneCurve.spline([(0, 0), (30, 120), (140, 170), (240, 90), (320, 0)])])
+    )
+    made = run("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-step", "--no-pictures",
+               "-o", folder / "out")  # fmt: skip
+    assert made.exit_code == 0, made.output
+    return folder / "out" / "arch.json"
+
+
+def run(*words):
+    return CliRunner().invoke(elastica, [str(word) for word in words])
+
+
+def test_a_page_and_readings_to_fill_in(report):
+    made = run("compare", report)
+    assert made.exit_code == 0, made.output
+    folder = report.parent
+    assert "<svg" in (folder / "arch-measure.svg").read_text()
+    readings = folder / "arch-measured.toml"
+    assert readings.read_text().count("# height_") == 3
+    assert run("compare", report).exit_code == 2  # they are there
+    filled = re.sub(r"^# (\w+ = [\d.]+)", r"\1", readings.read_text(), flags=re.MULTILINE)
+    readings.write_text(filled)
+    told = run("compare", report, readings)
+    assert told.exit_code == 0, told.output
+    assert told.output.rstrip().endswith("within what sheet, cut, clamps and model leave open")
+
+
+def test_a_clamp_that_gives_way_is_told(report, tmp_path):
+    record = json.loads(report.read_text())["measuring"]
+    turned = record["causes"]["clamp at the end"][0]
+    readings = tmp_path / "measured.toml"
+    values = {name: value + 4 * turned[name] for name, value in record["expected"].items()}
+    readings.write_text("\n".join(f"{name} = {value:.1f}" for name, value in values.items()))
+    assert "the clamp at the end lets the strip turn by 4 degrees" in run("compare", report, readings).output
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("chord = 'wide'", "chord is no number"),
+        ("chord = ", "cannot be read"),
+        ("", "an empty file is nothing"),
+    ],
+)
+def test_readings_that_are_none(report, tmp_path, text, said):
+    readings = tmp_path / "measured.toml"
+    readings.write_text(text)
+    told = run("compare", report, readings)
+    assert told.exit_code == 2
+    assert said in told.output
+
+
+def test_a_file_that_is_no_report(tmp_path):
+    path = tmp_path / "other.json"
+    path.write_text("{}")
+    told = run("compare", path)
+    assert told.exit_code == 2
+    assert "is no report of an open strip" in told.output

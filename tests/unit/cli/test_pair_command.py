@@ -1,0 +1,93 @@
+"""`elastica pair` as it is typed: two curves or a design file in, files out, refusals as sentences."""
+
+import json
+import shutil
+from pathlib import Path
+
+import ezdxf
+import pytest
+from click.testing import CliRunner
+
+from elastica_cad.cli.commands import elastica
+
+EXAMPLES = Path(__file__).parents[3] / "examples" / "two_states"
+
+
+def typed(*words, **options):
+    """What the command says, and its exit code."""
+    return CliRunner().invoke(elastica, ["pair", *map(str, words)], **options)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """The files of the clip, drawn twice in one file."""
+    folder = tmp_path_factory.mktemp("clip")
+    drawing = EXAMPLES / "clip.svg"
+    asked = ("--first", "up", "--second", "down", "--sheet", "pom-3", "--label", "CLIP", "-o", folder)
+    return folder, typed(drawing, drawing, *asked)
+
+
+def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
+    folder, said = made
+    assert said.exit_code == 0, said.output
+    assert "bistable" in said.output
+    assert {file.name for file in folder.iterdir()} == {
+        *(f"clip{kind}" for kind in (".dxf", ".svg", ".step", ".stl", ".png", ".json")),
+        "clip-holder.dxf", "clip-holder.svg",
+    }  # fmt: skip
+    report = json.loads((folder / "clip.json").read_text())
+    assert report["bistable"] is True
+    assert report["strain_on_the_way"] <= report["max_strain"]
+    assert report["reports"] == []
+    drawn = ezdxf.readfile(folder / "clip.dxf").modelspace()
+    kinds = [entity.dxftype() for entity in drawn if entity.dxf.layer == "CUT_OUTER"]
+    assert kinds.count("SPLINE") == 2
+    assert sum(entity.dxf.layer == "CUT_INNER" for entity in drawn) == 4
+
+
+def test_a_design_file_asks_for_the_same(made, tmp_path):
+    said = typed(EXAMPLES / "clip.toml", "-o", tmp_path)
+    assert said.exit_code == 0, said.output
+    reports = [json.loads((folder / "clip.json").read_text()) for folder in (made[0], tmp_path)]
+    assert reports[0]["least_thickness_mm"] == pytest.approx(reports[1]["least_thickness_mm"], rel=1e-9)
+
+
+def test_a_printed_stand_has_two_settings(tmp_path):
+    said = typed(EXAMPLES / "stand.toml", "-o", tmp_path, "--json")
+    assert said.exit_code == 0, said.output
+    report = json.loads(said.output)["pair"]
+    assert report["bistable"] is False
+    assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"]
+    assert report["reports"] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("clip.svg",), "needs two curves and a sheet"),
+        (("clip.toml", "clip.svg", "--sheet", "pom-3"), "give it alone"),
+        (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3", "--match", "none"),
+         "--match ends"),
+        (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),
+        (("wrong.toml",), "unknown key 'thickness'"),
+        (("model.toml",), "no table [pair]"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_made_is_refused_in_one_sentence(words, told, tmp_path, monkeypatch):
+    for file in EXAMPLES.iterdir():
+        shutil.copy(file, tmp_path)
+    wrong = (tmp_path / "clip.toml").read_text().replace("[pair]", "[pair]\nthickness = 2")
+    (tmp_path / "wrong.toml").write_text(wrong)
+    (tmp_path / "model.toml").write_text("schema = 1\n")
+    monkeypatch.chdir(tmp_path)
+    said = typed(*words, "-o", "out")
+    assert said.exit_code in (1, 2)
+    assert told in said.output
+    assert "Traceback" not in said.output
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_model_command_names_the_one_that_makes_pairs(tmp_path):
+    said = CliRunner().invoke(elastica, ["model", str(EXAMPLES / "clip.toml"), "-o", str(tmp_path / "out")])
+    assert said.exit_code == 2
+    assert "elastica pair" in said.output

@@ -1,0 +1,74 @@
+"""Readings taken from strips that are bent forward with one thing wrong: it is found."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.measuring import Measuring, _measured
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.strip_record import Strip
+
+pytestmark = pytest.mark.core
+
+UNEVEN = ec.PlaneCurve.spline([(0, 0), (30, 120), (140, 170), (240, 90), (320, 0)])
+PLY = ec.Sheet.named("birch-plywood-0.8")
+
+
+@pytest.fixture(scope="module")
+def strip():
+    return Strip(ec.optimal_rod(UNEVEN, samples=241), PLY, max_width=30.0)
+
+
+def read(bent):
+    return {name: round(value, 1) for name, value in _measured(bent.position).items()}
+
+
+def meaning(strip, bent):
+    return str(Measuring.of(strip).compare(read(bent))[-1])
+
+
+def test_a_clamp_that_gives_way_is_found(strip):
+    rod = strip.rod
+    start, end = rod.angle[[0, -1]].tolist()
+    said = meaning(strip, ec.bend(rod, angles=(start + np.radians(3.0), end)))
+    assert said.startswith("the clamp at the start lets the strip turn by 3")
+    assert "the clamp at the end" in meaning(strip, ec.bend(rod, angles=(start, end - np.radians(3.0))))
+
+
+def test_ends_that_slip_are_found(strip):
+    far = strip.rod.position[-1] - strip.rod.position[0]
+    bent = ec.bend(strip.rod, end=tuple(strip.rod.position[-1] + 4 * far / np.hypot(*far)))
+    assert "the ends are 4" in meaning(strip, bent)
+
+
+def test_a_strip_that_is_mounted_end_for_end_is_found(strip):
+    bent = ec.bend(strip.rod.with_stiffness(strip.rod.stiffness[::-1]))
+    assert meaning(strip, bent) == "it is mounted end for end: turn it round"
+
+
+def test_a_strip_as_designed_is_as_expected(strip):
+    assert "all of it lies within" in meaning(strip, strip.rod)
+
+
+def test_what_no_cause_explains_is_told(strip):
+    measuring = Measuring.of(strip)
+    odd = dict(measuring.expected) | {"height_1": 40.0, "height_2": 170.0, "height_3": 40.0}
+    assert "no single cause" in str(measuring.compare(odd)[-1])
+
+
+def test_weight_and_backings_have_causes_of_their_own(strip):
+    heavy = ec.make_strip(UNEVEN, PLY, max_width=30.0, gravity=True)
+    assert "thinner sheet" in Measuring.of(heavy).causes
+    style = Laminated(width=30.0, backing=PLY)
+    assert "wrong side" in Measuring.of(replace(strip, style=style, max_width=25.0)).causes
+
+
+def test_slips_are_refused(strip):
+    with pytest.raises(InputError, match="hight is nothing that was to be measured: give some of chord"):
+        Measuring.of(strip).compare({"hight": 3.0})
+    hoop = ec.Strip(ec.optimal_rod(ec.PlaneCurve.arc((0, 0), 80, 0, 2 * np.pi)), PLY, max_width=20.0)
+    with pytest.raises(InputError, match="a closed strip has no ends"):
+        Measuring.of(hoop)
