@@ -4,6 +4,7 @@ from importlib.util import find_spec
 from typing import Any
 
 from elastica_cad.declared import Field, Kind, Record
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.records import fields_of, title, word_of, written
 from elastica_cad.formats.design_files.strip_table import SharedKeys
@@ -16,18 +17,19 @@ def page_words() -> dict[str, Any]:
     without = {"pdf"} if find_spec("matplotlib") is None else set()
     without |= {"step", "stl"} if step_trouble() else set()
     return {
-        "fields": form_of(SharedKeys),
+        "fields": _form_of(SharedKeys),
+        "pair_fields": [one for one in _form_of(FlexureSpec) if one["name"] not in ("first", "second")],
         "sheets": [{"name": one.name, "thickness": one.thickness} for one in map(Sheet.named, sheet_names())],
         "downloads": [kind for kind in DOWNLOADS if kind not in without],
     }
 
 
-def form_of(record: Record) -> list[dict[str, Any]]:
+def _form_of(record: Record) -> list[dict[str, Any]]:
     """The fields of a table, each with its name, words, unit, bounds, default, and what its value may be.
 
     Examples
     --------
-    >>> (ratio,) = [one for one in form_of(SharedKeys) if one["name"] == "limits"][0]["of"][0]["fields"][:1]
+    >>> (ratio,) = [one for one in _form_of(SharedKeys) if one["name"] == "limits"][0]["of"][0]["fields"][:1]
     >>> ratio["name"], ratio["least"], [one["kind"] for one in ratio["of"]]
     ('ratio', 1, ['number'])
     """
@@ -57,6 +59,6 @@ def _value(kind: Kind) -> dict[str, Any]:
         return told | {
             "title": word or title(kind.record),
             "tagged": word is not None,
-            "fields": form_of(kind.record),
+            "fields": _form_of(kind.record),
         }
     return told | {"of": [_value(written(one)) for one in kind.of]}
