@@ -144,8 +144,8 @@ class Wording(Formatter):
         """Digits without an exponent where a person would write none, and no trace of rounding for 0."""
         text = float.__format__(float(value), spec)
         if "e" in text:
-            text = format(Decimal(text), "f") if 1e-9 < abs(value) < 1e9 else text
-            text = "0" if abs(value) <= 1e-9 else text
+            text = format(Decimal(text), "f") if 1e-12 < abs(value) < 1e9 else text
+            text = "0" if abs(value) <= 1e-12 else text
         return text if self.point == "." else text.replace(".", self.point)
 
     def _joined(self, items: Listed, spec: str) -> str:

@@ -1,6 +1,6 @@
 """What the page asks and what it is answered: records of JSON in and out, one function for each question."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from io import BytesIO
@@ -14,8 +14,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
-from elastica_cad.fabrication.drawings.drawing import LAYERS
+from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.fabrication.drawings.lettering import text_strokes
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.fabrication.model.assembly import assembly_parts
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -24,6 +25,7 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.design_file import Design, design_of, parse_design
+from elastica_cad.formats.design_files.pair_table import pair_of
 from elastica_cad.formats.file_access.source_file import read_below
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, advise
@@ -33,6 +35,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.kit.kit_contents import count_strips, kit_of
 from elastica_cad.kit.kit_files import write_kit
+from elastica_cad.kit.pair_kit import PairKit, write_pair
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -159,7 +162,7 @@ def _strip(request: Mapping[str, Any]) -> Record:
         made = spec.make(found)
     except ElasticaError as problem:
         return told | _drawn(spec) | refused(problem)
-    told |= _shape(made) | {"flat": _flat(made)} | _numbers(made, found)
+    told |= _shape(made) | {"flat": _flat(made.drawings())} | _numbers(made, found)
     told |= _drawn(spec) if spec.may_change else {}
     return told if request.get("live") else told | _steadiness(made)
 
@@ -237,11 +240,11 @@ def _steadiness(made: Strip) -> Record:
     return {"margin": float(f"{verdict.margin:.3g}"), "stable": verdict.word, "warnings": warnings}
 
 
-def _flat(made: Strip) -> list[Record]:
-    """The loops of each layer that is cut or engraved, mm, one sheet of a laminate above the other."""
+def _flat(drawings: Iterable[Drawing]) -> list[Record]:
+    """The loops of each layer that is cut or engraved, mm, one drawing below the other."""
     drawn: list[Record] = []
     below = 0.0
-    for drawing in made.drawings():
+    for drawing in drawings:
         lines = [(item.layer, _line(item.path)) for item in drawing.paths]
         lines += [(text.layer, _line(stroke)) for text in drawing.texts for stroke in text_strokes(text)]
         heights = np.concatenate([points[:, 1] for _, points in lines])
@@ -393,9 +396,44 @@ def _matrix(frame: Frame) -> list[float]:
     return [round(float(x), 6) for x in rows.T.ravel()]
 
 
+def _pair(request: Mapping[str, Any]) -> Record:
+    """Both states of a part that rests in two curves, its flat pattern and what holds it, and its numbers."""
+    part = _pair_spec(request).make()
+    pair, limit, places = part.pair, part.sheet.max_strain, []
+    for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
+        k = np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int)
+        wide, used = np.full(k.size, part.sheet.thickness), np.full(k.size, strain / limit)
+        places.append({
+            "position": _rounded(rod.position[k], 3), "width": _rounded(wide, 3), "shares": _rounded(used, 3)
+        })  # fmt: skip
+    return {
+        "states": places,
+        "flat": _flat((part.drawing(), part.holder())),
+        "text": str(pair.check),
+        "warnings": [note(one.meaning) for one in pair.stability if not one.stable],
+        "length": round(pair.length, 2),
+        "widths": [round(width, 3) for width in part.thickness_range],
+        "ratio": round(pair.ratio, 3),
+        "used": round(max(part.strain) / limit, 3),
+        "strain": round(max(part.strain), 5),
+        "margin": float(f"{min(one.margin for one in pair.stability):.3g}"),
+        "stable": min(pair.stability, key=lambda one: one.margin).word,
+        "bistable": pair.bistable,
+    }
+
+
+def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
+    return pair_of(request["design"], FilePath("design"), _no_file)
+
+
 def _edit(request: Mapping[str, Any]) -> Record:
     """The curve of the strip with one control point more, which leaves its shape as it is, or with one less."""
-    curve, k = _spec(request).curve, request.get("remove")
+    if "pair" in request["design"]:
+        spec = _pair_spec(request)
+        curve = spec.second if request.get("strip") else spec.first
+    else:
+        curve = _spec(request).curve
+    k = request.get("remove")
     if k is None:
         return {"curve": curve_table(with_point_near(curve, request.get("near")))}
     return {"curve": curve_table(without_point(curve, k))}
@@ -466,16 +504,28 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
     kind = request.get("kind")
     if kind not in DOWNLOADS:
         raise InputError("{kind!r} is no file that is made here", kind=kind)
+    name = (
+        "".join(c if c.isalnum() or c in "-_" else "-" for c in str(request["design"].get("name", "")))
+        or "strip"
+    )
+    if "pair" in request["design"]:
+        spec = _pair_spec(request)
+        written = write_pair(PairKit(spec, spec.make(), name), folder / name)
+        if kind == "kit":
+            return Download(f"{name}.zip", _zipped(folder))
+        path = folder / name / f"{name}.{kind}"
+        if path not in written:
+            raise InputError("a part with two states has no {kind} file here", kind=kind)
+        return Download(path.name, path.read_bytes())
     design = _design(request)
-    name = "".join(c if c.isalnum() or c in "-_" else "-" for c in design.name) or "strip"
     if kind == "kit":
         kit = kit_of(design.model(), design.kit, entries=design.entries, effects=True)
         write_kit(kit, folder / name)
         return Download(f"{name}.zip", _zipped(folder))
-    spec = _spec(request)
-    found = spec.rod_spec.solve()
+    strip_spec = _spec(request)
+    found = strip_spec.rod_spec.solve()
     wanted = StripFiles(design.kit.cutting, "A4" if kind == "pdf" else None, False, kind == "step", False)
-    made = StripKit(spec, found, spec.make(found), name, asked=wanted)
+    made = StripKit(strip_spec, found, strip_spec.make(found), name, asked=wanted)
     if kind == "stl":
         return Download(f"{name}.stl", _stl(made.strip, folder / "strip.stl"))
     written = write_strip(made, folder)
@@ -511,6 +561,7 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "sheets": _sheets,
     "bend": _bend,
     "model": _model,
+    "pair": _pair,
     "edit": _edit,
     "read": _read,
     "file": _file,

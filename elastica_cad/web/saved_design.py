@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.design_file import design_of, parse_design
+from elastica_cad.formats.design_files.pair_table import pair_of
 from elastica_cad.formats.file_access.source_file import read_below
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
@@ -41,6 +42,12 @@ def start_designs() -> dict[str, Tables]:
 
 def _drawable(tables: Tables, path: Path) -> Tables:
     with read_below(path.parent, Path()):
+        if "pair" in tables:
+            spec = pair_of(tables, path, read_curves)
+            for state, curve in (("first", spec.first), ("second", spec.second)):
+                if not _is_drawn(tables["pair"][state]):
+                    tables["pair"][state] = curve_table(curve)
+            return tables
         design_of(tables, path, read_curves)
         for k, strip in enumerate(tables.get("strips", [])):
             if "sections" in strip:

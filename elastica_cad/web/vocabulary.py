@@ -4,6 +4,7 @@ from importlib.util import find_spec
 from typing import Any
 
 from elastica_cad.declared import Field, Kind, Record
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.records import fields_of, title, word_of, written
 from elastica_cad.formats.design_files.strip_table import SharedKeys
@@ -17,6 +18,7 @@ def page_words() -> dict[str, Any]:
     without |= {"step", "stl"} if step_trouble() else set()
     return {
         "fields": _form_of(SharedKeys),
+        "pair_fields": [one for one in _form_of(FlexureSpec) if one["name"] not in ("first", "second")],
         "sheets": [{"name": one.name, "thickness": one.thickness} for one in map(Sheet.named, sheet_names())],
         "downloads": [kind for kind in DOWNLOADS if kind not in without],
     }

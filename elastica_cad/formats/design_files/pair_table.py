@@ -1,6 +1,8 @@
 """The table [pair] of a design file: a part with two rest shapes."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
@@ -20,7 +22,18 @@ def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
         No such table, an unknown key, a value of the wrong kind, a curve that cannot be read; the place is named.
     """
     path = require_file(path)
-    top = Table(parse_design(path), str(path), {}).only(*names_of(DesignKeys))
+    return pair_of(parse_design(path), path, read_curves)
+
+
+def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:
+    """The part that tables tell of, as `read_pair` makes it of a file at `path` that holds them.
+
+    Raises
+    ------
+    InputError
+        As `read_pair`.
+    """
+    top = Table(data, str(path), {}).only(*names_of(DesignKeys))
     if not top.has("pair"):
         raise InputError("{path} has no table [pair]: give two curves, or ask `elastica model`", path=path)
     top.scope = top.within(top.raw("let", {}))

@@ -142,9 +142,11 @@ export class Drawing {
 
   focus(k) { this.layers.points.children[k]?.focus(); }
 
-  show({ points = this.points, answer = this.answer, ghost = this.ghost }) {
-    Object.assign(this, { points, answer, ghost });
-    this.paint();
+  // What is given changes; the rest of the picture stays.
+  show(given) {
+    Object.assign(this, given);
+    if (given.points) this.paintPoints();
+    if ("answer" in given || "ghost" in given) this.paintAnswer();
   }
 
   path(points, closed = false) {
@@ -153,21 +155,25 @@ export class Drawing {
   }
 
   paint() {
-    const { layers, answer } = this, drawn = (d, more = {}) => element("path", { d, ...more });
-    layers.grid.replaceChildren(...this.grid());
-    layers.axis.replaceChildren(...(this.axis ? [drawn(this.path([[0, -1e5], [0, 1e5]]))] : []));
+    this.layers.grid.replaceChildren(...this.grid());
+    this.layers.axis.replaceChildren(...(this.axis ? [drawn(this.path([[0, -1e5], [0, 1e5]]))] : []));
+    this.paintAnswer();
+    this.paintPoints();
+  }
+
+  paintAnswer() {
+    const { layers, answer } = this;
     layers.ghost.replaceChildren(...(this.ghost ? [drawn(this.path(this.ghost))] : []));
-    layers.polygon.replaceChildren(drawn(this.path(this.points)));
     layers.drawn.replaceChildren(...(answer?.drawn ? [drawn(this.path(answer.drawn))] : []));
     layers.strip.replaceChildren(...(answer?.position ? this.strained(answer) : []));
     layers.comb.replaceChildren(...(answer?.curvature && !answer.moved ? [drawn(this.comb(answer))] : []));
     layers.line.replaceChildren(...(answer?.theorem?.line ? [drawn(this.line(answer.theorem.line))] : []));
     layers.marks.replaceChildren(...(answer?.theorem ? this.marks(answer.theorem) : []));
-    this.paintPoints();
   }
 
   // Control points stay the same elements while they are moved: the focus stays where it is.
   paintPoints() {
+    this.layers.polygon.replaceChildren(drawn(this.path(this.points)));
     const shown = this.points, group = this.layers.points, r = shown.length > 30 ? 3.5 : 6;
     while (group.children.length > shown.length) group.lastChild.remove();
     shown.forEach((point, k) => {
@@ -237,6 +243,8 @@ export class Drawing {
     return [...off.map(mark("off", 9)), ...crossings.map(mark("crossing", 8)), ...inflections.map(mark("inflection", 4))];
   }
 }
+
+const drawn = (d) => element("path", { d });
 
 export const rounded = (value, step) => +(Math.round(value / step) * step).toPrecision(12);
 

@@ -15,7 +15,8 @@ export class Space {
       host.textContent = t("This browser shows no 3D: it needs WebGL.");
       return;
     }
-    const canvas = this.renderer.domElement;
+    const canvas = this.renderer.domElement, gl = this.renderer.getContext(), told = gl.getExtension("WEBGL_debug_renderer_info");
+    this.isSlow = /swiftshader|llvmpipe|software/i.test(told ? gl.getParameter(told.UNMASKED_RENDERER_WEBGL) : "");
     Object.assign(canvas, { tabIndex: 0 });
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", t("The bent strip in space; arrow keys turn it"));
@@ -71,9 +72,9 @@ export class Space {
     this.drawSoon();
   }
 
-  // One strip in the plane of its drawing.
-  show(shape) {
-    this.showModel({ shapes: [shape], places: [[0, UPRIGHT]], plates: [] });
+  // Strips in the plane of their drawing.
+  showAll(shapes) {
+    this.showModel({ shapes, places: shapes.map((_, k) => [k, UPRIGHT]), plates: [] });
   }
 
   showModel({ shapes, places, plates }) {

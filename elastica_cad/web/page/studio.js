@@ -10,8 +10,9 @@ import { LANGUAGES, speaker } from "./words.js";
 
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
 const HOLDERS = { rings: "Rings", base: "Base plate", fixtures: "Printed blocks", stand: "Whatever fits" };
+const STATES = ["first", "second"]; // of a part that rests in two curves
 const SNAPS = [0, 1, 5, 10];
-const SPACE_MS = 60; // between two pictures of the bent strip while it is dragged
+const SPACE_MS = 30, SLOW_SPACE_MS = 300; // between two pictures of the bent strip while it is dragged
 const REST_MS = 250; // after the last change, until the whole model is made
 
 export function mount(root, channel, hello, { linked = null, address = false, kept = "elastica-studio", onchange = () => {} } = {}) {
@@ -68,7 +69,7 @@ class Studio {
     this.forces = html("output", { class: "forces" });
     this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked, onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
-    this.copies = html("div", { class: "fields" });
+    this.copies = html("div", { class: "fields copies" });
     this.which = html("div", {});
     const plane = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     plane.setAttribute("tabindex", 0);
@@ -78,6 +79,7 @@ class Studio {
     this.flat.setAttribute("role", "img");
     this.flat.setAttribute("aria-label", t("Flat strip"));
     const space = html("div", { class: "scene" });
+    this.pairing = button("Two states", () => this.twoStates(), { "data-do": "pair" });
     this.mode = button("Draw", () => this.draws(this.drawing.mode !== "draw"));
     const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
     const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]];
@@ -89,7 +91,7 @@ class Studio {
           select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
           button("Start from", () => this.starts(), { "data-do": "starts" }), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
           button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Sheets that can do it", () => this.sheets(), { class: "sheets" }),
-          this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
+          this.pairing, this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
           this.address ? button("Copy link", () => this.link()) : null,
           html("details", { class: "menu downloads" }, html("summary", {}, t("Download")),
             html("div", {}, ...files.map(([kind, text]) => button(text, () => this.download(kind), { "data-kind": kind })))),
@@ -100,7 +102,7 @@ class Studio {
         html("div", { class: "bend" }, html("label", {}, t("Bend it"), this.bar), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
       html("section", { class: "flat", "aria-label": t("Flat strip") }, this.flat),
-      html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields, html("h2", {}, t("Copies")), this.copies),
+      html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields, this.copies),
       this.dialog);
     document.documentElement.lang = language;
     this.drawing = new Drawing(plane, t, {
@@ -118,17 +120,24 @@ class Studio {
       select: (k) => this.selected(k),
     });
     this.space = new Space(space, t);
-    this.form = new Form(this.fields, this.hello.fields ?? [], {
-      t, sheets: this.hello.sheets.map((sheet) => sheet.name),
-      get: (path) => reach(tableOf(this.design, this.strip, path[0]), path),
-      set: (path, value) => this.history.change((design) => put(tableOf(design, this.strip, path[0]), path, value)),
-    });
+    this.formFor(this.design);
     this.model3d = new Form(this.copies, COPIES, {
       t, sheets: [], get: ([key]) => COPY[key].get(this.design), set: ([key], value) => this.history.change((design) => COPY[key].set(design, value)),
     });
     this.draws(!this.points().length);
     this.changed();
     this.drawing.fit();
+  }
+
+  // The fields of a strip, or of a part with two states.
+  formFor(design) {
+    const pair = this.formOf = Boolean(design.pair), table = (one, key) => (pair ? one.pair : tableOf(one, this.strip, key));
+    this.copies.hidden = pair;
+    this.form = new Form(this.fields, pair ? this.hello.pair_fields : this.hello.fields, {
+      t: this.t, sheets: this.hello.sheets.map((sheet) => sheet.name),
+      get: (path) => reach(table(this.design, path[0]) ?? {}, path),
+      set: (path, value) => this.history.change((one) => put(table(one, path[0]), path, value)),
+    });
   }
 
   // A click on the drawing sets the next point of the curve, or moves the view.
@@ -147,7 +156,28 @@ class Studio {
 
   // ---- what is asked
 
-  curve(design = this.design) { return design.strips?.[this.strip]?.curve; }
+  curve(design = this.design) { return design.pair ? design.pair[STATES[this.strip]] : design.strips?.[this.strip]?.curve; }
+
+  // A part that rests in two curves is asked for in a table of its own; the second begins as the first, turned over.
+  twoStates() {
+    this.history.change((design) => {
+      if (design.pair) {
+        design.strips = [{ label: "A1", curve: design.pair.first }];
+        delete design.pair;
+        return;
+      }
+      const first = this.curve(design), second = structuredClone(first), [a, b] = [first.spline[0], first.spline.at(-1)];
+      const [dx, dy] = [b[0] - a[0], b[1] - a[1]], size = Math.hypot(dx, dy) || 1;
+      second.spline = second.spline.map(([x, y]) => {
+        const off = ((x - a[0]) * -dy + (y - a[1]) * dx) / size;
+        return [x + (2 * off * dy) / size, y - (2 * off * dx) / size];
+      });
+      for (const key of Object.keys(design)) if (!["schema", "name", "sheet"].includes(key)) delete design[key];
+      design.pair = { first, second, sheet: design.sheet };
+      delete design.sheet;
+    });
+    this.drawing.fit();
+  }
 
   points(design = this.design) {
     const points = this.curve(design)?.spline;
@@ -161,12 +191,15 @@ class Studio {
 
   changed() {
     const design = this.design;
-    if (this.strip >= (design.strips?.length ?? 0)) this.strip = 0;
+    if (this.strip >= (design.pair ? 2 : design.strips?.length ?? 0)) this.strip = 0;
+    this.pairing.setAttribute("aria-pressed", Boolean(design.pair));
+    if (this.formOf !== Boolean(design.pair)) this.formFor(design);
     this.frames = null;
     this.bar.value = 1;
     this.forces.textContent = "";
-    this.drawing.axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
-    this.drawing.show({ points: this.points(design), ghost: null });
+    const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
+    this.drawing.show({ points: this.points(design) });
+    if (axis !== this.drawing.axis) Object.assign(this.drawing, { axis }).paint();
     if (!this.drawing.fingers.size) {
       this.form.show();
       this.model3d.show();
@@ -179,7 +212,7 @@ class Studio {
   }
 
   choose(design) {
-    const strips = design.strips ?? [];
+    const strips = design.pair ? STATES.map((state) => ({ label: this.t(state) })) : design.strips ?? [];
     this.which.replaceChildren(...(strips.length > 1 ? [html("select", { "aria-label": this.t("Strip"), onchange: (event) => {
       this.strip = +event.target.value;
       this.changed();
@@ -188,12 +221,12 @@ class Studio {
   }
 
   async follow(design) {
-    if (!design.strips?.length) return;
+    if (!design.strips?.length && !design.pair) return;
     if (this.curve(design)?.spline && this.points(design).length < 3) {
       this.paint(null);
       return;
     }
-    const answer = await this.channel.ask({ do: "strip", design, strip: this.strip, live: this.drawing.grabbed != null });
+    const answer = await this.channel.ask({ do: design.pair ? "pair" : "strip", design, strip: this.strip, live: this.drawing.grabbed != null });
     if (!answer || answer.id < this.shown) return;
     this.shown = answer.id;
     this.paint(answer);
@@ -208,7 +241,7 @@ class Studio {
   async model() {
     const design = this.design;
     if (!this.whole.checked || !(design.strips?.length || design.revolution)) {
-      if (this.answer?.position) this.space.show(this.answer);
+      if (this.answer?.position) this.inSpace(this.answer);
       return;
     }
     const answer = await this.ask({ do: "model", design });
@@ -221,26 +254,42 @@ class Studio {
 
   paint(answer) {
     const { t } = this;
+    if (answer?.states) Object.assign(answer, answer.states[this.strip], { other: answer.states[1 - this.strip].position });
     this.answer = answer;
-    this.drawing.show({ answer });
+    this.drawing.show({ answer, ghost: answer?.other ?? null });
     if (!answer) {
-      this.verdict.className = "verdict";
+      Object.assign(this.verdict, { className: "verdict", said: "" });
       this.verdict.replaceChildren(html("strong", {}, t("Draw at least three points")), html("p", {}, t("Click on the drawing to set the first points of a curve, or start from an example.")));
-      this.numbers.replaceChildren();
+      this.tabulate([]);
       showFlat(this.flat, null);
       return;
     }
     const { refused } = answer, state = refused ? "no" : answer.warnings.length ? "care" : "yes";
     const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state];
     const texts = refused ? [refused.message] : [...answer.warnings, ...(answer.deviation == null ? [answer.text] : [])];
-    this.verdict.className = `verdict ${state}`;
-    this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
+    const said = [title, ...texts].join();
+    if (said !== this.verdict.said) { // a reader of the screen hears what is new
+      this.verdict.className = `verdict ${state}`;
+      this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
+    }
+    this.verdict.said = said;
     showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
-    this.numbers.replaceChildren(...(refused ? [] : this.rows(answer)).flatMap(([name, value]) => [html("dt", {}, t(name)), html("dd", {}, value)]));
+    this.tabulate(refused ? [] : this.rows(answer));
     if (answer.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
-      if (this.answer?.position && !this.whole.checked) this.space.show(this.answer);
-    }, SPACE_MS);
+      if (this.answer?.position && !this.whole.checked) this.inSpace(this.answer);
+    }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
+  }
+
+  inSpace(answer) { this.space.showAll(answer.states ?? [answer]); }
+
+  // Only the values that change are written anew.
+  tabulate(rows) {
+    const cells = this.numbers.children;
+    if (cells.length !== 2 * rows.length) this.numbers.replaceChildren(...rows.flatMap(() => [html("dt"), html("dd")]));
+    rows.forEach(([name, value], k) => [this.t(name), value].forEach((text, i) => {
+      if (cells[2 * k + i].textContent !== text) cells[2 * k + i].textContent = text;
+    }));
   }
 
   rows(answer) {
@@ -248,7 +297,7 @@ class Studio {
     return [
       ["length", `${number(answer.length)} mm`], ["width", `${answer.widths.map(number).join(" – ")} mm`], ["stiffness ratio", number(answer.ratio)],
       ["strain", `${number(+(100 * answer.strain).toFixed(2))} %, ${Math.round(100 * answer.used)} % ${t("of what the sheet bears")}`],
-      ["stability", answer.stable ? `${number(answer.margin)}, ${t(answer.stable)}` : "…"], ["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`],
+      ...(answer.bistable == null ? [] : [["both states", t(answer.bistable ? "in the same clamps" : "in clamps of their own")]]), ["stability", answer.stable ? `${number(answer.margin)}, ${t(answer.stable)}` : "…"], ...(answer.states ? [] : [["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`]]),
       ...(answer.deviation == null ? [] : [["off the drawn curve", `${number(answer.deviation)} mm`]]),
     ];
   }
@@ -282,8 +331,10 @@ class Studio {
 
   async counted(which) {
     const answer = await this.ask({ do: "edit", design: this.design, strip: this.strip, ...which });
-    if (answer) this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
+    if (answer) this.history.change((design) => { put(design, this.place(design), answer.curve); });
   }
+
+  place(design) { return design.pair ? ["pair", STATES[this.strip]] : ["strips", this.strip, "curve"]; }
 
   selected(k) {
     const { t } = this;
@@ -364,7 +415,7 @@ class Studio {
     const frame = this.frames.reduce((best, one) => (Math.abs(one.part - part) < Math.abs(best.part - part) ? one : best));
     const shape = { ...this.answer, ...frame, moved: frame.part !== 1 };
     this.drawing.show({ answer: shape });
-    if (!this.whole.checked) this.space.show(shape);
+    if (!this.whole.checked) this.space.showAll([shape]);
     const where = frame.part === 0 ? t("flat") : frame.part === 1 ? t("as drawn") : `${Math.round(100 * frame.part)} %`;
     this.forces.textContent = `${where}: ${t("force")} ${this.number(frame.force)} N, ${t("moment")} ${this.number(frame.moment)} N mm${frame.stable ? "" : ` – ${t("it snaps")}`}`;
     this.forces.classList.toggle("snaps", !frame.stable);
@@ -408,7 +459,7 @@ class Studio {
   }
 
   take(curve) {
-    this.history.change((design) => { design.strips[this.strip].curve = curve; });
+    this.history.change((design) => { put(design, this.place(design), curve); });
     this.drawing.fit();
   }
 }
@@ -435,7 +486,7 @@ function put(table, path, value) {
 
 // Copies and what holds them: keys of the whole design, not of a strip.
 const holderOf = (design) => Object.keys(HOLDERS).find((key) => key in design);
-const copyField = (name, value) => ({ name, common: true, group: "", unit: "", help: name, default: null, of: [{ choices: [], ...value }] });
+const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, of: [{ choices: [], ...value }] });
 const COPIES = [
   copyField("Around the axis x = 0", { kind: "count" }), copyField("Holders", { kind: "choice", choices: Object.keys(HOLDERS) }), copyField("Sheet of the holders", { kind: "text" }),
 ];

@@ -1,6 +1,7 @@
 // What the page says, in German and Chinese, by its English text.
 
 const DE = {
+  "Two states": "Zwei Zustände", "first": "erster", "second": "zweiter", "both states": "beide Zustände", "in the same clamps": "in denselben Klemmen", "in clamps of their own": "jeder in eigenen Klemmen",
   "Undo": "Rückgängig", "Redo": "Wiederholen", "Draw": "Zeichnen", "Move": "Bewegen", "Fit": "Alles zeigen",
   "Zoom in": "Vergrößern", "Zoom out": "Verkleinern", "Snap": "Fangraster", "off": "aus", "grid": "Raster",
   "Start from": "Beginnen mit", "Empty drawing": "Leere Zeichnung", "Open": "Öffnen", "Save": "Speichern", "Close": "Schließen",
@@ -39,6 +40,7 @@ const DE = {
 };
 
 const ZH = {
+  "Two states": "双稳态", "first": "第一", "second": "第二", "both states": "两种状态", "in the same clamps": "同一夹持", "in clamps of their own": "各自夹持",
   "Undo": "撤销", "Redo": "重做", "Draw": "绘制", "Move": "移动", "Fit": "全部显示", "Zoom in": "放大", "Zoom out": "缩小", "Snap": "吸附", "off": "关", "grid": "网格",
   "Start from": "起始示例", "Empty drawing": "空白图", "Open": "打开", "Save": "保存", "Close": "关闭", "Copy link": "复制链接", "Copied": "已复制", "Download": "下载",
   "Design file": "设计文件", "Kit as zip": "套件（zip）", "PDF at 1:1": "1:1 PDF", "Strip": "条带", "Control point": "控制点", "Remove": "删除", "Inflection": "拐点",

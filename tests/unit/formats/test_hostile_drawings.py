@@ -127,7 +127,7 @@ def test_numbers_at_the_edge_of_floats_in_svg(tmp_path, number, place):
 @pytest.mark.parametrize(("text", "words"), [
     ("3 99999999999999999999\n0 0\n", "of 20 digits"), ("30 40\n0 0\n", "degree 30"),
     ("2 3\n0 0\n1e200 5\n9 9\n", "finite and at most"), ("2 100000000\n0 0\n", "at most"),
-    ("2 3\n0 0\n1e-9 0\n0 1e-9\n", "1e-09 mm large"),
+    ("2 3\n0 0\n1e-9 0\n0 1e-9\n", "0.000000001 mm large"),
 ])  # fmt: skip
 def test_counts_and_sizes_in_text_files(tmp_path, text, words):
     (tmp_path / "a.txt").write_text(text)
