@@ -108,7 +108,20 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
             "no stack of {leaves} leaves comes to rest near this curve: take more and thinner leaves",
             leaves=law.leaves,
         )
-    return min(found, key=lambda one: one.mean_deviation)
+    best = min(found, key=lambda one: one.mean_deviation)
+    if not best.section.steps.size and relaxed.gravity is None:
+        # leaves that all go all the way bend as the fewest do: the others would change nothing
+        bare = _Search(
+            relaxed,
+            law,
+            drawn,
+            np.zeros((0, 2), dtype=int),
+            np.zeros(0),
+            tuple(range(1, law.fewest + 1)),
+            tangents,
+        )
+        best = bare.answer() or best
+    return best
 
 
 @dataclass(frozen=True, eq=False)

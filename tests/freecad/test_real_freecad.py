@@ -311,7 +311,9 @@ def check_first_use(found):
     said, numbers, footnote = found["held"]
     assert footnote == said
     assert re.search("made and held|gemacht und gehalten", said)
-    assert re.search(r"(Held deviation|Abweichung gehalten)&nbsp;&nbsp;</td><td><b>0[.,]\d+ mm", numbers)
+    assert re.search(
+        r"(Held deviation|Abweichung gehalten)&nbsp;&nbsp;</td><td><b>(about |etwa )?0[.,]\d+ mm", numbers
+    )
     assert re.search(r"(Sideways margin|Reserve seitlich)&nbsp;&nbsp;</td><td><b>\d+", numbers)
     assert {Path(name).suffix for name in found["files"]} == {".dxf", ".svg", ".step", ".csv"}
     assert all(name in found["told"] for name in found["files"])

@@ -291,3 +291,14 @@ def test_a_stack_is_bent_on_other_nodes_with_its_steps():
 def test_what_is_no_stack_is_refused_in_a_sentence(made, words):
     with pytest.raises(InputError, match=words):
         made()
+
+
+def test_a_leaf_that_changes_nothing_is_not_laid():
+    """Leaves that all go all the way bend an arc as one does."""
+    law = LeavesLaw(LEAF, 4, 20.0)
+    arc = optimal_rod(PlaneCurve.arc((0, 0), 150, 0, 1.6), section=law.relaxed)
+    laid = lay_leaves(arc, law)
+    assert [(leaf.number, leaf.start, leaf.length) for leaf in laid.leaves] == [
+        (1, 0.0, pytest.approx(240.0))
+    ]
+    assert laid.deviation < 1e-6 * 240

@@ -191,11 +191,8 @@ def explained(path: str, option: str) -> str:
     inner = [one.rpartition(".")[2] for one in paths_of(record) if one.rpartition(".")[0] == path]
     if inner:
         lines.append(f"Keys below it: {', '.join(inner)}.")
-    here = (
-        f"elastica strip: {option or f'--set {path}=VALUE'}"
-        if record is CommandKeys
-        else "elastica model: a design file"
-    )
+    typed = f"{option}=VALUE" if option.startswith("--set") else option
+    here = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
     return "\n".join([path, *(f"  {line}" for line in [*lines, here])])
 
 

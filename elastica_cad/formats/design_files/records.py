@@ -318,6 +318,28 @@ def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any])
     WRITTEN[record], _SPECIAL[record] = kind, read
 
 
+def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
+    """The table that is written in one line, as `read_line` reads it.
+
+    Raises
+    ------
+    InputError
+        A line that is no table; it names `where` the line stands.
+    """
+    inside = line.strip()
+    try:
+        data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InputError(
+            "{place}: {line} cannot be read: write keys and values, such as {example}",
+            place=where,
+            line=quoted(line),
+            example=example or "at = 40, side = 'lower'",
+        ) from error
+    table: dict[str, Any] = data["line"]
+    return table
+
+
 def read_line(
     line: str, where: str, record: Record, reader: Reader | None = None, *, example: str = ""
 ) -> Any:
@@ -345,17 +367,8 @@ def read_line(
     >>> read_line("at = 40, width = 1.2, side = 'lower'", "slot", Slot).side
     'lower'
     """
-    inside = line.strip()
-    try:
-        data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise InputError(
-            "{place}: {line} cannot be read: write keys and values, such as {example}",
-            place=where,
-            line=quoted(line),
-            example=example or "at = 40, side = 'lower'",
-        ) from error
-    return (reader or Reader()).record(record, Table(data["line"], where, {}))
+    data = parsed_line(line, where, example)
+    return (reader or Reader()).record(record, Table(data, where, {}))
 
 
 def title(record: Record) -> str:

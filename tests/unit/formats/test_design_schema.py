@@ -16,10 +16,18 @@ from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema, tables
+from elastica_cad.formats.design_files.pair_table import read_pair
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 ROOT = Path(__file__).resolve().parents[3]
-TABLES = tables()
+PAIRS = ("flexure spec", "pair limits", "pad")
+"""Tables of a part that rests in two curves, which `elastica pair` reads, alone in its file."""
+
+TABLES = {
+    name: {key: one for key, one in keys.items() if key != "pair"}
+    for name, keys in tables().items()
+    if name not in PAIRS
+}
 TAPLO = Path(sysconfig.get_path("scripts")) / "taplo"
 
 HEAD = 'schema = 1\nsheet = "card-200gsm"\nmax_width = 20\n'
@@ -244,6 +252,33 @@ margin = 3
     'points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, 140]]\n',
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
     'curve = { spline = [[70, 0], [90, 40], [95, 80], [80, 120]], degree = 3 }\n',
+    """schema = 1
+[pair]
+first = { spline = [[0, 0], [27, 0], [53, 24], [105, 24], [123, 0], [150, 0]], degree = 4 }
+second = { spline = [[0, 0], [27, 0], [53, -20], [105, -20], [123, 0], [150, 0]], degree = 4 }
+sheet = "pom-3"
+match = "ends"
+smooth = 0.1
+free = "first"
+objective = "ratio"
+least_thickness = 1.0
+fillet = 1.5
+push_at = 70
+printed = true
+label = "CLIP"
+ignore_limits = true
+
+[pair.limits]
+ratio = 8
+natural_curvature = 0.05
+bend = 0.05
+
+[pair.pad]
+length = 20
+width = 12
+hole = 4.3
+inset = 5
+""",
 ]  # fmt: skip
 
 WRONG = {"wrong": [True]}
@@ -356,13 +391,18 @@ def refused_by_editor(folder):
     return set(re.findall(r"d-[^/\s\":]+\.toml", done.stderr))
 
 
+def read(path, data):
+    """What a file asks for: a model, or a part with two states."""
+    return read_pair(path, read_curves) if "pair" in data else read_design(path, read_curves)
+
+
 def test_reader_and_editor_agree_on_every_key(folder):
     designs = [tomllib.loads(text) for text in DESIGNS]
     root = {"$ref": "#/definitions/design"}
     told, mutants = {}, {}
     for i, data in enumerate(designs):
         (folder / f"d-{i}.toml").write_text(written(data))
-        read_design(folder / f"d-{i}.toml", read_curves)
+        read(folder / f"d-{i}.toml", data)
         for name, key, path in keys_in(root, data):
             if (name, key) in told:
                 continue
@@ -377,7 +417,7 @@ def test_reader_and_editor_agree_on_every_key(folder):
     for name, data in mutants.items():
         (folder / name).write_text(written(data))
         try:
-            read_design(folder / name, read_curves)
+            read(folder / name, data)
         except InputError:
             continue
         read_anyway.append(name)

@@ -12,7 +12,7 @@ import FreeCAD as App
 from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import Property
 
-from elastica_cad.declared import REQUIRED, Field, declared
+from elastica_cad.declared import Field, declared
 from elastica_cad.formats.design_files.key_paths import paths_of
 from elastica_cad.formats.design_files.records import written
 from elastica_cad.formats.design_files.strip_table import StripKeys
@@ -81,11 +81,9 @@ def _property_of(path: str, field: Field) -> Property:
         choices = [*([] if default is not None else [NOTHING]), *kind.choices]
         return Property(called, name, _group(path), field.help, choices)
     empty = {"String": "", "StringList": [], "FloatList": [], "Bool": False, "Integer": 0}.get(called, 0.0)
-    record = called == "String" and not isinstance(default, str)  # written as a line of keys and values
-    given = empty if record or default in (None, REQUIRED, ()) else default
-    return Property(
-        called, name, _group(path), field.help, DEFAULTS.get(name, given), example=EXAMPLES.get(name, "")
-    )
+    usual = default if isinstance(default, (bool, int, float, str)) else empty
+    given = DEFAULTS.get(name, usual)
+    return Property(called, name, _group(path), field.help, given, example=EXAMPLES.get(name, ""))
 
 
 def _group(path: str) -> str:

@@ -4,7 +4,6 @@
 """What the properties of a strip ask for, as the table of a design file, which the core reads."""
 
 import math
-import tomllib
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
@@ -15,12 +14,12 @@ from freecad.elastica_wb.host.property_table import require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.styles import Style
 from elastica_cad.fabrication.strip_checks import pull_in_plane
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.key_paths import put
-from elastica_cad.formats.design_files.records import BY_KIND, Reader, names_of
+from elastica_cad.formats.design_files.records import BY_KIND, Reader, names_of, parsed_line
 from elastica_cad.formats.design_files.strip_table import read_fields, read_request
 from elastica_cad.formats.design_files.tables import Table, merged
 from elastica_cad.forming.limits import BOTH_ENDS
@@ -115,25 +114,14 @@ def _value(obj: Any, name: str, field: Field) -> Any:
     if field.kind.name == "list" and field.kind.of[0].name != "number":
         return _lines(value, name, EXAMPLES.get(name, "")) or None
     if field.kind.name in ("table", "list", "either"):
-        return (_line(value, name, EXAMPLES.get(name, "")) if isinstance(value, str) else list(value)) or None
+        return (
+            parsed_line(value, name, EXAMPLES.get(name, "")) if isinstance(value, str) else list(value)
+        ) or None
     return None if field.default is None and value in (0, NOTHING) and value is not False else value
 
 
-def _line(line: str, name: str, example: str) -> dict[str, Any]:
-    """The table that a line of a property holds."""
-    try:
-        return tomllib.loads(f"line = {{{line}}}")["line"]
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise InputError(
-            "{place}: {line} cannot be read: write keys and values, such as {example}",
-            place=name,
-            line=quoted(line),
-            example=example,
-        ) from error
-
-
 def _lines(lines: Iterable[str], name: str, example: str) -> list[dict[str, Any]]:
-    return [_line(line, name, example) for line in lines if line.strip()]
+    return [parsed_line(line, name, example) for line in lines if line.strip()]
 
 
 def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
@@ -202,7 +190,7 @@ def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
 
 
 def _natural_curvature(obj: Any) -> Any:
-    return _line(obj.Blank, "Blank", BLANK_LINE) if obj.Blank.strip() else obj.NaturalCurvature or None
+    return parsed_line(obj.Blank, "Blank", BLANK_LINE) if obj.Blank.strip() else obj.NaturalCurvature or None
 
 
 def _loads(obj: Any) -> Any:
@@ -210,7 +198,9 @@ def _loads(obj: Any) -> Any:
         return None
     weight = obj.WeightLaw.strip()
     return (
-        _line(weight, "WeightLaw", WEIGHT_LINE) if weight else _lines(obj.Loads, "Loads", MASS_LINE) or None
+        parsed_line(weight, "WeightLaw", WEIGHT_LINE)
+        if weight
+        else _lines(obj.Loads, "Loads", MASS_LINE) or None
     )
 
 
@@ -257,7 +247,7 @@ def _ends(obj: Any) -> list[dict[str, Any]] | None:
     tabs = []
     for side in ("Start", "End"):
         keys, length = getattr(obj, f"{side}TabKeys"), getattr(obj, f"{side}Tab").Value
-        tabs.append(_line(keys, f"{side}TabKeys", TAB_LINE) if keys.strip() else _tab(obj, length))
+        tabs.append(parsed_line(keys, f"{side}TabKeys", TAB_LINE) if keys.strip() else _tab(obj, length))
     return tabs
 
 
