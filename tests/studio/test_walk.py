@@ -127,7 +127,7 @@ def test_the_address_alone_restores_the_design(server, tmp_path):
 @pytest.mark.parametrize(
     ("language", "said"), [("de", "Machbar"), ("zh", "可以制作"), ("en", "It can be made")]
 )
-@pytest.mark.parametrize("size", [(1400, 1000), (500, 900)])
+@pytest.mark.parametrize("size", [(1400, 1000), (500, 900)], ids=["desk", "phone"])
 def test_the_page_is_accessible_in_every_language(server, tmp_path, language, said, size):
     with chromium(tmp_path, size, language) as studio:
         studio.open(server.address)

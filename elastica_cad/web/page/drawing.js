@@ -156,7 +156,7 @@ export class Drawing {
 
   paint() {
     this.layers.grid.replaceChildren(...this.grid());
-    this.layers.axis.replaceChildren(...(this.axis ? [drawn(this.path([[0, -1e5], [0, 1e5]]))] : []));
+    this.layers.axis.replaceChildren(...(this.axis ? [drawn(this.line([[0, 0], [0, 1]]))] : []));
     this.paintAnswer();
     this.paintPoints();
   }
@@ -230,7 +230,12 @@ export class Drawing {
     return this.path(tips) + tips.map((tip, k) => (k % 4 ? "" : this.path([free[k], tip]))).join("");
   }
 
-  line([[x, y], [dx, dy]]) { return this.path([[x - 1e4 * dx, y - 1e4 * dy], [x + 1e4 * dx, y + 1e4 * dy]]); }
+  // No longer than the view: dashes that nobody sees take a renderer long.
+  line([[x, y], [dx, dy]]) {
+    const [width, height] = this.size, [cx, cy] = this.toPlane(width / 2, height / 2);
+    const at = (cx - x) * dx + (cy - y) * dy, far = (width + height) / 2 / this.view.scale;
+    return this.path([at - far, at + far].map((t) => [x + t * dx, y + t * dy]));
+  }
 
   marks({ inflections, at, off, crossings }) {
     const mark = (kind, r) => (point, k) => {

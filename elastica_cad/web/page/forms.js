@@ -49,8 +49,8 @@ export class Form {
 
   row(field, input, id) {
     const { t } = this, help = t(field.help);
-    (input.id ? input : input.firstChild).setAttribute("aria-description", help);
-    return html("div", { class: "field", title: help }, html("label", { for: id }, t(field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit));
+    (input.id ? input : input.firstChild).title = help; // read as its description
+    return html("div", { class: "field" }, html("label", { for: id }, t(field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit));
   }
 
   select(options, more) {
@@ -58,7 +58,7 @@ export class Form {
   }
 
   plain(field, path) {
-    const { t } = this, id = `field-${path.join("-")}`, [value] = field.of;
+    const { t } = this, id = idOf(path), [value] = field.of;
     const absent = field.default === null ? "–" : `${t({ true: "yes", false: "no" }[field.default] ?? `${field.default}`)}`;
     if (value.size === 2 && value.of[0].choices.length) return this.pair(field, path, value.of[0].choices);
     const choices = ["sheet", "backing"].includes(field.name) ? this.sheets : value.kind === "flag" && field.of.length === 1 ? ["true", "false"] : value.choices;
@@ -75,7 +75,7 @@ export class Form {
 
   // One choice for the start, one for the end.
   pair(field, path, choices) {
-    const { t } = this, id = `field-${path.join("-")}`;
+    const { t } = this, id = idOf(path);
     const made = ["start", "end"].map((end, k) => this.select([["", "–"], ...choices.map((one) => [one, t(one)])], { id: k ? `${id}-end` : id, "aria-label": `${t(field.name)}, ${t(end)}`,
       onchange: () => this.set(path, made.some((one) => one.value) ? made.map((one) => one.value || choices[0]) : undefined) }));
     this.controls.push(() => made.forEach((one, k) => { one.value = this.get(path)?.[k] ?? ""; }));
@@ -84,7 +84,7 @@ export class Form {
 
   // A table is there or not; of several the kind is chosen; some may be a plain value instead.
   table(field, tables, path) {
-    const { t } = this, id = `field-${path.join("-")}`, plain = field.of.filter((value) => !value.fields);
+    const { t } = this, id = idOf(path), plain = field.of.filter((value) => !value.fields);
     const flag = plain.some((value) => value.kind === "flag"), others = plain.filter((value) => value.kind !== "flag");
     const titled = tables.length > 1 || flag;
     const select = this.select([["", "–"], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? one.title : "as below")]),
@@ -109,3 +109,5 @@ export class Form {
     return html("div", { class: "table" }, this.row(field, select, id), inner);
   }
 }
+
+const idOf = (path) => `field-${path.join("-").replaceAll(/[^\w-]+/g, "-")}`;
