@@ -176,8 +176,13 @@ class _Body:
         moved = self.pose(line) - self.body.nodes
         return [displaced(i, j, moved) for i in np.flatnonzero(self.held) for j in (0, 1)]
 
+    def _loose(self, line: CentreLine) -> list[str]:
+        """The step in which only the pads are held."""
+        return ["*STEP, NLGEOM, INC=300", "*STATIC", "1., 1., 1e-6", *strict(), "*BOUNDARY, OP=NEW",
+                *self._kept(line), *self._flat()]  # fmt: skip
+
     def _free(self, line: CentreLine) -> list[str]:
-        """The step in which only the pads are held; before it one that holds the centre line too.
+        """The same; before it one that holds the centre line too.
 
         There sections come to what is left of their stress, so that the last step has little to do.
         """
@@ -186,7 +191,7 @@ class _Body:
         begin = ["*STEP, NLGEOM, INC=300", "*STATIC", "1., 1., 1e-6", *strict(), "*BOUNDARY, OP=NEW"]
         kept = [*self._kept(line), *self._flat()]
         led = [displaced(i, j, moved) for i in centre for j in (0, 1)]
-        return [*begin, *kept, *led, "*END STEP", *begin, *kept]
+        return [*begin, *kept, *led, "*END STEP", *self._loose(line)]
 
     def let_go(self, line: CentreLine, folder: Path) -> np.ndarray:
         """Nodes (n, 3) at rest near a state."""
@@ -249,7 +254,7 @@ class _Body:
                 "*BOUNDARY, OP=NEW", *self._kept(line), *self._flat(),
                 *(f"{i + 1}, 1, 1, {zero + over:.12g}" for i in nodes),
                 "*NODE PRINT, NSET=PUSHED, TOTALS=ONLY, GLOBAL=YES", "RF", "*END STEP"]  # fmt: skip
-        loose = [*self._free(line), "*NODE PRINT, NSET=ALL, GLOBAL=YES", "U", "*END STEP"]
+        loose = [*self._loose(line), "*NODE PRINT, NSET=ALL, GLOBAL=YES", "U", "*END STEP"]
         answer = run_deck(
             [*self._cards(), *set_cards, *begin, *free, *hold, *loose], folder, len(self.body.nodes)
         )
