@@ -653,7 +653,7 @@ def curved_beam_factor(share: FloatArray) -> FloatArray:
     Examples
     --------
     >>> curved_beam_factor(np.array([0.0, 0.2])).round(4).tolist()
-    [1.0, 1.0708]
+    [1.0, 1.0711]
     """
     x = np.clip(share, 1e-3, 1.8)
     inner = 1 - x / 2

@@ -32,6 +32,7 @@ TYPED = {
     "coupon": (*SHEET, "-o", "out"),
     "compare": ("made.json", "read.toml"),
     "batten": (*SHEET, "--length", "600", "--camber", "10", "--at", "42", "--stock", "20", "2", "-o", "out"),
+    "pair": ("bow.txt", "flat.txt", "--sheet", "pom-2", "-o", "out"),
     "sheets": (),
     "new": ("lamp", "-o", "out"),
     "help": ("limits.ratio",),
@@ -50,6 +51,7 @@ def typed(*words, cwd):
 @pytest.fixture
 def folder(tmp_path):
     (tmp_path / "bow.txt").write_text(BOW)
+    (tmp_path / "flat.txt").write_text(BOW.replace("60\n", "40\n"))
     chord = {"marks": [], "expected": {"chord": 90}, "uncertain": {"chord": 1}, "causes": {}}
     (tmp_path / "made.json").write_text(json.dumps({"measuring": chord}))
     (tmp_path / "read.toml").write_text("chord = 90.5")

@@ -20,14 +20,7 @@ from elastica_cad.formats.design_files.pair_table import read_pair
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 ROOT = Path(__file__).resolve().parents[3]
-PAIRS = ("flexure spec", "pair limits", "pad")
-"""Tables of a part that rests in two curves, which `elastica pair` reads, alone in its file."""
-
-TABLES = {
-    name: {key: one for key, one in keys.items() if key != "pair"}
-    for name, keys in tables().items()
-    if name not in PAIRS
-}
+TABLES = tables()
 TAPLO = Path(sysconfig.get_path("scripts")) / "taplo"
 
 HEAD = 'schema = 1\nsheet = "card-200gsm"\nmax_width = 20\n'

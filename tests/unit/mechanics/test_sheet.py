@@ -190,7 +190,7 @@ def test_a_shear_modulus_goes_through_a_file_and_is_nobodys_guess(tmp_path):
     with pytest.raises(InputError, match="shear_modulus is -1; it must be positive, in MPa"):
         Sheet("ply", **PLY, shear_modulus=-1)
     with pytest.raises(
-        InputError, match=r"shear_modulus_MPa = 6.2e-07 looks like the wrong unit; N/mm2: 620"
+        InputError, match=r"shear_modulus_MPa = 0.00000062 looks like the wrong unit; N/mm2: 620"
     ):
         load_sheets(written(tmp_path, f"[sheets.mine]\n{ENTRY}shear_modulus_MPa = 6.2e-7\n"))
 
