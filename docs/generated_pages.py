@@ -38,6 +38,10 @@ NAMES = {
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
                "touching_widths"),
+    "Two drawn curves, one strip": (
+        "matched_pair", "check_pair", "two_state_rod", "TwoStateRod", "PairLimits", "Flexure",
+    ),
+    "The page": ("studio",),
     "Errors": ("ElasticaError", "InputError", "NotConvergedError", "MissingDependencyError"),
 }  # fmt: skip
 """Public names in the order in which a curve meets them; a test holds that none is left out."""

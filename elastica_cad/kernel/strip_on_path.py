@@ -35,7 +35,7 @@ FAR_SHARE = 0.01
 """Of the length: a nearest strip that leaves the drawn curve by more is told."""
 
 SHORTEST_MM = 5.0
-"""No strip is shorter: a curve was drawn in metres."""
+"""A shorter curve with a strip wider than it is long was drawn in metres."""
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
@@ -124,7 +124,8 @@ def make_strip_on(
     else:
         drawn_on = None if workplane is None else _frame_of(workplane).axes.T
         curve, frame = plane_curve(path, frame, turned=drawn_on)
-    if curve.length < SHORTEST_MM:
+    width = asked.get("max_width")
+    if curve.length < SHORTEST_MM and isinstance(width, int | float) and width > curve.length:
         raise InputError(
             "the curve is {length:.3g} long: draw it in millimetres (in metres it would be {metres:.3g})",
             length=Length(curve.length),

@@ -17,6 +17,7 @@ from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, T
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
 ARCH = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
+LEANING = PlaneCurve.spline([(0, 0), (10, 150), (120, 220), (240, 120), (300, 0)], degree=4)
 LAWS = {
     "thickness": ThicknessLaw(GLASS, 1.0, 4.0, width=20.0),
     "rod": RoundLaw(GLASS, 1.0, 4.0),
@@ -55,7 +56,7 @@ def test_leaves_are_bodies_of_their_own_that_touch(tmp_path):
         BRepGProp.VolumeProperties_s(shape, properties)
         return properties.Mass()
 
-    strip = make_strip(ARCH, LEAF, law=LeavesLaw(LEAF, 3, 20.0), keep=Keep(), ends=(Tab(0), Tab(0)))
+    strip = make_strip(LEANING, LEAF, law=LeavesLaw(LEAF, 3, 20.0), keep=Keep(), ends=(Tab(0), Tab(0)))
     section = strip.layout.section
     for form in (FlatSolid, BentSolid):
         shapes = [make_solid(record) for record in form.layers(strip)]

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <translation>Wie weit ein wirklicher Streifen von seinem Entwurf abweicht: laut Modell, durch das, was es offen lässt, und durch die Platte</translation>
+    </message>
+    <message>
         <source>How it strays as made and held, and by what</source>
         <translation>Wie er, gemacht und gehalten, abweicht und wodurch</translation>
     </message>

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <translation>实际条带偏离设计的程度:按模型计算的偏差、模型未确定的部分以及板材带来的偏差</translation>
+    </message>
+    <message>
         <source>How it strays as made and held, and by what</source>
         <translation>按实际制作和夹持如何偏离，以及原因</translation>
     </message>

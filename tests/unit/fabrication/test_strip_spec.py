@@ -172,7 +172,7 @@ class TestLoads:
         ({"natural_curvature": "0"}, "natural_curvature is '0'"),
         ({"samples": 2}, "samples is 2"),
         ({"samples": 1.5}, "samples is 1.5"),
-        ({"ends": Tab(5)}, "ends are 1 tab: give two"),
+        ({"ends": (Tab(5),)}, "ends are 1 tab: give two"),
         ({"ends": (5, 5)}, "ends hold 5: give Tab records"),
         ({"slots": (5,)}, "slots hold 5: give Slot records"),
         ({"label": 7}, "label is 7"),

@@ -231,7 +231,7 @@ def test_a_path_is_cut_where_two_of_its_curves_meet():
         (lambda: Path([]), "at least one segment"),
         (lambda: Path([Line((0, 0), (1, 0)), Line((1, 1), (0, 0))]), r"gap of 1 mm at \(1, 0\) mm"),
         (lambda: Path([Line((0, 0), (1, 0))], closed=True), "gap of 1 mm"),
-        (lambda: Path([Line((0, 0), (1, 0)), Line((1, 2e-6), (0, 0))]), "gap of 2e-06"),
+        (lambda: Path([Line((0, 0), (1, 0)), Line((1, 2e-6), (0, 0))]), "gap of 0.000002 mm"),
         (lambda: Line((1, 2), (1, 2)), r"line at \(1, 2\) mm has no length"),
         (lambda: Line((1, np.nan), (1, 2)), "finite"),
         (lambda: Arc((0, 0), -1, 0, 1), "radius is -1"),
