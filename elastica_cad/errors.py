@@ -274,12 +274,25 @@ def refusing_old_names(function: Callable[P, R]) -> Callable[P, R]:
 
 
 def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> None:
-    """Refuse the first name that is not known as an option of `what`.
+    """Refuse names of options that `what` does not have.
+
+    Parameters
+    ----------
+    asked, known : iterable of str
+        The names that were given, and those that there are.
+    what : str
+        What has the options, as the message calls it.
 
     Raises
     ------
     UnknownOptionError
-        There is one.
+        A name is not known. The message gives the known name that is spelled most like it, or else all of them.
+
+    Examples
+    --------
+    >>> refuse_unknown(["widht"], ["width", "height"], "a plate")
+    Traceback (most recent call last):
+    elastica_cad.errors.UnknownOptionError: widht is no option of a plate: did you mean width?
     """
     names = sorted(known)
     for name in asked:

@@ -45,7 +45,7 @@ def nearest_rods(
     limits, keep, gravity, supports
         As in `nearest_rod`: one for all curves, or one a curve.
     executor : concurrent.futures.Executor, optional
-        Where the work is done: a process pool, or a cluster's executor. Here and now unless given.
+        Runs the work: a process pool, or the executor of a cluster. Without one it runs in this process.
     progress : callable, optional
         Called with (curves done, curves in all) in this process.
     **options

@@ -38,7 +38,16 @@ def is_similarity(matrix: ArrayLike) -> bool:
 
 
 def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
-    """Scale and angle (rad) of a 3x3 similarity, and -1.0 if it mirrors first, otherwise 1.0."""
+    """Scale, angle (rad) and hand of a similarity, a 3x3 matrix that keeps circles circles.
+
+    The hand is 1.0, or -1.0 where the map mirrors in the x axis before it turns. That the matrix is a similarity is
+    not checked: `is_similarity` does that.
+
+    Examples
+    --------
+    >>> similarity_of(np.diag([2.0, -2.0, 1.0]))
+    (2.0, 0.0, -1.0)
+    """
     (a, b, _), (c, d, _), (_, _, last) = matrix.tolist()
     way = 1.0 if last > 0 else -1.0
     return hypot(a, c) / abs(last), atan2(way * c, way * a), 1.0 if a * d > b * c else -1.0

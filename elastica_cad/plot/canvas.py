@@ -57,12 +57,23 @@ class Panel(NamedTuple):
 def save_figure(
     figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = RESOLUTION
 ) -> None:
-    """Write a figure as PNG, SVG or PDF, as the name ends, whole or not at all; `resolution` in dots per inch.
+    """Write a figure as PNG, SVG or PDF, as the name of the file ends. No file is ever half written.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        As the functions of `elastica_cad.plot` return it.
+    path : path-like
+    force : bool
+        Overwrite a file of that name.
+    resolution : float
+        Dots per inch of a PNG.
 
     Raises
     ------
     InputError
-        The file exists (without `force`), has another ending or cannot be written.
+        The file exists (without `force`), its name ends otherwise, it cannot be written, or there is no such
+        resolution.
     """
     if not (is_number(resolution) and 1 <= resolution <= MOST_RESOLUTION):
         raise InputError(

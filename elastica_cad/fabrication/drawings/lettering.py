@@ -36,7 +36,7 @@ class Text:
     angle : float
         Direction of the base line, rad.
     layer : str
-        Name of the layer, "ENGRAVE" unless told.
+        Name of the layer, "ENGRAVE" by default.
 
     Raises
     ------

@@ -44,17 +44,26 @@ def stand(
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> Stand:
-    """One plate for all tabs, or two that the strips hold apart, or a frame, or a block for every end.
+    """Make the simplest holder that takes the tabs of all strips.
+
+    These are tried in turn, and the first that can be made is taken: one plate, two plates that the strips hold
+    apart, a slotted frame, a printed block for every end.
 
     Parameters
     ----------
     placed : sequence of Placed
+        The strips in their places, with tabs.
     sheet : Sheet or its name
-        Of plates; blocks are printed.
+        What plates and frames are cut from.
     shop : FabricationLimits, optional
-        What the workshop can make; plates that it cannot are passed by.
+        What the workshop can cut; plates beyond it do not count as made.
     ignore_limits : bool
-        Take them all the same.
+        Accept plates that the workshop cannot cut.
+
+    Returns
+    -------
+    Stand
+        The holders, and a sentence that says which of these they are.
 
     Raises
     ------

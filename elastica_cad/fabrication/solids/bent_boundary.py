@@ -62,8 +62,10 @@ class BentMap:
 
     Attributes
     ----------
-    knots, coefficients
-        Clamped, degree 5; (m, 4) rows hold C and N in the plane of the curve.
+    knots : (m + 6,) array
+        Of the B-spline, clamped, of degree 5 over arc length in mm.
+    coefficients : (m, 4) array
+        C (mm) and N in the coordinates of the curve's plane.
     frame : Frame
         The plane of the curve in space.
     """

@@ -297,7 +297,7 @@ class Tab:
 
 
 def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[Line, ...]:
-    """Lines between successive points, without the ones of no length."""
+    """Lines that join successive points (2,), mm; a point that repeats the one before it makes no line."""
     rows: list[FloatArray] = [np.array(p) for p in points]
     return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))
 

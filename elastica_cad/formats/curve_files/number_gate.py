@@ -98,7 +98,20 @@ def check_degree(degree: int) -> int:
 
 
 def check_tolerance(value: float, name: str = "tolerance") -> float:
-    """A distance in mm that readers join ends or fit points within."""
+    """The tolerance of a reader, mm: how far ends that it joins, or points that it fits, may lie off.
+
+    Parameters
+    ----------
+    value : float
+        From 1e-9 to 1000 mm.
+    name : str
+        What the message calls it.
+
+    Raises
+    ------
+    InputError
+        No number, or one outside that range.
+    """
     if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
         raise InputError(
             "the {name} for reading is {given!r}: it must be positive, 1e-9 to 1000 mm, e.g. 0.01",

@@ -131,7 +131,7 @@ class EllipseArc:
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfEllipse(_Curve):
-    """An arc of an ellipse."""
+    """The table of a curve with the key `ellipse`: an exact arc of an ellipse."""
 
     ellipse: Annotated[EllipseArc, Asked("An exact arc of an ellipse.")]
 
@@ -142,7 +142,11 @@ class CurveOfEllipse(_Curve):
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfSpline(_Curve):
-    """A spline of evenly spaced knots with clamped ends, or of the knots that are told, with weights or without."""
+    """The table of a curve with the key `spline`: a B-spline given by its control points.
+
+    Its knots are evenly spaced and clamped at both ends unless they are given; with knots it may have weights,
+    which make it rational (NURBS).
+    """
 
     spline: Annotated[tuple[Point, ...], Asked("Control points.", "mm")]
     degree: Annotated[int, Asked("Degree of its pieces.", least=1)] = 4

@@ -72,7 +72,16 @@ def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
 
 
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
-    """The distinct knots of the curve, cut where it is less than C^`continuity`; neighbours share the cut."""
+    """The distinct knots of a curve, a row (k,) for each stretch that has `continuity` continuous derivatives.
+
+    The last knot of a stretch is the first of the next.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (1, 1), (2, 1), (3, 0)], degree=2)
+    >>> [[knots.tolist() for knots in smooth_stretches(arch, order)] for order in (1, 2)]
+    [[[0.0, 0.5, 1.0]], [[0.0, 0.5], [0.5, 1.0]]]
+    """
     t0, t1 = curve.domain
     knots, counts = knot_runs(curve.knots)
     inside = (knots > t0) & (knots < t1)

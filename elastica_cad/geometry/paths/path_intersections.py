@@ -51,8 +51,21 @@ def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]
 def chord_crossings(
     first: Chords, second: Chords, *, corner: bool = False
 ) -> tuple[tuple[float, float], ...]:
-    """Do what `segment_crossings` does, for segments whose chords are known; try the shared `corner` on
-    request."""
+    """Parameters (u, v) in [0, 1] where two segments cross, a(u) = b(v), to rounding error.
+
+    Parameters
+    ----------
+    first, second : Chords
+        The segments with chords along them, where Newton's method starts.
+    corner : bool
+        Try the end of the first segment and the start of the second, too: for neighbours that share a corner.
+
+    Examples
+    --------
+    >>> rising, falling = Line((0, 0), (2, 2)), Line((0, 2), (2, 0))
+    >>> chord_crossings(Chords.of(rising), Chords.of(falling))
+    ((0.5, 0.5),)
+    """
     a, b = first.segment, second.segment
     if isinstance(a, Line) and isinstance(b, Line):
         u, v = (float(x[0]) for x in _line_parameters(a.start[None], a.end[None], b.start[None], b.end[None]))

@@ -249,15 +249,18 @@ def anticlastic_widths(
 
 @dataclass(frozen=True, eq=False)
 class SheetCurl:
-    """`anticlastic_factor` of the stations of one strip, at whatever they are bent to.
+    """How much stiffer than E I a strip is at its stations, as a function of the curvature that they have.
+
+    Call it with curvatures (..., n), 1/mm: it gives the `anticlastic_factor` of each station.
 
     Attributes
     ----------
     width : (n,) array
-        mm.
+        Of the strip at its stations, mm.
     thickness : float
-        mm.
+        Of the sheet, mm.
     poisson_ratio : float
+        nu of the sheet, dimensionless.
     natural_curvature : float or (n,) array
         kappa_0 of the blank, 1/mm.
 

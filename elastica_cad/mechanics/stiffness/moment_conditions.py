@@ -98,10 +98,23 @@ class MomentRows:
 
 
 def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
-    """March from the end of the curve to its start, panel by panel.
+    """Stiffness, force and moment along a curve, as linear maps of the state at its end (paper, Eqs. 3 and 5).
 
-    At a zero of kappa - kappa_0 the moment is taken as zero (which the caller must demand of the numbers: the
-    rows `edge_moment` there), so that K comes out as its limit, not as a quotient of rounding errors.
+    The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
+    kappa - kappa_0 the moment is set to zero, so that K is its limit there and not a quotient of rounding errors.
+    The caller must require that of the state: the rows of `edge_moment` at the zeros must give 0.
+
+    Parameters
+    ----------
+    panels : Panels
+        The curve, cut at its zeros.
+    load : LineLoad, optional
+        Weight along it; a rod without weight unless given.
+
+    Returns
+    -------
+    MomentRows
+        Rows of m = 3 numbers (M, b_x, b_y); of 4, with tau, where the load does not all follow the stiffness.
     """
     if load is None:
         return _weightless(panels)

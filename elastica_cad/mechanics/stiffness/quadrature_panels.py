@@ -346,17 +346,22 @@ _MOST_PARTS = 50  # of one panel under a heavy K
 
 @dataclass(frozen=True, eq=False)
 class CutCurve:
-    """A curve and the parameters at which it is cut into panels, beside its zeros.
+    """A curve with the places at which it is cut into panels, on each of which the stiffness is smooth.
+
+    Panels end at the zeros of kappa - kappa_0, which `check` holds, and at the `cuts`.
 
     Attributes
     ----------
     check : EquilibriumCheck
+        The curve and its zeros.
     natural_curvature : float or RestCurvature
+        kappa_0, 1/mm.
     law : MaterialLaw or None
+        The moment over curvature of a nonlinear material; None for a linear one.
     cuts : tuple of float
-        Parameters.
+        Parameters of the curve.
     kinks : tuple of (float, int)
-        Arc lengths, mm, at which the stiffness has a kink, each with its continuity.
+        Arc lengths, mm, at which the stiffness is not smooth, each with the number of its continuous derivatives.
     """
 
     check: EquilibriumCheck
