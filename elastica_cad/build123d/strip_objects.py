@@ -7,7 +7,7 @@ from typing import Any, TypeAlias, Unpack
 
 import build123d as bd
 
-from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
+from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.fabrication.strip.outline import StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip

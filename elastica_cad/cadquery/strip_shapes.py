@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack
 import cadquery as cq
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
+from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.solids.strip_solids import (
     BentSolid,
     BodyRecord,

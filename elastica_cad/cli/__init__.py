@@ -6,7 +6,7 @@ import sys
 import warnings
 from typing import TYPE_CHECKING
 
-from elastica_cad._process import RARE_COLLECTIONS
+from elastica_cad._garbage_collection import RARE_COLLECTIONS
 from elastica_cad.errors import how_to_install
 
 if TYPE_CHECKING:

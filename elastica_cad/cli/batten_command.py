@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._units import MM_PER_INCH
 from elastica_cad.cli.asking.options import (
     LENGTH,
     POINT,
@@ -20,7 +21,7 @@ from elastica_cad.cli.asking.options import (
 )
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, rounded_up
-from elastica_cad.fabrication.batten import MM_PER_INCH, Batten, BattenSpec, camber_of
+from elastica_cad.fabrication.batten import Batten, BattenSpec, camber_of
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.strip.strip_record import Strip

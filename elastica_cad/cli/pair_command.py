@@ -16,6 +16,7 @@ from elastica_cad.cli.asking.options import (
 )
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.kit_spec import Cutting
@@ -46,7 +47,8 @@ _WISHES = (
     click.option("--ignore-limits", is_flag=True, help="Make it although it is too thin or touches itself."),
     click.option("--label", metavar="TEXT", help="Engraved on the first pad."),
     click.option("--name", help="What the files are called  [default: as FIRST]."),
-    click.option("--kerf", type=LENGTH, default=0.0, metavar="MM", help="Width of the cut  [default: 0]."),
+    click.option("--kerf", type=LENGTH, default=DEFAULT_KERF_MM, metavar="MM",
+                 help=f"Width of the cut  [default: {DEFAULT_KERF_MM:g}]."),
     output_options,
 )  # fmt: skip
 

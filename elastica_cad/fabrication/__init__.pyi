@@ -18,7 +18,7 @@ from elastica_cad.fabrication.drawings.lettering import (
     text_strokes as text_strokes,
     text_width as text_width,
 )
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color as sheet_color
+from elastica_cad.fabrication.model.material_colors import sheet_color as sheet_color
 from elastica_cad.fabrication.holders.plates import BasePlate as BasePlate, base_plate as base_plate
 from elastica_cad.fabrication.holders.end_fixtures import (
     EndFixture as EndFixture,

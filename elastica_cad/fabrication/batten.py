@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._units import MM_PER_INCH
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text
@@ -33,7 +34,6 @@ MOST_CAMBER = 0.4  # of the chord: deeper ones are bows, not battens
 MOST_FULL = 0.8  # of the length: what is left must make the taper
 SETTLED = 1e-7  # of camber and place, in chords
 MOST_STEPS = 30
-MM_PER_INCH = 25.4
 LETTER_MM, TICK_MM = 4.0, 3.0
 
 

@@ -36,7 +36,7 @@ LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
 SIDE_MM = 1e-3
 """How closely the cut sides follow the thickness."""
 
-CLEARANCE_MM = 0.3
+LEAST_GAP_MM = 0.3
 """Between two stretches of the part: nearer ones touch, or are welded by the laser or the printer."""
 
 APART = 3.0
@@ -514,7 +514,7 @@ class Flexure:
             "in its second state": self.states[1],
         }
         found = {name: self._gap(line) for name, line in lines.items()}
-        return {name: gap for name, gap in found.items() if gap < CLEARANCE_MM}
+        return {name: gap for name, gap in found.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
         """Least distance of two stretches of the part, its pads with them, that are no neighbours, mm."""
@@ -597,7 +597,7 @@ class Flexure:
                 found.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
                                   "bears {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
-            if (gap := self._gap_on_the_way(way)) < CLEARANCE_MM:
+            if (gap := self._gap_on_the_way(way)) < LEAST_GAP_MM:
                 found.append(note("on the way from state to state the part comes within {gap} of itself",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
             if not way.reached:

@@ -11,8 +11,8 @@ from elastica_cad._counts import told_apart
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.model.assembly import layer_names
+from elastica_cad.fabrication.model.material_colors import sheet_color
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, centred_thickness
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip

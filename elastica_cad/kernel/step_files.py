@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import Color, sheet_color
 from elastica_cad.fabrication.model.assembly import Holder, assembly_parts, bent_names, shape_parts
+from elastica_cad.fabrication.model.material_colors import Color, sheet_color
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets, frame_beside
 from elastica_cad.fabrication.strip.strip_record import Strip

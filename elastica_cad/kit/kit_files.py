@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from elastica_cad._counts import counted
-from elastica_cad._process import rare_collections
+from elastica_cad._garbage_collection import rare_collections
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.model.strip_model import Model
@@ -127,7 +127,7 @@ def save_model(
     *,
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
-    kerf: float | None = 0.0,
+    kerf: float | None = DEFAULT_KERF_MM,
     holding: HoldingTabs | None = None,
     step: bool = True,
     pictures: bool = True,

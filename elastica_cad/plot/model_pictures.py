@@ -11,11 +11,11 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color, sheet_color
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.plates import BasePlate, Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib
 from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model, single_holders
+from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, Color, sheet_color
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import EqualStrips

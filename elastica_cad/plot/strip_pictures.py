@@ -8,8 +8,8 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.holders.holding_template import HeldEnd, distance_between, held_ends
+from elastica_cad.fabrication.model.material_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import Travel
 from elastica_cad.geometry.boxes import box_about
@@ -90,13 +90,25 @@ def drawing(drawing: Drawing) -> Figure:
 
 
 def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
-    """One page about a strip: its curve, its stiffness, its flat pattern.
+    """Draw a page about a strip: the curve that it bends into, its stiffness along it, and its flat pattern.
 
     Parameters
     ----------
     strip : Strip
     wish : PlaneCurve, optional
-        The curve that was asked for, where the rod is the nearest one that can be made.
+        The curve that was drawn, where the strip bends into the nearest one that can be made: both are shown.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        `save_figure` writes it to a file.
+
+    Raises
+    ------
+    InputError
+        What is drawn is no Strip, or `wish` no PlaneCurve.
+    MissingDependencyError
+        matplotlib is not installed.
     """
     require_record(strip, Strip, "what is drawn", "a Strip")
     sheet = strip.sheet

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
@@ -23,7 +24,6 @@ PAPERS = {
 MARGIN_MM = 10.0  # what home printers leave white
 OVERLAP_MM = 10.0  # of neighbouring tiles, for glue
 CHORD_MM = 0.01  # how closely lines follow splines: a fifth of a printer's dot at 600 dpi
-MM_PER_INCH = 25.4
 CROSS_MM = 4.0  # arms of a registration mark
 RULER_MM = 100.0  # of the bar that shows whether the printer scaled
 POINTS_PER_MM = 72 / MM_PER_INCH
@@ -131,25 +131,26 @@ def save_template(
     overlap: float = OVERLAP_MM,
     force: bool = False,
 ) -> Tiling:
-    """Write a drawing 1:1 as PDF, a page a tile, with registration marks, page names and a bar to measure.
+    """Write a drawing at its true size as PDF, on as many pages as it needs.
 
-    Lines follow splines to 0.01 mm. Crosses stand where tiles join: lay the crosses of neighbours on each other.
+    Each page has a name, crosses that lie on those of its neighbours when pages are joined, and a bar to measure,
+    which shows whether the printer scaled. Lines follow splines to 0.01 mm.
 
     Parameters
     ----------
     drawing : Drawing
-        mm.
     path : path-like
     paper : str
         One of `PAPERS`.
     overlap : float
-        Of neighbouring tiles, mm.
+        Width that neighbouring pages share, mm.
     force : bool
         Overwrite a file of that name.
 
     Returns
     -------
     Tiling
+        Where the pages lie on the drawing.
 
     Raises
     ------

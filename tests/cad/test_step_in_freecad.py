@@ -6,8 +6,8 @@ import subprocess
 
 import pytest
 
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.model.material_colors import sheet_color
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt

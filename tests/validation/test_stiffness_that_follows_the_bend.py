@@ -9,8 +9,8 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import RectBivariateSpline
 from scipy.optimize import root
 
-from elastica_cad.fabrication.strip.as_made import PLATE_CUT, PLATE_END, LapPlates
 from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.laps import PLATE_CUT, PLATE_END, LapPlates
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor

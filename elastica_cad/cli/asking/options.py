@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from elastica_cad.formats.file_access.source_file import MILLIMETRES
+from elastica_cad._units import MILLIMETRES, MM_PER_INCH
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.material.sheet import Sheet
 
 
-UNITS = {"mm": 1.0, "inch": MILLIMETRES["in"]}
+UNITS = {"mm": 1.0, "inch": MM_PER_INCH}
 """What `--units` may say, in mm."""
 
-_NAMED = MILLIMETRES | {"inch": MILLIMETRES["in"], '"': MILLIMETRES["in"]}
+_NAMED = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}
 
 
 class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2

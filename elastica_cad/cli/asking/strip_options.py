@@ -27,6 +27,7 @@ from elastica_cad.cli.asking.support_options import END_NAMES, Blank, read_curve
 from elastica_cad.cli.running.suggestions import typed_length
 from elastica_cad.declared import Field
 from elastica_cad.errors import Change, InputError
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.key_paths import paths_of, put
@@ -103,7 +104,9 @@ _OWN_OPTIONS = {
 OPTIONS = _common()
 """Parameters of the options that are made from declarations, by the path of the key that they set."""
 
-DEFAULTS = {"label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": "0"}
+DEFAULTS = {
+    "label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": f"{DEFAULT_KERF_MM:g}",
+}  # fmt: skip
 """What help tells of options that are not given."""
 
 

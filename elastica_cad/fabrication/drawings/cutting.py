@@ -17,6 +17,10 @@ from elastica_cad.geometry.paths.path_intersections import polylines_cross
 from elastica_cad.geometry.paths.segments import Segment, Spline, place, trim_segment
 from elastica_cad.refusals import Length as Mm
 
+DEFAULT_KERF_MM = 0.0
+"""Kerf that cutting files and nests are corrected for unless one is given: none, as many cutting services correct
+for their own. The kerf of a material is `Sheet.kerf`; it is used on request."""
+
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm; a router's bit of half an inch is 12.7 mm wide."""
 

@@ -13,6 +13,8 @@ from elastica_cad.errors import InputError, refuse_options_unlike, refusing_old_
 from elastica_cad.fabrication.holders.held_tabs import slot_walls, tab_seats
 from elastica_cad.fabrication.holders.placed_tab import Key, PlacedTab, tabs_to_hold
 from elastica_cad.fabrication.holders.plates import (
+    BASE_BORDER_MM,
+    BASE_PLAY_MM,
     FLATTEST_RAD,
     GAP_MM,
     PLAY_MM,
@@ -90,10 +92,10 @@ def plate_pair(
 
     def lower(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
         kept = {key: options[key] for key in ("shape", "shop", "ignore_limits") if key in options}
-        border = options.get("border", 12.0)
+        border = options.get("border", BASE_BORDER_MM)
         return plate_with(slots, sheet, ground, border=border, name=f"{upper.name}-lower", **kept)
 
-    room = {"play": options.get("play", 0.5), "clearance": options.get("clearance", CLEARANCE_MM)}
+    room = {"play": options.get("play", BASE_PLAY_MM), "clearance": options.get("clearance", CLEARANCE_MM)}
     return _add_second(placed, upper, lower, gap=gap, least=options.get("slot_width") or 0.0, **room)
 
 
@@ -156,7 +158,7 @@ def _add_second(
     second: Callable[[Sequence[TabSlot], Frame], Plate],
     *,
     gap: float,
-    play: float = 0.3,
+    play: float = PLAY_MM,
     clearance: float = CLEARANCE_MM,
     least: float = 0.0,
 ) -> tuple[Plate, Plate]:

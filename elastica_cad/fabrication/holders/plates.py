@@ -155,16 +155,20 @@ class BasePlate:
         return Text((float(start[0]), float(start[1])), slot.name, height, angle, ENGRAVE)
 
 
+BASE_PLAY_MM, BASE_BORDER_MM = 0.5, 12.0
+"""Room beside a tab on either side, and material about the slots of a base plate, mm, unless asked otherwise."""
+
+
 @refusing_old_names
 def base_plate(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
     frame: Frame | None = None,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = 0.5,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = BASE_PLAY_MM,
     clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
     slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0)] = None,
-    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 12.0,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = BASE_BORDER_MM,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
     ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     name: Annotated[str, Asked("Name of its files.")] = "base",

@@ -1,19 +1,24 @@
 """A strip as a workshop can make it: in pieces joined by lap plates where it is long, its widths made up."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad._values import require_flag
+from elastica_cad.errors import Change, InputError, StrainError
+from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
+from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.marks import Cuts, end_numbers, label_off_cuts, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
+from elastica_cad.fabrication.strip.laps import LapPlates
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -21,18 +26,9 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import clip_across, trim_across
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.running_sums import turns_along
+from elastica_cad.mechanics.material.section_limits import thinner_for
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.refusals import Listed, note, sentences
-
-if TYPE_CHECKING:
-    from elastica_cad.fabrication.strip.as_made import LapPlates
-from contextlib import suppress
-
-from elastica_cad._values import require_flag
-from elastica_cad.errors import Change, StrainError
-from elastica_cad.fabrication.compensation import compensate_widths
-from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
-from elastica_cad.mechanics.material.section_limits import thinner_for
 
 PLACES = 400
 """Number of places along a strip at which a joint is tried."""
@@ -142,10 +138,8 @@ class Splice:
         )
 
     @property
-    def plates(self) -> "LapPlates":
+    def plates(self) -> LapPlates:
         """Plates that join the pieces."""
-        from elastica_cad.fabrication.strip.as_made import LapPlates
-
         return LapPlates(self.joints, self.lap, self.backing_joints)
 
     @cached_property

@@ -7,11 +7,11 @@ from typing import TypeAlias, TypeVar
 
 from elastica_cad._values import several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color, sheet_color
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, tab_name
 from elastica_cad.fabrication.holders.plates import BasePlate, Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
+from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, Color, sheet_color
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, PrismSolid, bent_sheets

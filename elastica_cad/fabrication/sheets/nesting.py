@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._values import is_number, is_series, several
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.geometry.paths.path import Path
@@ -96,7 +97,7 @@ def nest_pieces(
     *,
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
-    kerf: float | None = 0.0,
+    kerf: float | None = DEFAULT_KERF_MM,
     name: str = "nest",
 ) -> tuple[NestedSheet, ...]:
     """Lay pieces on as few sheets as rows allow; every material has sheets of its own.

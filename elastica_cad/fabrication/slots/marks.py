@@ -22,19 +22,19 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
 
-CLEARANCE_MM = 0.5
+TEXT_DISTANCE_MM = 0.5
 """Distance of letters from every cut, mm, so that no stroke is a notch."""
 
 FLAT_MM = 0.02
-"""Flatness of the cuts when letters are placed; it is small beside their clearance."""
+"""Flatness of the cuts when letters are placed; it is small beside their distance."""
 
 
-def _text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
-    """Corners (4, 2) of all strokes of a text with a clearance about them, anticlockwise."""
+def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
+    """Corners (4, 2) of all strokes of a text, moved out by `distance` mm, anticlockwise."""
     long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])
-    flat = flat + clearance * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    flat = flat + distance * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     c, s = np.cos(text.angle), np.sin(text.angle)
     return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
 
@@ -115,7 +115,7 @@ LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
 """Distance between the places that are tried for a label, and their number to either side; with more, the
 distance is larger."""
 
-LABEL_CLEARANCES_MM = (CLEARANCE_MM, 0.0)
+LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
 """Clearances that are tried in this order: on a very narrow strip any label is near the edges."""
 
 
@@ -182,7 +182,7 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
         return fit_label(label, (x, 0.0), angle=0.0, room=share * length, across=across)
 
     tried = (
-        (text(off, share), near) for near in LABEL_CLEARANCES_MM for share in LABEL_SHARES for off in ways
+        (text(off, share), near) for near in LABEL_DISTANCES_MM for share in LABEL_SHARES for off in ways
     )
     clear = (one for one, near in tried if _clear(_text_box(one, near), width, (), cuts))
     return next(clear, text(0.0, 1.0))
@@ -204,7 +204,7 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
     places = ((0.5, 0.0), (0.5, 1.0), (0.5, -1.0), (0.25, 0.0), (0.75, 0.0))
     tried = (
         (text(tab, share, *at), near)
-        for near in LABEL_CLEARANCES_MM
+        for near in LABEL_DISTANCES_MM
         for share in LABEL_SHARES
         for tab in tabs
         for at in places
@@ -229,11 +229,11 @@ def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
     low, high = cut[inside, 0].min(), cut[inside, 0].max()
     middle = points[:, 1].mean()
     for height in LETTER_HEIGHTS_MM:
-        long, room = text_width(slot.mate, height), CLEARANCE_MM + height / 2
+        long, room = text_width(slot.mate, height), TEXT_DISTANCE_MM + height / 2
         for x, y in (
             (points[0, 0], end + inward * 1.5 * room),
-            (high + CLEARANCE_MM + 0.6 * long, middle),
-            (low - CLEARANCE_MM - 0.6 * long, middle),
+            (high + TEXT_DISTANCE_MM + 0.6 * long, middle),
+            (low - TEXT_DISTANCE_MM - 0.6 * long, middle),
         ):
             corner = (float(x - long / 2), float(y - height / 2))
             yield Text(position=corner, text=slot.mate, height=height, layer=MARK)

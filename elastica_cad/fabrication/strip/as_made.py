@@ -14,7 +14,6 @@ from elastica_cad.fabrication.holding.held_shape import (
     ANTICLASTIC,
     LEAF_ENDS,
     HeldShape,
-    LapJoint,
     Seats,
     closes,
     shape_responses,
@@ -23,18 +22,17 @@ from elastica_cad.fabrication.holding.held_shape import (
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import EndPose
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.laps import LapJoint, LapPlates
 from elastica_cad.fabrication.strip.outline import Ends, fix_tab_widths
 from elastica_cad.fabrication.strip.perforation import DiamondPattern
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import SheetCurl
 from elastica_cad.mechanics.material.laminated_section import (
     LaminateCurl,
     LaminatedSection,
-    stack_stiffness,
 )
 from elastica_cad.mechanics.material.plain_section import crack_energy
 from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
@@ -122,14 +120,6 @@ CUT, CUT_GRAIN, TAB, TAB_GRAIN = 1.15, 0.7, 1.0, 0.55
 (`crack_energy`), and the power with which that follows sqrt(E / G), over that of a sheet without grain; the same
 of a corner beside a tab, over a crack at nu = 0. Fitted to finite elements
 (`tests/campaign/finite_elements/idle_corners.py`)."""
-
-END_MM = 1e-6
-"""Material is measured this far inside the free part: across a bare end itself there is none."""
-
-PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Thicknesses of a glued plate that carry nothing at each of its ends, and over the joint, where the strip is cut
-half through. The first is fitted to the strips of `docs/finite_elements.md`; the second is that of an edge crack in
-bending (Tada, Paris and Irwin 1973), in whose place 5.7 thicknesses of the stack would turn as much."""
 
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
@@ -269,68 +259,6 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
         return rod
     designed = factor(rod.curvature) if corrected else np.ones(s.size)
     return replace(rod, law=CurlingLaw(factor, designed, rest, rod.law))
-
-
-@dataclass(frozen=True)
-class LapPlates:
-    """Plates of the strip's own sheet, as wide as the strip and solid, glued over joints of its pieces on one side.
-
-    Attributes
-    ----------
-    joints : tuple of float
-        Where the strip is cut, mm along it; of a laminate its base.
-    lap : float
-        Length of the plates, half of it on either piece, mm.
-    backing_joints : tuple of float
-        Where the backing of a laminate is cut, mm along it.
-    """
-
-    joints: tuple[float, ...]
-    lap: float
-    backing_joints: tuple[float, ...] = ()
-
-    def clear_holes(self, holes: Sequence[Path]) -> tuple[Path, ...]:
-        """Those of a base's holes that no plate comes to lie on: the others are not cut."""
-        half = self.lap / 2
-        spans = [(hole, hole.bounds[:, 0]) for hole in holes]
-        return tuple(
-            hole
-            for hole, (low, high) in spans
-            if not any(low < at + half and high > at - half for at in self.joints)
-        )
-
-    def stiffening(self, s: FloatArray, layout: Layout, layers: Sequence[Layer]) -> FloatArray:
-        """Factor (n,) on the stiffness of what is cut, in the cell of each of the nodes s (n,), mm.
-
-        Over a plate the strip is a sheet thicker and as stiff as that, but for its ends and over the joint itself.
-        """
-        base, *more = layers
-        at = np.clip(s, END_MM, layout.width.length - END_MM)
-        wide, cut = layout.width(at), base.material(at)
-        left = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
-        glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
-        designed = stack_stiffness([(base.sheet, cut), *glued])
-        compliance = np.zeros(s.size)
-        on_base = self._covered(s, self.joints, base.sheet.thickness)
-        on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
-        for share, stack in (
-            (1 - on_base - on_backing, [(base.sheet, left), *glued]),
-            (on_base, [(base.sheet, wide), (base.sheet, left), *glued]),
-            (on_backing, [(base.sheet, left), *glued, *glued]),
-        ):
-            compliance += share * designed / stack_stiffness(stack)
-        return np.asarray(1 / compliance)
-
-    def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
-        """Share (n,) of each node's cell that lies under a plate which carries."""
-        ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
-        near = PLATE_CUT / 2 * thickness
-        far = max(near, self.lap / 2 - PLATE_END * thickness)
-        under = np.zeros(s.size)
-        for at in joints:
-            for low, high in ((at - far, at - near), (at + near, at + far)):
-                under += np.diff(np.clip(ends, low, high))
-        return under / np.diff(ends)
 
 
 def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:

@@ -59,7 +59,8 @@ from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holding.held_shape import HeldShape
-    from elastica_cad.fabrication.strip.as_made import LapPlates, StripAsMade
+    from elastica_cad.fabrication.strip.as_made import StripAsMade
+    from elastica_cad.fabrication.strip.laps import LapPlates
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:

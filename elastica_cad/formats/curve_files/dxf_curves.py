@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
@@ -22,7 +23,7 @@ from elastica_cad.formats.curve_files.number_gate import (
     half_last_place,
 )
 from elastica_cad.formats.curve_files.placed_curve import flatten_run
-from elastica_cad.formats.file_access.source_file import look_up_unit, quiet_log
+from elastica_cad.formats.file_access.source_file import quiet_log
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 if TYPE_CHECKING:

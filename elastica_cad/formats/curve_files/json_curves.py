@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad._units import look_up_unit
 from elastica_cad._values import require_record, several
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_degree, check_size
-from elastica_cad.formats.file_access.source_file import look_up_unit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 CURVES_SCHEMA = "elastica-curves/1"

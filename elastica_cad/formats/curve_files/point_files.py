@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._units import MILLIMETRES, look_up_unit
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.chains import curve_from_points
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
@@ -19,7 +20,6 @@ from elastica_cad.formats.curve_files.number_gate import (
     check_tolerance,
     half_last_place,
 )
-from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 

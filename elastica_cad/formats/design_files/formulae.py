@@ -10,6 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._units import MM_PER_INCH
 from elastica_cad.errors import InputError
 from elastica_cad.refusals import note
 
@@ -24,7 +25,7 @@ LARGEST_NUMBER = 1e300
 MOST_NESTED = 60
 """Brackets, signs and operators inside each other: Python's own parser gives up not much later."""
 
-CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180), "inch": 25.4}
+CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180), "inch": MM_PER_INCH}
 """`degrees` turns 30*degrees into radians, `inch` 1.5*inch into mm."""
 
 FUNCTIONS: dict[str, tuple[Callable[..., Value], int]] = {

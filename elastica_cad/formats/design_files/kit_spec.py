@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.placed_strip import strip_names
 from elastica_cad.formats.drawing_files.drawing_style import Scheme
@@ -47,7 +47,7 @@ class Cutting:
             common=True,
             written=float | Literal["sheet"],
         ),
-    ] = 0.0
+    ] = DEFAULT_KERF_MM
     curves: Annotated[
         str,
         Asked(

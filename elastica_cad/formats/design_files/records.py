@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from elastica_cad.declared import REQUIRED, Asked, Field, Kind, Record, declared, kind_of, name_of
 from elastica_cad.errors import InputError, quoted
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import Plain, Style
@@ -86,7 +87,7 @@ def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits
     return Limits(sheet=sheet if strain else None, strain=own, **limits)
 
 
-def _cutting(kerf: float | str = 0.0, **options: Any) -> Cutting:
+def _cutting(kerf: float | str = DEFAULT_KERF_MM, **options: Any) -> Cutting:
     return Cutting(kerf=None if isinstance(kerf, str) else kerf, **options)
 
 
@@ -372,7 +373,13 @@ def read_line(
 
 
 def title(record: Record) -> str:
-    """How the manual and the schema call the table of a record."""
+    """Name of a record's table in the manual and in the JSON schema; its word and family where `kind` chooses it.
+
+    Examples
+    --------
+    >>> title(Limits), title(Perforated)
+    ('limits', 'style perforated')
+    """
     word = word_of(record)
     kinds = next((name_of(base) for base, kinds in BY_KIND.items() if record in kinds.values()), "")
     return f"{'law' if 'law' in kinds else kinds} {word}" if word else name_of(record)

@@ -6,7 +6,12 @@ from pathlib import Path
 
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs, add_holding_tabs, compensate_kerf
+from elastica_cad.fabrication.drawings.cutting import (
+    DEFAULT_KERF_MM,
+    HoldingTabs,
+    add_holding_tabs,
+    compensate_kerf,
+)
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.drawing_files.drawing_style import LayerChoice
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
@@ -23,7 +28,7 @@ def write_drawing(
     drawing: Drawing,
     path: str | os.PathLike[str],
     *,
-    kerf: float = 0.0,
+    kerf: float = DEFAULT_KERF_MM,
     curves: str = "spline",
     tolerance: float = 0.02,
     version: str = "R2010",

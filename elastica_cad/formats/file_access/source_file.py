@@ -25,18 +25,6 @@ LARGEST_OF_KIND = {".toml": 16 * 2**20} | dict.fromkeys(
 )
 """Bytes of designs, which are read slowly, and of meshes and bodies, which are large."""
 
-MILLIMETRES = {
-    "mm": 1.0,
-    "cm": 10.0,
-    "dm": 100.0,
-    "m": 1000.0,
-    "um": 0.001,
-    "in": 25.4,
-    "ft": 304.8,
-    "px": 25.4 / 96,
-    "pt": 25.4 / 72,
-}
-
 
 def require_file(path: str | Path) -> Path:
     """The path, when a file is there that can be read and holds something.
@@ -117,21 +105,6 @@ def note_reads() -> Iterator[dict[Path, FileMark]]:
         yield noted
     finally:
         _read.reset(token)
-
-
-def look_up_unit(unit: str) -> float:
-    """Millimetres in one `unit`.
-
-    Raises
-    ------
-    InputError
-        A unit that is not known.
-    """
-    if unit not in MILLIMETRES:
-        raise InputError(
-            "unknown unit {unit!r}: use one of {millimetres}", unit=unit, millimetres=", ".join(MILLIMETRES)
-        )
-    return MILLIMETRES[unit]
 
 
 @contextmanager

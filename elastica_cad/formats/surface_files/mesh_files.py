@@ -6,8 +6,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, quiet_log, require_file
+from elastica_cad.formats.file_access.source_file import name_source, quiet_log, require_file
 from elastica_cad.forming.plane_sections.mesh_sections import Mesh, mesh_sections
 from elastica_cad.forming.plane_sections.section_spec import Surface
 from elastica_cad.refusals import Length, note

@@ -11,11 +11,11 @@ from xml.etree import ElementTree
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
-from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import CLONE, LENGTH, MARK, MM, SvgTree, open_svg, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
@@ -100,7 +100,7 @@ def _program(file: Path, root: ElementTree.Element) -> tuple[str, float]:
         return _OF_AFFINITY, _PX
     version = re.match(r"0\.(\d+)", root.get(_INKSCAPE, ""))
     if version and int(version[1][:2]) < 92 and not (sized and root.get("viewBox")):
-        return _OF_INKSCAPE, 25.4 / 90
+        return _OF_INKSCAPE, MM_PER_INCH / 90
     return "" if sized or root.get(_INKSCAPE) else _WITHOUT_UNIT, _PX
 
 

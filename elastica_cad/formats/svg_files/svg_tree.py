@@ -14,12 +14,13 @@ from xml.parsers.expat import ExpatError, ParserCreate
 
 import numpy as np
 
+from elastica_cad._units import MILLIMETRES, MM_PER_INCH
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
-from elastica_cad.formats.file_access.source_file import LARGEST_FILE, MILLIMETRES
+from elastica_cad.formats.file_access.source_file import LARGEST_FILE
 
 LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|pt|pc|mm|cm|in|[qQ])?\s*")
-MM = {"pc": 25.4 / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("px", "pt", "mm", "cm", "in")}
+MM = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("px", "pt", "mm", "cm", "in")}
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 

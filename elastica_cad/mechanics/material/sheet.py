@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, TypeAlias, get_args
 import numpy as np
 
 from elastica_cad._notebook import html_table
+from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import is_number, is_one_of, is_series, require_number
 from elastica_cad.declared import Asked, Field, declared
 from elastica_cad.errors import InputError
@@ -37,8 +38,6 @@ from elastica_cad.mechanics.material.sheet_library import (
 from elastica_cad.refusals import note
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
-
-INCH_MM = 25.4
 
 # thickness, radius along and across the face grain, inches as published; a strip along the grain bends across the
 # table's mandrel at 90 degrees to it
@@ -92,7 +91,7 @@ def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) ->
     column = 1 if grain == "along" else 2
     strains = []
     for rows in ROWS_INCH.values():
-        table = INCH_MM * np.array(rows)
+        table = MM_PER_INCH * np.array(rows)
         inside = table[0, 0] * (1 - SOLD_AS) <= thickness <= table[-1, 0]
         thinnest, thickest = min(ROWS_INCH), max(ROWS_INCH)
         below = thickness < table[0, 0] and rows is ROWS_INCH[thinnest]

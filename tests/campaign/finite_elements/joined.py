@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from elastica_cad.fabrication.compensation import compensate_widths
-from elastica_cad.fabrication.strip.as_made import LapPlates
+from elastica_cad.fabrication.strip.laps import LapPlates
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from tests.campaign.finite_elements.bent_strip import in_tabs, middle_line, on_curve

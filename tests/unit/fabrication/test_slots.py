@@ -8,7 +8,7 @@ from shapely.ops import unary_union
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.slots.marks import CLEARANCE_MM
+from elastica_cad.fabrication.slots.marks import TEXT_DISTANCE_MM
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.outline import Hole, Tab
@@ -173,7 +173,7 @@ def test_mates_are_named_beside_their_slots(check_drawing):
     assert abs(texts["B7"].position[0] - 60) < 6
     inner_end = strip.width(60.0) / 2 - 5
     gap = inner_end - texts["B7"].position[1] - texts["B7"].height
-    assert CLEARANCE_MM <= gap < texts["B7"].height
+    assert TEXT_DISTANCE_MM <= gap < texts["B7"].height
     check_drawing(drawing)
 
 

@@ -23,8 +23,9 @@ from freecad.elastica_wb.host.words import Unit, Words, user_language
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.model.material_colors import sheet_color
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
@@ -61,7 +62,7 @@ def write_cutting_files(
     *,
     kinds: Iterable[str] = KINDS,
     sheet_size: tuple[float, float] = (600.0, 400.0),
-    kerf: float = 0.0,
+    kerf: float = DEFAULT_KERF_MM,
     curves: str = "spline",
     tolerance: float = 0.02,
     version: str = "R2010",

@@ -12,7 +12,8 @@ from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
-from elastica_cad.fabrication.holders.plates import BasePlate
+from elastica_cad.fabrication.holders.plates import BASE_BORDER_MM, BASE_PLAY_MM, BasePlate
+from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
 
@@ -24,9 +25,9 @@ class BasePlateFeature(Feature):
         Property("LinkListGlobal", "Sources", "Base plate", "A model, or strips, whose tabs go through it"),
         Property("Enumeration", "Sheet", "Base plate", "What the plate is cut from"),
         Property("String", "SheetData", "Base plate", "The sheet's numbers", "", hidden=True),
-        Property("Length", "Play", "Base plate", "Room beside a tab on either side", 0.5),
-        Property("Length", "Clearance", "Base plate", "Added to the width of the slots", 0.1),
-        Property("Length", "Border", "Base plate", "Least distance of slots from the edge", 12.0),
+        Property("Length", "Play", "Base plate", "Room beside a tab on either side", BASE_PLAY_MM),
+        Property("Length", "Clearance", "Base plate", "Added to the width of the slots", CLEARANCE_MM),
+        Property("Length", "Border", "Base plate", "Least distance of slots from the edge", BASE_BORDER_MM),
         Property(
             "Enumeration", "Outline", "Base plate", "The outline around all slots", ["hull", "rectangle"]
         ),

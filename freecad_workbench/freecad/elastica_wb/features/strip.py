@@ -30,7 +30,7 @@ from freecad.elastica_wb.solving.strip_cache import (
 )
 
 from elastica_cad.errors import ElasticaError, InputError, StrainError
-from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.model.material_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable

@@ -1,4 +1,4 @@
-"""What a sheet looks like, so that pictures and assemblies show the material."""
+"""Colours of materials in pictures and assemblies; those of cuts are in `formats.drawing_files.drawing_style`."""
 
 from typing import TypeAlias
 

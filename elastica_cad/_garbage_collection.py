@@ -1,4 +1,4 @@
-"""This process: how often it looks for cycles."""
+"""How often this process looks for cycles of objects that refer to each other."""
 
 import gc
 from collections.abc import Iterator
