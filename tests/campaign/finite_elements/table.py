@@ -35,8 +35,9 @@ DEFAULT = """Stiffness alone: `compensate=False`. By default plain strips of a s
 as that of all of nu 0.3 here is, are made for anticlastic bending. Made up for: `compensate=True`."""
 
 DRAWN = """The seed 541126 draws the curves, the widths, the places of slots and the widths of tabs
-(`drawn_by_seed.py`). The stiffness was fitted to none of them; the shares that are left open of slots and of
-perforated and laminated plywood were set after these rows. Plywood has E / G = 15, nu = 0.1 and, in the
+(`drawn_by_seed.py`). The stiffness was fitted to none of them. Four of the shares that are left open were set
+after these rows: of slots, of slots nearer to each other than they are deep, of perforated and laminated
+plywood, and the least of any strip (1e-4 of the length). Plywood has E / G = 15, nu = 0.1 and, in the
 finite elements alone, an E across of 0.3 of that along; even sheets have nu = 0.3. "Left open" is by how much
 the model may be wrong, as it says of each strip. "From the sheet" is what a wave of thickness of 1 %, grain
 off by 2 degrees, clamps off by 0.5 degrees and a kerf of 0.05 mm add; the finite elements have none of these.
