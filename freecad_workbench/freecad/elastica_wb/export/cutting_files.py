@@ -89,7 +89,7 @@ def write_cutting_files(
     stems = distinct(piece.file_stem for piece in pieces)
     drawings = {stem: piece.drawing for stem, piece in zip(stems, pieces, strict=True)}
     if "nest" in kinds:
-        drawings |= {sheet.name: sheet for sheet in nest_pieces(pieces, sheet_size=sheet_size)}
+        drawings |= {sheet.name: sheet for sheet in nest_pieces(pieces, sheet_size=sheet_size, kerf=kerf)}
     flat = [kind for kind in ("dxf", "svg") if kind in kinds]
     bodies = [obj for obj in counted(sources) if not is_base_plate(obj)] if "step" in kinds else []
     steps = [f"{word}.step" for word in distinct(file_word(obj.Label) for obj in bodies)]
