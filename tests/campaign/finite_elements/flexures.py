@@ -226,8 +226,9 @@ class _Body:
         away = way / far
         plane = self._turned
         nodes = np.flatnonzero(plane)
-        # over the first peak, and on to where the other state has this place: let go there it has little to do
-        over = far
+        travel = part.travel if start == 0 else part.travel_back
+        # the first peak, then over to where it goes on by itself
+        over = 1.15 * (travel.snap or far)
         set_cards = ["*NSET, NSET=PUSHED", ", ".join(str(i + 1) for i in nodes),
                      "*TRANSFORM, NSET=PUSHED, TYPE=R",
                      f"{away[0]:.12g}, {away[1]:.12g}, 0., {-away[1]:.12g}, {away[0]:.12g}, 0."]  # fmt: skip
