@@ -78,9 +78,11 @@ class Studio:
 
     def start(self, name):
         """Begin with one of the examples."""
+        before, empty = self.browser.current_url, None if self.all("g.points circle") else self.verdict()
         self.all("[data-do=starts]")[0].click()
         self.until(lambda: self.all(f"[data-name={name}]"))[0].click()
-        self.until(lambda: self.verdict() and "#" in self.browser.current_url)
+        self.until(lambda: self.browser.current_url != before)
+        self.until(lambda: self.verdict() not in ("", empty))
 
     def mouse(self, kind, at, **more):
         more = {"button": "left", "buttons": 1} | more

@@ -97,7 +97,7 @@ class Studio {
             html("div", {}, ...files.map(([kind, text]) => button(text, () => this.download(kind), { "data-kind": kind })))),
           select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language))),
       html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point),
-      html("section", { class: "told", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
+      html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
         html("div", { class: "bend" }, html("label", {}, t("Bend it"), this.bar), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
