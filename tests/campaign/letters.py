@@ -15,7 +15,7 @@ TESTS = Path(__file__).resolve().parents[1]
 PACKAGE = TESTS.parent / "elastica_cad"
 GAP = re.compile(r"(\{[a-z_0-9]+(?:![rs])?(?::[^{}]*)?\})")
 TEXT = re.compile(
-    r"""["'].*[a-z].*["']|\bmatch=|\bre\.|\b[A-Z_]{4,}\b|\bwords?\b|\bsaid\b|\btold\b|\bsentences?\b|\btexts?\b"""
+    r"""["'].*[a-z].*["']|\bmatch=|\bre\.|\b[A-Z_]{4,}\b|\bwords?\b|\bsaid\b|\btold\b|\bsentences?\b|\btexts?\b|\bmessage\b|\bstderr\b"""
 )
 
 

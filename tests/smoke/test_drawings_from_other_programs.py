@@ -94,7 +94,6 @@ kill $program
 """
 
 
-@pytest.mark.campaign
 def test_librecad_saves_a_strip_of_ours_and_an_arc_drawn_beside_it(tmp_path):
     """Our file is opened, an arc is typed at LibreCAD's command line, and all is saved."""
     settings = tmp_path / ".config" / "LibreCAD" / "LibreCAD.conf"
