@@ -142,6 +142,7 @@ def test_strain_that_is_just_beyond_its_limit_differs_from_it():
     found = re.search(
         r"strain (\S+) % at .* beyond the (\S+) % .* there is (\S+) mm, .* advisable (\S+) mm", told
     )
+    assert found, told
     strain, limit, radius, least = map(float, found.groups())
     assert strain > limit
     assert radius < least
