@@ -31,7 +31,7 @@ from elastica_cad.cli.running.suggestions import (
 from elastica_cad.cli.running.voice import answer, say, voice, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.formats.reports.strip_report import report_check, round_numbers
-from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.forming.fairing_request import Smoothing, smooth_curve
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
@@ -39,6 +39,7 @@ from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.material.sheets_for_curve import sheets_for_curve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
@@ -96,7 +97,7 @@ def check(
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
     if picture is not None:
-        _draw(asked, picture, supports, natural_curvature, smooth, force=force)
+        _draw(asked, picture, supports, bent, smooth, force=force)
     for said, alike in groupby(
         ((one, _judged(one, supports, bent, smooth, alone=not several)) for one in asked),
         key=lambda pair: " ".join((pair[1]["advice"], *pair[1].get("notes", ()))),
@@ -184,13 +185,21 @@ def _report(
     *,
     alone: bool,
 ) -> dict[str, Any]:
-    ends = StraightEnds.of(asked.bendable(smooth), supports)
-    smoothing = smooth_curve(ends.bent, smooth, supports=supports)
-    found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
+    ends, smoothing, found = _examined(asked, supports, natural_curvature, smooth)
     told = report_check(found) | {"notes": [*([ends.told] if ends else []), *smoothing.notes]}
     if found.realizable and alone:
         told |= _told_sheets(smoothing.curve, supports, natural_curvature)
     return told
+
+
+def _examined(
+    asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
+) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
+    """The verdict on what is bent of one curve, with what was taken off and moved before."""
+    ends = StraightEnds.of(asked.bendable(smooth), supports, natural_curvature)
+    smoothing = smooth_curve(ends.bent, smooth, supports=supports)
+    check = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
+    return ends, smoothing, check
 
 
 def _draw(
@@ -210,9 +219,7 @@ def _draw(
         raise InputError(
             "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
         )
-    bent = StraightEnds.of(asked[0].bendable(smooth), supports).bent
-    curve = smooth_curve(bent, smooth, supports=supports).curve
-    found = check_equilibrium(curve, supports=supports, natural_curvature=natural_curvature)
+    _, _, found = _examined(asked[0], supports, natural_curvature, smooth)
     save_figure(draw_check(found), path, force=force)
     wrote([path])
 

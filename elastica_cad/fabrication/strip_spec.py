@@ -377,10 +377,9 @@ class StripSpec(EqualByValue):
     @cached_property
     def run_ins(self) -> StraightEnds:
         """The drawn curve and the part of it that is bent, between straight ends that are the tabs."""
-        counted = isinstance(self.natural_curvature, RestCurvature)  # from the start of the curve
-        if counted or not self.straight_ends or (self.curve.has_corners and not self.smooth):
+        if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
-        return StraightEnds.of(self.curve, require_supports(self.supports))
+        return StraightEnds.of(self.curve, require_supports(self.supports), self.natural_curvature)
 
     @cached_property
     def tabs(self) -> tuple[Tab, Tab]:

@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.refusals import Length, Refusal, note
 
@@ -37,9 +38,14 @@ class StraightEnds:
     lengths: tuple[float, float] = (0.0, 0.0)
 
     @classmethod
-    def of(cls, curve: PlaneCurve, supports: Supports) -> "StraightEnds":
-        """The parts of an open curve; ends that may turn, and curves that are straight all along, are left."""
-        if curve.is_closed or curve.is_straight:
+    def of(
+        cls, curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
+    ) -> "StraightEnds":
+        """The parts of an open curve; ends that may turn, and curves that are straight all along, are left.
+
+        So are curves of a strip whose natural curvature varies: that is counted from the start of the whole.
+        """
+        if curve.is_closed or curve.is_straight or isinstance(natural_curvature, RestCurvature):
             return cls(curve, curve)
         flats = [z for z in curve.curvature_zeros if z.kind == "flat"]
         start, end = (one.angle for one in supports.ends)

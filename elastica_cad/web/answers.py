@@ -153,7 +153,7 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 def _strip(request: Mapping[str, Any]) -> Record:
     """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
     spec = _spec(request)
-    check = check_equilibrium(spec.curve, spec.supports, spec.natural_curvature)
+    check = check_equilibrium(spec.run_ins.bent, spec.supports, spec.natural_curvature)
     told: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
         if not (check.realizable or spec.may_change):

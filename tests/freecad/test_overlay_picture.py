@@ -83,3 +83,14 @@ def test_bad_curves_are_one_sentence():
     with pytest.raises(NotRealizable) as caught:
         solve_strip(asked(SNAKE))
     assert sentence_of(caught.value) == check_equilibrium(SNAKE).reasons[0]
+
+
+def test_straight_ends_are_tabs_in_the_overlay_too():
+    straight = [(0, 0), (20, 0), (40, 0), (60, 0)], [(300, 150), (320, 150), (340, 150), (360, 150)]
+    points = [*straight[0], (160, 0), (200, 150), *straight[1]]
+    curve = PlaneCurve([*[0] * 4, *[1] * 3, *[3] * 3, *[4] * 4], points, 3)
+    assert curve_picture(curve, asked(curve)).realizable
+    assert not curve_picture(curve, asked(curve).changed(straight_ends=False)).realizable
+    (turn,) = solve_strip(asked(curve)).rod.curve.inflections
+    place = solve_strip(asked(curve)).rod.curve.at(np.array([turn])).position
+    assert curve_picture(curve, asked(curve)).on_line == pytest.approx(place, abs=1e-6)

@@ -36,6 +36,16 @@ def test_a_curve_that_cannot_be_bent_is_shown_with_its_faults():
     assert len(told["drawn"]) > 100
 
 
+def test_straight_ends_are_tabs_on_the_page_too():
+    first, last = [(x, 0) for x in (0, 20, 40, 60, 160)], [(x, 150) for x in (200, 300, 320, 340, 360)]
+    knots = [*[0] * 4, *[1] * 3, *[3] * 3, *[4] * 4]
+    drawn = design()
+    drawn["strips"][0]["curve"] = curve_table(ec.PlaneCurve(knots, [*first, *last], 3))
+    told = answer({"do": "strip", "design": drawn})
+    assert "refused" not in told
+    assert len(told["theorem"]["at"]) == 1
+
+
 def test_the_nearest_curve_can_be_made():
     near = answer({"do": "nearest", "design": design(OFF_LINE)})
     taken = design()

@@ -55,22 +55,24 @@ def join_runs(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE)
 
 def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
     """The chains without circles that lie on straight first or last edges of others, and for each its circles."""
-    circles = {i: circle for i, chain in enumerate(chains) if (circle := _circle(chain)) is not None}
     ended = [
         i
         for i, run in enumerate(chains)
         if len(run) > 1
-        and i not in circles
         and (_is_line(run[0]) or _is_line(run[-1]))
         and np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE
     ]
+    if not ended:
+        return [*chains], [[] for _ in chains]
     found: dict[int, list[Run]] = {}
     taken = set()
-    for i, (centre, size) in circles.items() if ended else ():
-        on = [k for k in ended if any(_is_on(centre, size, edge) for edge in (chains[k][0], chains[k][-1]))]
-        for k in on:
-            found.setdefault(k, []).append(chains[i])
-            taken.add(i)
+    for i, circle in ((i, _circle(chain)) for i, chain in enumerate(chains)):
+        if circle is None:
+            continue
+        for k in ended:
+            if any(_is_on(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
+                found.setdefault(k, []).append(chains[i])
+                taken.add(i)
     kept = [i for i in range(len(chains)) if i not in taken]
     return [chains[i] for i in kept], [found.get(i, []) for i in kept]
 

@@ -192,16 +192,7 @@ def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
     >>> built_in_figures()["pom-0.5"]["youngs_modulus_range"]
     (2500.0, 3000.0)
     """
-    import tomllib
-
-    text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
-    return MappingProxyType(
-        {
-            name: fields
-            for table, entry in tomllib.loads(text).items()
-            for name, fields in _sheets(table, entry)
-        }
-    )
+    return MappingProxyType({name: fields for name, fields, _ in _built_in()})
 
 
 @lru_cache(maxsize=1)
@@ -213,15 +204,19 @@ def built_in_titles() -> Mapping[str, str]:
     >>> built_in_titles()["pom-0.5"]
     'POM (acetal) 0.5 mm'
     """
+    return MappingProxyType({name: title for name, _, title in _built_in()})
+
+
+@lru_cache(maxsize=1)
+def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
+    """Name, fields and title of each built-in sheet, as they stand in the file."""
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
-    return MappingProxyType(
-        {
-            name: entry["title"] if "name" in entry else f"{entry['title']} {fields['thickness']:g} mm"
-            for table, entry in tomllib.loads(text).items()
-            for name, fields in _sheets(table, entry)
-        }
+    return tuple(
+        (name, fields, entry["title"] if "name" in entry else f"{entry['title']} {fields['thickness']:g} mm")
+        for table, entry in tomllib.loads(text).items()
+        for name, fields in _sheets(table, entry)
     )
 
 

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad.cli import main
 from elastica_cad.fabrication.holders.holding_template import held_ends, holding_template, tell_ends
 from elastica_cad.fabrication.model.assembly import list_assembly_steps
 from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec
@@ -97,3 +98,11 @@ def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
     assert kit.held == {}
     assert any("nothing holds end 2" in note for note in kit.notes)
     assert not any("nothing holds" in note for note in kit_of(model, KitSpec(), effects=True).notes)
+
+
+def test_the_command_check_draws_and_judges_what_is_bent(arch, tmp_path, capsys):
+    words = ["--natural-curvature", "0.0005", "--picture", str(tmp_path / "arch.png")]
+    with pytest.raises(SystemExit, match="0"):
+        main(["check", str(arch), *words])
+    assert "straight first 60 mm" in capsys.readouterr().out
+    assert (tmp_path / "arch.png").stat().st_size > 10_000

@@ -14,6 +14,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -63,10 +64,15 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     samples = curve.sample(TEETH)
     comb = _comb(samples.position, samples.angle, samples.curvature, scale or comb_scale(curve))
     try:
+        bent = (
+            StraightEnds.of(curve, spec.supports, spec.natural_curvature).bent
+            if spec.straight_ends
+            else curve
+        )
         if spec.gravity_in_plane is None:
-            check = check_equilibrium(curve, spec.supports, spec.natural_curvature)
+            check = check_equilibrium(bent, spec.supports, spec.natural_curvature)
         else:
-            check = examine_curvature(curve, spec.supports, spec.natural_curvature)
+            check = examine_curvature(bent, spec.supports, spec.natural_curvature)
     except ElasticaError as error:
         nothing = np.zeros((0, 2))
         return Picture(
@@ -83,15 +89,15 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
     good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
     bad = [s for s in places if s not in good]
-    off = _at(curve, bad)
+    off = _at(bent, bad)
     texts = tuple(((float(x), float(y)), Length(abs(places[s]))) for s, (x, y) in zip(bad, off, strict=True))
     return Picture(
         comb=comb,
         line=None if check.line is None else _inside(check, samples.position),
-        on_line=_at(curve, good),
+        on_line=_at(bent, good),
         off_line=off,
         distances=texts,
-        crossings=_at(curve, (*check.crossings, *check.touches)),
+        crossings=_at(bent, (*check.crossings, *check.touches)),
         realizable=realizable,
         answer=quick_answer(curve, samples, spec, check),
     )

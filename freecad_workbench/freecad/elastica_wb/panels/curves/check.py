@@ -16,6 +16,8 @@ from freecad.elastica_wb.solving.strip_cache import solve_strip
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.straight_ends import StraightEnds
+from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.refusals import sentences
 
@@ -32,11 +34,12 @@ class CheckPanel(Panel):
         self.check = None
         try:
             curve = drawn_curve((source, edges)).curve
-            self.check = check_equilibrium(curve)
+            ends = StraightEnds.of(curve, Supports())
+            self.check = check_equilibrium(ends.bent)
         except FAILURES as error:
             self.tell(str(explained(error)))
             return
-        words = [str(self.check)]
+        words = [str(self.check), *([ends.told] if ends else [])]
         if self.check.realizable:
             sheet = sheet_called(preferences.default_sheet())
             try:
