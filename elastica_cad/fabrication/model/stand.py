@@ -41,6 +41,7 @@ def stand(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
+    name: str | None = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> Stand:
@@ -55,6 +56,8 @@ def stand(
         The strips in their places, with tabs.
     sheet : Sheet or its name
         What plates and frames are cut from.
+    name : str, optional
+        What one plate or two are called; rails, ribs and blocks are called by what they are.
     shop : FabricationLimits, optional
         What the workshop can cut; plates beyond it do not count as made.
     ignore_limits : bool
@@ -82,8 +85,14 @@ def stand(
     sheet = Sheet.of(sheet)
     gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
     ways: tuple[tuple[str, Callable[[], tuple[BasePlate | Rib, ...]]], ...] = (
-        ("stands on one plate", partial(end_plates, placed, sheet, together=True, name="base", **gate)),
-        ("held by two plates", partial(_plates_apart, placed, sheet, gate)),
+        (
+            "stands on one plate",
+            partial(end_plates, placed, sheet, together=True, name=name or "base", **gate),
+        ),
+        (
+            "held by two plates",
+            partial(_plates_apart, placed, sheet, gate | ({"name": name} if name else {})),
+        ),
         ("held by a slotted frame", partial(_frame, placed, sheet, gate)),
     )
     problem = ""

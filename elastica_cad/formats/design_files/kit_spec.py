@@ -1,7 +1,7 @@
 """What goes with the strips of a model: sheets, cutting files, base, frame, fixtures, further pieces."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -149,8 +149,9 @@ class HolderSpec:
         if self.sheet is None:
             return end_fixtures(placed, **self.options), ""
         if self.kind == "stand":
-            chosen = stand(placed, self.sheet, shop=shop, ignore_limits=ignore_limits)
-            return tuple(map(self._named, chosen.holders)), f"{model.name}: {chosen.sentence}"
+            called = self.options.get("name")
+            chosen = stand(placed, self.sheet, name=called, shop=shop, ignore_limits=ignore_limits)
+            return chosen.holders, f"{model.name}: {chosen.sentence}"
         options = {**self.options, "shop": shop, "ignore_limits": ignore_limits}
         feet = options.pop("feet", None)
         ribs: tuple[Rib, ...] = ()
@@ -165,13 +166,6 @@ class HolderSpec:
         else:
             plates = (base_plate(placed, self.sheet, **options),)
         return (*(plates if feet is None else add_feet(plates, feet)), *ribs), ""
-
-    def _named(self, holder: Any) -> Any:
-        """A plate of a stand under the stand's own name; blocks keep theirs, which are those of tabs."""
-        own = self.options.get("name")
-        if own is None or not hasattr(holder, "drawing"):
-            return holder
-        return replace(holder, name=holder.name.replace("base", own, 1))
 
 
 @dataclass(frozen=True, eq=False)

@@ -44,27 +44,18 @@ def main() -> None:
         print(record, flush=True)
         keep(part, record)
 
-    if wanted("known"):
-        for known in known_answers(folder):
-            told("known", known)
-    if wanted("sideways"):
-        for swung in swings(folder):
-            told("sideways", swung)
-    if wanted("pockets"):
-        for held in (*strips_in_pockets(folder), *strips_of_the_pavilion(folder)):
-            told("pockets", held)
-    if wanted("tapered"):
-        for bent in tapered_strips(folder):
-            told("tapered", bent)
-    if wanted("joined"):
-        for joined in joined_strips(folder):
-            told("joined", joined)
-    if wanted("flexures"):
-        for flexed in flexed_parts(folder):
-            told("flexures", flexed)
-    if wanted("drawn"):
-        for drawn in strips_drawn(folder):
-            told("drawn", drawn)
+    parts = {
+        "known": known_answers,
+        "sideways": swings,
+        "pockets": lambda place: (*strips_in_pockets(place), *strips_of_the_pavilion(place)),
+        "tapered": tapered_strips,
+        "joined": joined_strips,
+        "flexures": flexed_parts,
+        "drawn": strips_drawn,
+    }
+    for part, found in parts.items():
+        for record in found(folder) if wanted(part) else ():
+            told(part, record)
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):
             for widths in asked.widths:
