@@ -26,6 +26,10 @@ export function read(text, unit) {
   return typed;
 }
 
+// The things that the value of a field may be.
+const valuesOf = (field) => (field.kind === "either" ? field.of : [field]);
+const titleOf = (table) => table.word ?? table.table;
+
 export class Form {
   // get(path) and set(path, value) reach into the design; undefined is what is not given.
   constructor(host, fields, { t, get, set, sheets }) {
@@ -43,7 +47,7 @@ export class Form {
   show() { for (const control of this.controls) control(); }
 
   control(field, path) {
-    const tables = field.of.filter((value) => value.fields);
+    const tables = valuesOf(field).filter((value) => value.fields);
     return tables.length ? this.table(field, tables, path) : this.plain(field, path);
   }
 
@@ -58,10 +62,10 @@ export class Form {
   }
 
   plain(field, path) {
-    const { t } = this, id = idOf(path), [value] = field.of;
-    const absent = field.default === null ? "–" : `${t({ true: "yes", false: "no" }[field.default] ?? `${field.default}`)}`;
-    if (value.size === 2 && value.of[0].choices.length) return this.pair(field, path, value.of[0].choices);
-    const choices = ["sheet", "backing"].includes(field.name) ? this.sheets : value.kind === "flag" && field.of.length === 1 ? ["true", "false"] : value.choices;
+    const { t } = this, id = idOf(path), values = valuesOf(field), [value] = values, named = value.choices ?? [];
+    const absent = field.default === null || Array.isArray(field.default) ? "–" : `${t({ true: "yes", false: "no" }[field.default] ?? `${field.default}`)}`;
+    if (value.size === 2 && value.of[0].choices) return this.pair(field, path, value.of[0].choices);
+    const choices = ["sheet", "backing"].includes(field.name) ? this.sheets : value.kind === "flag" && values.length === 1 ? ["true", "false"] : named;
     const changed = ({ target }) => this.set(path, value.kind === "text" || value.kind === "choice" ? target.value || undefined : read(target.value, field.unit));
     const input = choices.length
       ? this.select([...(field.name === "sheet" ? [] : [["", absent]]), ...choices.map((one) => [one, t({ true: "yes", false: "no" }[one] ?? one)])], { id, onchange: changed })
@@ -84,17 +88,17 @@ export class Form {
 
   // A table is there or not; of several the kind is chosen; some may be a plain value instead.
   table(field, tables, path) {
-    const { t } = this, id = idOf(path), plain = field.of.filter((value) => !value.fields);
+    const { t } = this, id = idOf(path), plain = valuesOf(field).filter((value) => !value.fields);
     const flag = plain.some((value) => value.kind === "flag"), others = plain.filter((value) => value.kind !== "flag");
     const titled = tables.length > 1 || flag;
-    const select = this.select([["", "–"], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? one.title : "as below")]),
+    const select = this.select([["", "–"], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? titleOf(one) : "as below")]),
       ...(others.length ? [["value", t("value")]] : [])], { id });
     const inner = html("div", { class: "inner" });
     const kindOf = (now) => (now == null || now === false ? "" : now === true ? "true" : typeof now !== "object" || Array.isArray(now) ? "value"
-      : `${Math.max(tables.findIndex((one) => (one.tagged ? one.title === now.kind : Object.keys(now).every((key) => one.fields.some(({ name }) => name === key)))), 0)}`);
+      : `${Math.max(tables.findIndex((one) => (one.word ? one.word === now.kind : Object.keys(now).every((key) => one.fields.some(({ name }) => name === key)))), 0)}`);
     select.addEventListener("change", () => {
       const one = tables[select.value];
-      this.set(path, { "": undefined, "true": true, "value": others[0]?.kind === "number" ? 0 : [] }[select.value] ?? (one && (one.tagged ? { kind: one.title } : {})));
+      this.set(path, { "": undefined, "true": true, "value": others[0]?.kind === "number" ? 0 : [] }[select.value] ?? (one && (one.word ? { kind: one.word } : {})));
     });
     let shown = null;
     this.controls.push(() => {
@@ -102,7 +106,7 @@ export class Form {
       if (shown === select.value) return;
       shown = select.value;
       const count = this.controls.length;
-      const fields = shown === "value" ? [this.plain({ ...field, of: others, name: "value" }, path)] : (tables[shown]?.fields ?? []).map((one) => this.control(one, [...path, one.name]));
+      const fields = shown === "value" ? [this.plain({ ...field, kind: "either", of: others, name: "value" }, path)] : (tables[shown]?.fields ?? []).map((one) => this.control(one, [...path, one.name]));
       inner.replaceChildren(...fields);
       for (const control of this.controls.slice(count)) control();
     });

@@ -486,7 +486,7 @@ function put(table, path, value) {
 
 // Copies and what holds them: keys of the whole design, not of a strip.
 const holderOf = (design) => Object.keys(HOLDERS).find((key) => key in design);
-const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, of: [{ choices: [], ...value }] });
+const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, ...value });
 const COPIES = [
   copyField("Around the axis x = 0", { kind: "count" }), copyField("Holders", { kind: "choice", choices: Object.keys(HOLDERS) }), copyField("Sheet of the holders", { kind: "text" }),
 ];
