@@ -61,7 +61,7 @@ class SearchSettings(NamedTuple):
         The search ends when `patience` steps leave more than the share `stalled` of the violation, unless the
         violation is below `far_from_met`.
     alike : float
-        A search ends at a known optimum when its distance from it is below this share of that optimum's own distance.
+        A search ends at a known optimum when it is nearer to it than this share of that optimum's own distance.
     closer : float
         A rejected point is taken all the same if its defect is below this share of the present one.
     sensitive : float
