@@ -84,10 +84,10 @@ def _widths_across(
     i, j = _near_opposite_pairs(points, normals, least)
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
-    i, j, across, width = (each[width < least * (1 - 1e-9)] for each in (i, j, across, width))
     with np.errstate(invalid="ignore", divide="ignore"):
         across = across / width[:, None]
     facing = (np.sum(across * normals[i], axis=1) > FACING) & (np.sum(across * normals[j], axis=1) < -FACING)
+    facing &= width < least * (1 - 1e-9)
     i, j, width = i[facing], j[facing], width[facing]
     narrowest = np.unique(np.concatenate([_narrowest(i, width), _narrowest(j, width)]))
     return i[narrowest], j[narrowest], width[narrowest]
