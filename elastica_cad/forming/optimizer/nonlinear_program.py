@@ -156,6 +156,10 @@ class NonlinearProgram(ABC, Generic[Point]):
         """The number to be minimised."""
 
     @abstractmethod
+    def apart(self, one: Point, other: Point) -> float:
+        """Mean square distance of two points, in the unit of the objective."""
+
+    @abstractmethod
     def values(self, point: Point) -> Sequence[FloatArray]:
         """Values of each constraint."""
 
