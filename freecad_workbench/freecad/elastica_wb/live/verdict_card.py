@@ -54,6 +54,7 @@ class VerdictCard(QtCore.QObject):
             part.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go on to the sketcher
         self.answer: Answer | None = None
         self._tall = self._corner = 0
+        self._removed = False
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
         self._soon = QtCore.QTimer(self)
@@ -95,14 +96,14 @@ class VerdictCard(QtCore.QObject):
         """Points in space that are to be seen, and taken by the mouse."""
         with suppress(RuntimeError):
             self._places = places
+            self._place()  # first, as it tells whether the view is still there
             self._camera.attach(self._view.getCameraNode())
-            self._place()
 
     def remove(self) -> None:
         """Take it off the view, which may be closed already."""
+        self._removed = True
         self._camera.detach()
         with suppress(RuntimeError):
-            self._soon.stop()
             self._over.removeEventFilter(self)
             for part in (self.frame, self.button, self.fold):
                 part.hide()
@@ -120,6 +121,8 @@ class VerdictCard(QtCore.QObject):
 
     def _place(self) -> None:
         """As wide as reads well, in one of the corners, with the buttons where the frame has room for them."""
+        if self._removed:  # FreeCAD's view is gone soon, and a camera that moved is told late
+            return
         folded, over = preferences.get(FOLDED), self._over
         self.fold.setText("▴" if folded else "▾")
         self.fold.setFixedSize(self.fold.sizeHint())
