@@ -39,7 +39,8 @@ ARRAYS = {
 
 @lru_cache(maxsize=1)
 def kernel() -> SimpleNamespace:
-    """OCP's classes by their own names, and the array types of its two lines under one name each.
+    """Import OCP, and return its classes by name, with one name for array types that its two lines call
+    differently.
 
     Raises
     ------

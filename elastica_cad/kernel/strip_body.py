@@ -42,7 +42,7 @@ class StripWarning(UserWarning):
 
 
 def warn_of_missing_slots(model: "Model") -> None:
-    """Tell of strips of a model that run through each other."""
+    """Warn of strips of a model that run through each other without a slot."""
     from elastica_cad.fabrication.interlocking.collisions import missing_slots
 
     for text in missing_slots(model.placed, model.joints):
@@ -95,7 +95,7 @@ OFF_PLANE_MM = 1e-4
 
 
 class TupleLike(Protocol):
-    """A vector of CadQuery."""
+    """Any vector with a method `toTuple`, as CadQuery's."""
 
     def toTuple(self) -> tuple[float, float, float]:
         """Its coordinates."""
@@ -106,7 +106,7 @@ Point: TypeAlias = Iterable[float] | TupleLike
 
 
 def numbers_of(point: Point) -> tuple[float, ...]:
-    """The numbers of a sequence, or of a vector of either library.
+    """Return the numbers of a sequence, or of a vector of build123d or CadQuery.
 
     Raises
     ------

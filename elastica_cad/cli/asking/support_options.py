@@ -35,12 +35,12 @@ def natural_curvature_of(value: Any) -> NaturalCurvature:
 
 
 class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """A curvature, a table of curvatures along the strip, or a drawing of the strip before it is bent."""
+    """A parameter type for `natural_curvature`: a number (1/mm), a table, or a drawing of the unloaded strip."""
 
     name = "blank"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """The value of the key `natural_curvature` of a design file."""
+        """Return the value as the key `natural_curvature` of a design file takes it."""
         try:
             return float(value)
         except ValueError:

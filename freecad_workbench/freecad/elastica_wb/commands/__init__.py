@@ -47,7 +47,7 @@ MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"]]
 
 
 def register() -> None:
-    """Make FreeCAD know the commands."""
+    """Register all commands with FreeCAD."""
     import FreeCADGui as Gui
 
     known = set(Gui.listCommands())

@@ -67,7 +67,7 @@ def originals(obj: Any) -> list[Any]:
 
 
 def repeated(obj: Any) -> list[Any]:
-    """The features that a body's pattern repeats; none for all other objects."""
+    """Return the features that a body's pattern repeats; none for all other objects."""
     if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
         return []
     return list(obj.Originals or filter(None, [obj.BaseFeature]))  # newer releases repeat all before it, too

@@ -27,7 +27,7 @@ LINK = "App::Link"
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A curve, its plane in the follower's own container, and the same plane in the whole document."""
+    """A drawn curve with its plane in the container of what follows it, and with its plane in the document."""
 
     curve: PlaneCurve
     placement: App.Placement
@@ -94,7 +94,7 @@ def linked(obj: Any) -> Any:
 
 
 def link_target(obj: Any) -> Any:
-    """What a link points at, be it inside a container; None for everything else, and for a broken link."""
+    """Return the object a link points at, inside a container too; None for a broken link and for all else."""
     shown = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
     return obj.getLinkedObject(False) if isinstance(shown, tuple) else shown
 
@@ -142,7 +142,7 @@ def edge_called(source: Any, name: str) -> Any:
 
 
 def frame_of(placement: App.Placement) -> Frame:
-    """The plane z = 0 of a placement."""
+    """Return the plane z = 0 of a placement."""
     x, y = (placement.Rotation.multVec(App.Vector(*axis)) for axis in ((1, 0, 0), (0, 1, 0)))
     return Frame(tuple(placement.Base), tuple(x), tuple(y))
 
@@ -211,7 +211,7 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Put a spline in the place of one curve of a sketch, or beside everything; its number.
+    """Replace one curve of a sketch by a spline, or add the spline for None; return its number.
 
     Constraints of a spline whose poles are hidden stay; poles that were shown go with the old spline.
     """

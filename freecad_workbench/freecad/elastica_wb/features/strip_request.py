@@ -62,7 +62,7 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
-    """The table of a design file that asks for the same.
+    """Return the table of a design file that requests the same strip as the properties do.
 
     Raises
     ------

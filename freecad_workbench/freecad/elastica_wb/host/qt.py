@@ -52,7 +52,7 @@ class EscapeKey(QtCore.QObject):
         QtCore.QCoreApplication.instance().installEventFilter(self)
 
     def leave(self) -> None:
-        """End."""
+        """End what the Escape key ends."""
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:

@@ -47,11 +47,11 @@ class _Speaker(type):
 
 
 class RefusalError(ValueError, metaclass=_Speaker):
-    """What `execute` raises when an object cannot be made."""
+    """The error that `execute` raises when an object cannot be made."""
 
 
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """The refusal of an object, to be raised by `raising`."""
+    """Return the error of an object as the exception that `raising` raises."""
     RefusalError.who = obj.Label
     return RefusalError(worded(str(error)))
 
@@ -89,7 +89,7 @@ class _Thrower:
 
 
 def explained(error: Exception) -> ElasticaError:
-    """One of `FAILURES` as a sentence of ours."""
+    """Return an exception of `FAILURES` as an error with advice."""
     if isinstance(error, ElasticaError):
         return error
     if isinstance(error, ImportError):

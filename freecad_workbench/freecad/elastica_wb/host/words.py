@@ -33,7 +33,7 @@ def shown_unit() -> Unit:
 
 
 class Words(Translated):
-    """A user's words."""
+    """Words messages in the user's language and unit."""
 
     def __init__(self, language: str, unit: Unit, point: str) -> None:
         super().__init__(language)
@@ -52,7 +52,7 @@ def worded(said: str, unit: Unit | None = None) -> str:
 
 
 def capital(sentence: str) -> str:
-    """It begins with a capital letter, but for a name of the user's that a colon follows."""
+    """Return the sentence with a capital letter, but for a user's name that a colon follows."""
     first = sentence.partition(" ")[0]
     return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
 
@@ -77,7 +77,7 @@ def report_warning(sentence: str, who: str = "") -> None:
 
 
 def report_error(sentence: str, who: str = "") -> None:
-    """Something that went wrong."""
+    """Show an error in the report view, behind the name of its object."""
     App.Console.PrintError(_line(sentence, who))
 
 

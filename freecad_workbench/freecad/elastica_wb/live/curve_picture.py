@@ -112,7 +112,7 @@ def comb_scale(curve: PlaneCurve) -> float:
 
 
 def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
-    """Both edges of the strip, laid flat into the plane along its curve."""
+    """Return both edges (n, 2) of the strip, mm, laid flat into the plane along its curve."""
     samples = strip.rod.curve.sample(count)
     aside = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     half = strip.width(samples.s * (strip.width.length / samples.s[-1]))[:, None] / 2

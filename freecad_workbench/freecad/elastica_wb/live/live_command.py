@@ -24,7 +24,7 @@ class LiveCommand:
     shortcut = "Y, L"
 
     def GetResources(self) -> dict[str, Any]:
-        """Icon, words and keys."""
+        """Return icon, words and keys."""
         return {
             "Pixmap": icon(self.name),
             "MenuText": self.text,
@@ -55,7 +55,7 @@ class LiveManipulator:
         return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _known()]
 
     def modifyMenuBar(self) -> list[dict[str, str]]:
-        """In the menu of the sketcher too."""
+        """Add the command to the menu of the sketcher."""
         return [{"append": name, "menuItem": "Sketcher_ViewSection"} for name in _known()]
 
 
@@ -65,7 +65,7 @@ def _known() -> list[str]:
 
 
 def register() -> None:
-    """Make FreeCAD know the switch, and keep it in step with the overlay."""
+    """Register the command, and keep its check mark in step with the overlay."""
     if NAME not in Gui.listCommands():
         Gui.addCommand(NAME, LiveCommand())
     sketches.listeners.append(_show_state)

@@ -22,7 +22,7 @@ SLENDER = 2.0  # times its width a strip must be long before it bends as a rod d
 
 
 class Verdict(Enum):
-    """Can a flat strip take the curve?"""
+    """Whether a flat strip can take the curve."""
 
     CAN = "can"
     BREAKS = "breaks"
@@ -32,7 +32,7 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Answer:
-    """A verdict, its few words, and the sentence that explains it."""
+    """A verdict with its short text, and the sentence that explains it."""
 
     verdict: Verdict
     words: str
@@ -70,7 +70,7 @@ def refusal_answer(error: ElasticaError) -> Answer:
 
 
 def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
-    """One sentence for the status bar."""
+    """Return an answer as one sentence for the status bar."""
     if isinstance(answer, Strip):
         return note(
             "A strip bent beforehand takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain "

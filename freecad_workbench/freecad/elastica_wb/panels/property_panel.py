@@ -93,7 +93,7 @@ class PropertyPanel(Panel):
         self._show()
 
     def make_form(self) -> Any:
-        """Message and numbers on top, then the groups of properties."""
+        """Make the form: message and numbers on top, then the groups of properties."""
         form = QtWidgets.QWidget()
         form.setWindowTitle(translate("Elastica", self.layout.title))
         outer = QtWidgets.QVBoxLayout(form)
@@ -192,7 +192,7 @@ class PropertyPanel(Panel):
         self._refresh.start()
 
     def addSelection(self, document: str, name: str, element: str, _place: Any) -> None:
-        """The user picks another curve."""
+        """Take a curve that the user picks in the view."""
         source = App.getDocument(document).getObject(name)
         if source is None:
             return
