@@ -75,12 +75,12 @@ class BinaryBrep:
 
     @property
     def for_freecad(self) -> bytes:
-        """Return the bytes for `Part.Shape.importBinary`, which end with number, place and orientation."""
+        """Return the bytes for `Part.Shape.importBinary`, which end with number, place, orientation."""
         return self.tables + pack("<3i", self.count, 0, 0)
 
 
 def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> BinaryBrep:
-    """Encode a closed boundary as a solid and an open one as a shell; edges end within `gap` mm of their vertices."""
+    """Encode a closed boundary as a solid, an open one as a shell; edges end within `gap` mm of their vertices."""
     tables = _Tables()
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]

@@ -98,7 +98,7 @@ def mark_file(path: Path) -> FileMark:
 
 @contextmanager
 def note_reads() -> Iterator[dict[Path, FileMark]]:
-    """Collect the files that the block requests with `require_file`, with their marks just before they were read."""
+    """Collect the files that the block requests by `require_file`, with their marks just before they are read."""
     noted: dict[Path, FileMark] = {}
     token = _read.set(noted)
     try:
@@ -109,7 +109,7 @@ def note_reads() -> Iterator[dict[Path, FileMark]]:
 
 @contextmanager
 def quiet_log(name: str) -> Iterator[None]:
-    """Keep a library's log off the screen during the block, unless the program set up a handler."""
+    """Keep a library's log off the screen during the block, unless the program handles it."""
     import logging
 
     logger, silence = logging.getLogger(name), logging.NullHandler()
