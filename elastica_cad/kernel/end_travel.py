@@ -190,7 +190,7 @@ class Travel:
 
     @property
     def place(self) -> Frame:
-        """Where the end is at first: x along the travel, z across the strip."""
+        """The frame of the end at its start: x along the travel, z across the strip."""
         x = self.frame.direction(self._way / self.length)
         at = self.frame.point(self._rod.position[-1])
         return Frame(at, x, np.cross(self.frame.z_axis, x))

@@ -32,7 +32,7 @@ BETWEEN = 1e-3
 
 
 def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[PlaneSection, ...]:
-    """What planes cut out of a body or a surface of OpenCASCADE, as `mesh_sections` gives it for meshes.
+    """Cut a body or a surface of OpenCASCADE by planes, as `mesh_sections` cuts a mesh.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ CUT_FROM = (".dxf", ".svg", ".stl")
 
 @dataclass(frozen=True)
 class SavedKit:
-    """What `save_model` wrote; as text, where it is and what was left out.
+    """The folder that `save_model` wrote; as text, where it is and what was left out.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class SavedKit:
 
 
 def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
-    """Return a sentence for each of bodies, pictures and print that lacks a package here, and how to install it."""
+    """Return a sentence for each kind of file whose package is missing, with how to install it."""
     drawn = ((pictures, "pictures"), (paper, "PDF"))
     missing = find_spec("matplotlib") is None
     told = [f"no {kind}: {how_to_install('matplotlib')}" for asked, kind in drawn if asked and missing]

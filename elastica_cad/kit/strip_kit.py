@@ -125,7 +125,7 @@ class StripKit:
 
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
-        """What is cut of each layer, named as its files."""
+        """The drawing of each layer to be cut, named as its file."""
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 

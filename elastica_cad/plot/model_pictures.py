@@ -36,7 +36,7 @@ FEWEST, ROUND = 4, 96
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
-    """What lies inside an odd number of loops, cut along x at its corners and at `stations`.
+    """Return the area inside an odd number of loops as trapezoids, cut along x at corners and at `stations`.
 
     Parameters
     ----------

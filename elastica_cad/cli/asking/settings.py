@@ -56,7 +56,7 @@ _CUTTING = Cutting()
 
 @dataclass(frozen=True)
 class CommandKeys(StripKeys):
-    """What `elastica strip` is asked for: the keys of a strip in a design file, and which files it writes."""
+    """All keys of `elastica strip`: those of a strip in a design file, and which files are written."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
     curve: Annotated[CurveKeys, Asked("Which curve of the file.", group="curve")] = CurveKeys()

@@ -26,7 +26,7 @@ def read_curves_told(path: Path, *, unit: str | None = None) -> list[PlaneCurve]
 
 
 def natural_curvature_of(value: Any) -> NaturalCurvature:
-    """What the option gives, as a record where it is no number."""
+    """Return the value of the option as a number (1/mm) or a record."""
     if isinstance(value, float):
         return value
     kind, table = kind_of(NaturalCurvature), Table({"natural_curvature": value}, "", {})

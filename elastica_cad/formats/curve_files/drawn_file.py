@@ -90,7 +90,7 @@ class DrawnCurve:
 
 @dataclass(frozen=True, eq=False)
 class DrawnFile:
-    """What a file draws.
+    """The curves of a file, and what was left out.
 
     Attributes
     ----------
@@ -127,7 +127,7 @@ class DrawnFile:
 
     @property
     def left_out(self) -> str:
-        """What was skipped, as one sentence; empty when nothing was."""
+        """One sentence on what was skipped; empty when nothing was."""
         return (
             note("left out, for they are no curves: {things}", things=list_things(self.skipped))
             if self.skipped

@@ -13,7 +13,7 @@ from elastica_cad.geometry.polynomials.splines import Spans, bezier_spans, knot_
 
 @dataclass(frozen=True)
 class Source:
-    """What a file says of a shape that edges are drawn by.
+    """The shape of a file that edges belong to: its name, layer and digits.
 
     Attributes
     ----------
@@ -124,7 +124,7 @@ class Edge:
 
     @cached_property
     def spans(self) -> Spans:
-        """Its Bezier extraction."""
+        """The edge as Bezier pieces."""
         return bezier_spans(self.knots, self.degree)
 
     @cached_property

@@ -99,7 +99,7 @@ class StripEntry:
 
     @property
     def sheet(self) -> Sheet:
-        """What the strip is cut from."""
+        """The sheet that the strip is cut from."""
         return self.spec.material
 
     @property

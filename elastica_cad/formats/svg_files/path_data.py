@@ -22,7 +22,7 @@ _MOST_SEGMENTS = 20 * MOST_PIECES  # of one path, with all its subpaths
 
 @dataclass(frozen=True, eq=False)
 class PathData:
-    """What a path draws, in its own units.
+    """The edges that a path draws, in its own units.
 
     Attributes
     ----------

@@ -25,7 +25,7 @@ _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
 def tag(element: ElementTree.Element) -> str:
-    """Its name without that of its namespace."""
+    """Return the name of an element without its namespace."""
     return str(element.tag).rpartition("}")[2]
 
 

@@ -36,7 +36,7 @@ class ElasticaWorkbench(Gui.Workbench):
         self.appendMenu("Elastica", commands.MENU)
 
     def ContextMenu(self, _recipient: str) -> None:
-        """What can be done with the selection, in the tree and in the view."""
+        """Add the commands for the selection to the context menu of the tree and the view."""
         from freecad.elastica_wb import commands
 
         names = commands.context_menu()

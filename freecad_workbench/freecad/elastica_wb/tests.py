@@ -50,7 +50,7 @@ class ElasticaTest(unittest.TestCase):
         assert abs(strip.Shape.Volume / flat.Shape.Volume - 1) < VOLUME
 
     def test_a_curve_that_no_strip_takes(self) -> None:
-        """It says why; the nearest curve can be had."""
+        """The refusal says why, and the nearest curve can be made."""
         strip = make_strip(self.draw(SNAKE), flat_part=False)
         assert "Invalid" in strip.State
         assert "cannot" in strip.Verdict

@@ -40,7 +40,7 @@ class CheckCommand(CurveCommand):
     shortcut = "Y, C"
 
     def run(self) -> None:
-        """In the sketcher the overlay comes on; elsewhere a panel tells the whole answer."""
+        """Turn the overlay on in the sketcher; elsewhere open a panel with the whole verdict."""
         (source, edges), *_ = chosen_curves()
         if edited_sketch() is source:
             observers.switch(source, on=True)
@@ -49,7 +49,7 @@ class CheckCommand(CurveCommand):
 
 
 class NearestCommand(CurveCommand):
-    """The curve nearest to a sketch that a strip can take, within limits."""
+    """Makes the curve nearest to a sketch that a strip can take, within limits."""
 
     name = "Elastica_Nearest"
     text = QT_TRANSLATE_NOOP("Elastica_Nearest", "Nearest curve to sketch")

@@ -59,7 +59,7 @@ class FixturesCommand(Command):
     )
 
     def has_subject(self) -> bool:
-        """There is something to be cut."""
+        """Tell whether something that can be cut is selected."""
         return answers(chosen_sources)
 
     def run(self) -> None:
@@ -78,7 +78,7 @@ class NestCommand(Command):
     )
 
     def has_subject(self) -> bool:
-        """There is something to be cut."""
+        """Tell whether something that can be cut is selected."""
         return answers(chosen_sources)
 
     def run(self) -> None:

@@ -40,7 +40,7 @@ class ExportCommand(Command):
     in_sketch = True
 
     def has_subject(self) -> bool:
-        """There is something to be cut."""
+        """Tell whether something that can be cut is selected."""
         return answers(chosen_sources)
 
     def run(self) -> None:

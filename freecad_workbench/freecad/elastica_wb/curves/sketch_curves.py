@@ -35,7 +35,7 @@ class DrawnCurve:
 
     @property
     def plane(self) -> Frame:
-        """Its plane in the whole document."""
+        """The curve's plane in the whole document."""
         return frame_of(self.world)
 
 
@@ -88,7 +88,7 @@ def is_sketch(source: Any) -> bool:
 
 
 def linked(obj: Any) -> Any:
-    """What a link, or one of an array of links, shows; everything else is itself, and so is a broken link."""
+    """Return the object that a link, or one of an array of links, shows; everything else is returned as it is."""
     shown = link_target(obj)
     return obj if shown is None else linked(shown)
 
@@ -100,7 +100,7 @@ def link_target(obj: Any) -> Any:
 
 
 def picked(root: Any, path: str) -> tuple[Any, str]:
-    """What was picked along a path (`Part.Body.Pad.Edge3`) from an object: what it belongs to, and its name there.
+    """Return the object picked along a path (`Part.Body.Pad.Edge3`), and the name of the picked element in it.
 
     What is seen through a link is the link's: the original stands elsewhere.
     """
@@ -189,7 +189,7 @@ def is_outline(shape: Any) -> bool:
 
 
 def container(obj: Any) -> App.Placement:
-    """Where the container of an object lies in the whole document; links have no such method of their own."""
+    """Return the placement of an object's container in the whole document; links have no method for it."""
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
 
@@ -254,7 +254,7 @@ def box_around(curve: PlaneCurve) -> FloatArray:
 
 
 def evened(curve: PlaneCurve) -> PlaneCurve:
-    """The same curve with weights about 1: the sketcher shows them as radii of the poles' circles."""
+    """Return the same curve with weights about 1: the sketcher shows weights as radii of circles."""
     if curve.weights is None:
         return curve
     weights = curve.weights / np.exp(np.log(curve.weights).mean())

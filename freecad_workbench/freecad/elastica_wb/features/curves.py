@@ -172,7 +172,7 @@ def bent(document: Any, strip: Any, **moves: float) -> Any:
 
 
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
-    """Sections of bodies across an axis, or along a path; recompute the document to see them."""
+    """Make sections of bodies across an axis, or along a path; recompute the document to see them."""
     obj = _curve(document, "Section", SectionFeature, sources)
     obj.Label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj.Sources = sources

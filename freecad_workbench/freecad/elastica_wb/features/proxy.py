@@ -147,7 +147,7 @@ class Feature:
 
     @property
     def execute(self) -> Callable[[Any], None]:
-        """What FreeCAD calls in a recompute: it fails with a sentence and keeps the last good shape."""
+        """The function that FreeCAD calls in a recompute; it fails with a sentence and keeps the last good shape."""
         return raising(self._made_or_refused)
 
     def _made_or_refused(self, obj: Any) -> RefusalError | None:
@@ -291,7 +291,7 @@ def parents(source: Any) -> list[Any]:
 
 
 def keep_containers(document: Any, moved: Collection[str]) -> None:
-    """Objects of these names went into a container or out of one: what they hold stands in the other place.
+    """Update features after objects of these names were moved into a container or out of one.
 
     A feature that is inside now cannot hang on the container as well.
     """
@@ -307,7 +307,7 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
 
 
 def keep_sheets() -> None:
-    """The user's sheets are others: open documents offer them, and what is made of a changed one follows."""
+    """Update open documents after the user's sheets changed: choices, and what is made of a changed one."""
     for document in App.listDocuments().values():
         ours = [obj for obj in document.Objects if isinstance(getattr(obj, "Proxy", None), Feature)]
         for obj in ours:

@@ -80,7 +80,7 @@ class StripFeature(Feature):
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Nothing is hidden while its sketch is open."""
+        """Write the error into the results; while the sketch is open nothing is hidden."""
         if is_edited(obj):
             self.tell_error(obj, error)
         else:
@@ -114,7 +114,7 @@ def is_strip(obj: Any) -> bool:
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:
-    """What `copies` of an object gives.
+    """Yield the strips that an object shows, with the placement of each copy.
 
     Raises
     ------

@@ -113,7 +113,7 @@ def _is_choice(given: Any, choices: list[str]) -> bool:
 
 
 def is_misread(obj: Any, name: str) -> bool:
-    """Has a formula left a list of choices without one, or with the first for a word that is none of them?"""
+    """Tell whether a formula left a list without a choice, or on its first one for a word that is no choice."""
     present, formula = getattr(obj, name), _formulas(obj).get(name)
     if present is None or formula is None:
         return present is None

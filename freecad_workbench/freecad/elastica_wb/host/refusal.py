@@ -103,7 +103,7 @@ def explained(error: Exception) -> ElasticaError:
 
 
 def why_not_made(obj: Any) -> str:
-    """What is wrong with an object, or with what it is made from; empty where nothing is.
+    """Return the error of an object, or of what it is made from; empty without error.
 
     FreeCAD leaves out what is made from something that failed, and that has no state of its own then.
     """
@@ -118,7 +118,7 @@ def why_not_made(obj: Any) -> str:
 
 
 def why_not_computed(obj: Any) -> str:
-    """What is wrong with a formula of an object; empty where nothing is."""
+    """Return the error of a formula of an object; empty without error."""
     found = FORMULA.fullmatch(str(obj.getStatusString())) if "Invalid" in obj.State else None
     if found is None:
         return ""
@@ -140,7 +140,7 @@ def is_broken_link(obj: Any) -> bool:
 
 
 def told_of_broken_link(obj: Any) -> str:
-    """What is wrong with it, and what to do."""
+    """Return what is wrong with a broken link, and what to do."""
     lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
         return note(

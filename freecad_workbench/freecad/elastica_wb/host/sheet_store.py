@@ -17,7 +17,7 @@ from elastica_cad.mechanics.material.sheet_library import built_in_figures
 
 
 def own_sheets_file() -> Path:
-    """Where the user's sheets are kept."""
+    """Return the path of the file with the user's sheets."""
     return _file_in(App.getUserAppDataDir())
 
 

@@ -60,7 +60,7 @@ class Picture:
 
 
 def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
-    """What is known of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
+    """Return the overlay of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
     samples = curve.sample(TEETH)
     comb = _comb(samples.position, samples.angle, samples.curvature, scale or comb_scale(curve))
     try:
@@ -104,7 +104,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
 
 
 def comb_scale(curve: PlaneCurve) -> float:
-    """mm that the comb draws for a curvature of 1/mm."""
+    """Return the length, mm, that the comb draws for a curvature of 1/mm."""
     samples = curve.sample(TEETH)
     largest = float(np.abs(samples.curvature).max())
     extent = float(np.ptp(samples.position, axis=0).max())

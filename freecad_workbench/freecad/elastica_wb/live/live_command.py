@@ -41,7 +41,7 @@ class LiveCommand:
         return sketches.edited_sketch() is not None
 
     def Activated(self, _index: int = 0) -> None:
-        """On where it is off, and the other way round."""
+        """Turn the overlay on where it is off, and off where it is on."""
         sketch = sketches.edited_sketch()
         if sketch is not None:
             observers.switch(sketch, on=not observers.is_on(sketch))

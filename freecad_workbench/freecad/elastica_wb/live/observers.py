@@ -60,12 +60,12 @@ class LaterResults:
             self._wait_for(obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """It may have followed a strip, and nothing is recomputed."""
+        """Queue the nests of the document: the object may have followed a strip, and nothing is recomputed."""
         for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
             self._wait_for(nest)
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """Its nests are gone."""
+        """Forget the nests of the document."""
         self._nests.pop(document.Name, None)
 
     def slotRedoDocument(self, document: Any) -> None:

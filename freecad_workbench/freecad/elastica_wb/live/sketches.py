@@ -49,7 +49,7 @@ def remember(sketch: Any, on: bool) -> None:
 
 
 def wants_overlay(sketch: Any) -> bool:
-    """What the sketch remembers; else those that strips follow have it, and no others."""
+    """Tell whether a sketch shows the overlay: as it was stored, else where a strip follows it."""
     if not preferences.get("LiveMode"):
         return False
     if MEMORY in sketch.PropertiesList:

@@ -42,7 +42,7 @@ class Answer:
 def quick_answer(
     curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
 ) -> Answer:
-    """What can be said at once: balance, the skin's strain, whether the strip is one."""
+    """Return the verdict that needs no search: equilibrium, strain of the skin, widths."""
     if not check.realizable:
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(check))
     spoiled = _too_wide(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
@@ -50,7 +50,7 @@ def quick_answer(
 
 
 def strip_answer(strip: Strip) -> Answer:
-    """What a strip says of itself."""
+    """Return the verdict on a strip that was made."""
     spoiled = _too_wide(strip.rod.length, strip.width.extremes[1])
     if spoiled is not None:
         return spoiled

@@ -73,7 +73,7 @@ class CouponPanel(Panel):
         recorded(add_coupon, self.document, self.form.sheet.currentText())
 
     def write(self) -> None:
-        """Its cutting file."""
+        """Write the cutting file of the coupon."""
         drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
         path = ask_file(
             translate("Elastica", "Save the coupon"), f"{drawing.name}.dxf", "DXF (*.dxf);;SVG (*.svg)"

@@ -63,7 +63,7 @@ class Panel:
         return form
 
     def value(self, name: str) -> Any:
-        """What a widget shows; lengths in mm."""
+        """Return the value that a widget shows; lengths in mm."""
         return value_of(getattr(self.form, name))
 
     def accept(self) -> bool:
@@ -91,7 +91,7 @@ class Panel:
         return True
 
     def abandon(self) -> None:
-        """Its document was closed: nothing is left to be changed, nor a view to be tidied."""
+        """Close the panel after its document was closed, without touching the document or its view."""
         if self.form is None:
             return
         if self.step:
@@ -214,7 +214,7 @@ def active_view() -> Any:
 
 
 def placement_of_strip(obj: Any) -> App.Placement:
-    """Where the plane of a strip's curve lies in the document."""
+    """Return the placement, in the document, of the plane in which a strip's curve lies."""
     from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 
     return drawn_curve(obj.Curve, obj).world

@@ -115,7 +115,7 @@ def find_nearest(asked: RodSpec) -> NearestRod:
 
 
 def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
-    """The same, for its curve to be drawn: as a spline it keeps the limits too."""
+    """Find the nearest rod for a curve to be drawn, which keeps the limits as a spline too."""
     return in_background(SEARCHING, find_nearest_now, asked)
 
 
@@ -142,7 +142,7 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
 
 
 def judged(rod: Rod) -> Stability | None:
-    """Its stability, None where it cannot be decided."""
+    """Return the stability of a rod; None where it cannot be decided."""
     try:
         return _stability(rod)
     except ElasticaError:

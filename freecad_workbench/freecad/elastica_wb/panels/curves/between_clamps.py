@@ -69,7 +69,7 @@ class BetweenClamps:
             stop()
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """Its document is closed."""
+        """End when the document is closed."""
         if getattr(document, "Document", document) is self.sketch.Document:
             stop()
 

@@ -67,7 +67,7 @@ def put_choices(box: Any, choices: list[str]) -> None:
 
 
 def value_of(widget: Any) -> Any:
-    """What a widget shows; lengths in mm."""
+    """Return the value that a widget shows; lengths in mm."""
     if isinstance(widget, QtWidgets.QComboBox):
         return widget.currentText() if widget.currentData() is None else widget.currentData()
     if isinstance(widget, QtWidgets.QAbstractButton):
