@@ -215,7 +215,7 @@ def _tell_faults(faults: Iterable[Fault]) -> str:
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
-    """Nothing for a part without faults; with `ignore_limits` what its report says of them.
+    """Refuse a part with faults; with `ignore_limits` return its warnings instead.
 
     Raises
     ------
@@ -323,7 +323,9 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
 
 
 def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
-    """Strips wider than their tabs that run into the plate: (tab, depth, thickness of the strip) of each, mm."""
+    """Find strips wider than their tabs that run into the plate, from (tab, depth, thickness of the strip) of each,
+    mm.
+    """
     return tuple(
         Fault(
             name,
