@@ -61,7 +61,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
 def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
     check_size(points)
     check_count(len(points), 4 * MOST_PIECES, "points in one curve", "leave some out")
-    return curve_from_points(points, tolerance=tolerance).drawn_as(digits)
+    return curve_from_points(points, tolerance=tolerance, drawn=digits)
 
 
 def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
