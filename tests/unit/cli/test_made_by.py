@@ -56,7 +56,7 @@ def test_old_drawings_and_prints_carry_it_too(tmp_path):
         (["model", r"C:\Users\jo\lamp.toml", "-oout"], "elastica model lamp.toml"),
         (["strip", "a&b.dxf", "--output=x", "--force"], 'elastica strip "a&b.dxf"'),
         (["strip", r"..\my arch.dxf", "--unit", "in"], r'elastica strip "..\my arch.dxf" --unit in'),
-        (["strip", "a.dxf", "--set", 'law={ kind = "rod" }'], r'elastica strip a.dxf --set "law={ kind = \"rod\" }"'),
+        (["strip", "--set", 'law={ kind = "rod" }'], r'elastica strip --set "law={ kind = \"rod\" }"'),
         (["strip", "a.dxf", r"--sheets=D:\own\sheets.toml"], "elastica strip a.dxf --sheets=sheets.toml"),
     ],
 )  # fmt: skip
