@@ -26,7 +26,7 @@ DARK = """<FCParamGroup Name="MainWindow"><FCText Name="StyleSheet">{sheet}</FCT
 
 
 def make_home(folder: Path, *, addon: Path | None = ROOT) -> dict[str, str]:
-    """A home folder whose FreeCAD finds this checkout or another folder as addon; the environment to start it in."""
+    """A home folder whose FreeCAD finds this checkout or another folder as addon, and the environment for it."""
     for version in ("", "v1-0/", "v1-1/"):
         mods = folder / f".local/share/FreeCAD/{version}Mod"
         mods.mkdir(parents=True, exist_ok=True)
