@@ -81,15 +81,27 @@ def _widths_across(
 
     Of all pairs of a point only the narrowest is kept.
     """
-    i, j = _near_pairs(points, least * (1 - 1e-9))
+    i, j = _near_opposite_pairs(points, normals, least)
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
     with np.errstate(invalid="ignore", divide="ignore"):
         across = across / width[:, None]
     facing = (np.sum(across * normals[i], axis=1) > FACING) & (np.sum(across * normals[j], axis=1) < -FACING)
+    facing &= width < least * (1 - 1e-9)
     i, j, width = i[facing], j[facing], width[facing]
     narrowest = np.unique(np.concatenate([_narrowest(i, width), _narrowest(j, width)]))
     return i[narrowest], j[narrowest], width[narrowest]
+
+
+def _near_opposite_pairs(points: FloatArray, normals: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
+    """Pairs (k,) among which are all that face each other within `reach`, and none along one cut."""
+    from scipy.spatial import cKDTree
+
+    # one tree over places and directions: of facing points the normals' sum is at most 2 sin(acos(FACING)) long
+    here, there = (cKDTree(np.hstack([points, sign * reach * normals])) for sign in (1.0, -1.0))
+    found = here.sparse_distance_matrix(there, reach * np.sqrt(5 - 4 * FACING**2), output_type="ndarray")
+    once = found["i"] < found["j"]
+    return found["i"][once], found["j"][once]
 
 
 def _near_pairs(points: FloatArray, reach: float) -> IntArray:
