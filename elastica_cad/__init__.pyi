@@ -56,6 +56,7 @@ from elastica_cad.mechanics.material.sheet import (
 )
 from elastica_cad.mechanics.rod.rod_record import Rod as Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability as Stability, stability as stability
+from elastica_cad.mechanics.studies.stability_limit import stability_limit as stability_limit
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod as optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium as check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import (
