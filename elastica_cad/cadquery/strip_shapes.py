@@ -91,9 +91,11 @@ class _Made(StripBody, cq.Shape):
             return bent_strip(self)
         return bent_strip(self._bent_anew(moved), plane=self.frame)
 
-    def slider(self, end: Point) -> "Slider":
-        """The travel of the strip's end to a point in space, or two numbers in its `frame`, mm."""
-        return Slider(self, end)
+    def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider":
+        """The travel of the strip's end: to a point in space or two numbers in its `frame`, mm; or turning where it
+        stands to an angle in that frame, degrees.
+        """
+        return Slider(self, end, angle=angle)
 
     @property
     def backing(self) -> cq.Solid:
@@ -196,7 +198,7 @@ class _Made(StripBody, cq.Shape):
 
 
 class Slider:
-    """A strip's end on its way, straight and with its direction held, to another point.
+    """A strip's end on its way: straight and with its direction held to another point, or turning where it stands.
 
     Parameters
     ----------
@@ -204,6 +206,9 @@ class Slider:
         A bent strip.
     end : point, or (2,) array_like
         Where the end goes: a point in space, or two numbers in the rib's `frame`, mm.
+    angle : float
+        In place of `end`: the direction that the end turns to in that frame, degrees, counted along the strip.
+        Positions are then degrees too.
 
     Attributes
     ----------
@@ -226,19 +231,25 @@ class Slider:
     145.0
     >>> round(slider.bent(15).joints["end"].toTuple()[0][0], 6)
     145.0
+    >>> round(rib.slider(angle=30).travel.length, 6)
+    30.0
     """
 
-    def __init__(self, rib: "_Made", end: Point) -> None:
+    def __init__(self, rib: "_Made", end: Point | None = None, *, angle: float | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
-        self.travel = travel_of(rib, end)
+        self.travel = travel_of(rib, end, angle)
 
     def place(self, position: float) -> cq.Location:
-        """Where the end is `position` mm along the way: x along it, z across the strip."""
-        return make_location(self.travel.place) * cq.Location((position, 0, 0))
+        """Where the end is `position` along the way, mm or degrees: x along the way, or along the strip that turns;
+        z across the strip.
+        """
+        if self.travel.angle is None:
+            return make_location(self.travel.place) * cq.Location((position, 0, 0))
+        return make_location(self.travel.place) * cq.Location((0, 0, 0), (0, 0, 1), position)
 
     def bent(self, position: float) -> "StripSolid | StripCompound":
-        """The strip with its end `position` mm along the way."""
+        """The strip with its end `position` along the way, mm or degrees."""
         travel = self.travel
         return bent_strip(replace(travel.strip, rod=travel.rod(position)), plane=travel.frame)
 
@@ -373,7 +384,6 @@ def end_fixture(
     max_width: float | None = None,
     end: StripEnd = "start",
     floor: cq.Plane | None = None,
-    number: str | None = None,
     **options: Unpack[FixtureOptions],
 ) -> FixtureSolid:
     """The block that holds one end of the bent strip, in place beside `bent_strip` of the same path.
@@ -385,7 +395,7 @@ def end_fixture(
     end : "start" or "end"
     floor : Plane, optional
         What the block stands on; without it on a plane square to the tab.
-    clearance, wall, foot, foot_height, screw, number
+    clearance, wall, foot, foot_height, screw
         As in `fabrication.EndFixture`, mm.
 
     Raises
@@ -395,7 +405,7 @@ def end_fixture(
     """
     edges, drawn_on = _drawn(path)
     made, block = make_fixture_on(
-        edges, sheet, max_width=max_width, end=end, floor=floor, number=number, **drawn_on, **options
+        edges, sheet, max_width=max_width, end=end, floor=floor, **drawn_on, **options
     )
     fixture = dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
     fixture.label, fixture.color = block.label, cq.Color(*FIXTURE_COLOR)

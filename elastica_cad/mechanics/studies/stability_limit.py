@@ -153,6 +153,7 @@ class Course:
 
     @classmethod
     def of(cls, rod: Rod, path: Path) -> "Course":
+        """From the rod's present state along a path."""
         if callable(path):
             function = path
             return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
@@ -190,6 +191,7 @@ class Course:
         return _weighing(rod, asked["load"]) if "load" in asked else rod
 
     def system(self, t: float) -> RodSystem:
+        """The equations at t."""
         asked = self.asked(t)
         ends = {name: asked[name] for name in ("start", "end", "angles", "force", "moment") if name in asked}
         system = system_of(self.loaded(t), self.base, **ends)
