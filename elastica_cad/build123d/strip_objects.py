@@ -14,6 +14,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
@@ -21,7 +22,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_fixture_on,
     make_strip_on,
 )
-from elastica_cad.kernel.strip_options import StripOptions
+from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -64,12 +65,9 @@ class _Made(StripBody):
         """The strip as cut, on the xy plane."""
         return FlatStrip(self, mode=bd.Mode.PRIVATE)
 
+    @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "BentStrip":
-        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`.
-
-        `start` and `end` are points in space, or two numbers in the `frame` of the body, mm; `angles` (degrees in
-        that frame) and all others as in `mechanics.bend`.
-        """
+        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`."""
         if not moved:
             return BentStrip(self, mode=bd.Mode.PRIVATE)
         return BentStrip(self._bent_anew(moved), plane=self.frame, mode=bd.Mode.PRIVATE)
@@ -106,8 +104,9 @@ class _Made(StripBody):
         self._require_backing()
         return self.layers[1]
 
+    @lists(FixtureSizes, BlockOptions)
     def fixture(self, end: StripEnd = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
-        """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
+        """The block that holds an end of the bent strip, in place."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
     def _apply_transform(self, transformation: Any) -> Any:
@@ -245,7 +244,7 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
     >>> rib = BentStrip(Elastica((0, 0), (160, 0), 200, angles=(0, 0)).edge(), "pom-0.5", max_width=10)
     >>> slider = rib.slider(angle=30)
     >>> slider.connect_to(bd.RigidJoint("hub", bd.Box(10, 20, 10)), angle=20)
-    >>> round(slider.bent(20).rod.angle[-1] - rib.rod.angle[-1], 6)
+    >>> round(float(slider.bent(20).rod.angle[-1] - rib.rod.angle[-1]), 6)
     0.349066
     """
 
@@ -269,6 +268,7 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
         return self._home * bd.Rotation(0, 0, self._angle) * other.relative_location.inverse()
 
 
+@lists(StripOptions, drawn=True)
 class StripOutline(_Made, bd.BaseSketchObject):
     """Sketch object: the flat pattern of the strip that bends into a curve.
 
@@ -276,17 +276,10 @@ class StripOutline(_Made, bd.BaseSketchObject):
 
     Parameters
     ----------
-    path : Edge, Wire, edges that follow each other, or PlaneCurve
-        The curve that the strip is to take.
-    sheet : Sheet or str
-        The material, or the name of a built-in one.
-    max_width : float
-        The largest width of the free part, mm; or give `min_width`, the least.
-    rotation, align, mode
+    rotation : float
+        About the z axis, degrees.
+    align, mode
         As in every sketch object of build123d.
-    **options
-        All other fields of `StripSpec`: min_width, style, limits, keep, gravity, loads, supports,
-        natural_curvature, samples, ends, slots, label; and of a `PlaneCurve` its `frame` in space.
 
     Raises
     ------
@@ -343,28 +336,45 @@ class _StripPart(_Made, bd.BasePartObject):
         raise NotImplementedError
 
 
+@lists(StripOptions, drawn=True)
 class FlatStrip(_StripPart):
     """Part object: the strip as cut, lying on the xy plane.
 
     Rigid joints "start", "end", "hole1", "hole2", ... lie half way through the thickness: z off the sheet, x
-    outward along the strip. Parameters, errors and frame as in `StripOutline`.
+    outward along the strip. Errors and frame as in `StripOutline`.
+
+    Parameters
+    ----------
+    rotation : (float, float, float)
+        About the axes, degrees.
+    align, mode
+        As in every part object of build123d.
     """
 
     def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
         return FlatSolid.layers(made.strip)
 
 
+@lists(StripOptions, drawn=True)
 class BentStrip(_StripPart):
     """Part object: the strip bent, standing on the drawn curve with half its thickness to either side.
 
     Inside a builder the path is in the coordinates of its workplane, as all that is drawn there. Joints as on
-    `FlatStrip`, parameters and errors as in `StripOutline`.
+    `FlatStrip`, errors as in `StripOutline`.
+
+    Parameters
+    ----------
+    rotation : (float, float, float)
+        About the axes, degrees.
+    align, mode
+        As in every part object of build123d.
     """
 
     def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
         return BentSolid.layers(made.strip, made.frame)
 
 
+@lists(FixtureSizes, BlockOptions, StripOptions, drawn=True)
 class EndFixture(_Made, bd.BasePartObject):
     """Part object: the block that holds one end of the bent strip, in place beside `BentStrip` of the same path.
 
@@ -372,15 +382,11 @@ class EndFixture(_Made, bd.BasePartObject):
 
     Parameters
     ----------
-    path, sheet, max_width
-        As in `StripOutline`.
     end : "start" or "end"
-    floor : Plane, optional
-        What the block stands on; without it on a plane square to the tab.
-    clearance, wall, foot, foot_height, screw
-        As in `fabrication.EndFixture`, mm.
-    rotation, align, mode, **options
-        As in `BentStrip`.
+    rotation : (float, float, float)
+        About the axes, degrees.
+    align, mode
+        As in every part object of build123d.
 
     Raises
     ------

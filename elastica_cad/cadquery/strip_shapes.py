@@ -23,6 +23,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
@@ -30,7 +31,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_fixture_on,
     make_strip_on,
 )
-from elastica_cad.kernel.strip_options import StripOptions
+from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
 
 
@@ -83,10 +84,9 @@ class _Made(StripBody, cq.Shape):
         """The flat pattern as a face."""
         return strip_outline(self)
 
+    @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "StripSolid | StripCompound":
-        """The strip bent, with its ends led to `start` and `end` where given: points in space, or two numbers in
-        the `frame` of the body, mm; `angles` (degrees in that frame) and all others as in `mechanics.bend`.
-        """
+        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`."""
         if not moved:
             return bent_strip(self)
         return bent_strip(self._bent_anew(moved), plane=self.frame)
@@ -121,8 +121,9 @@ class _Made(StripBody, cq.Shape):
             made.add(solid, name=free_name(solid.label, made), color=cq.Color(*sheet_color(sheet)))
         return made
 
+    @lists(FixtureSizes, BlockOptions)
     def fixture(self, end: "StripEnd" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
-        """The block that holds an end of the bent strip, in place; `sizes` as in `end_fixture`."""
+        """The block that holds an end of the bent strip, in place."""
         return end_fixture(self, end=end, **sizes)
 
     def moved(self, *args: Any, **options: Any) -> Any:
@@ -231,7 +232,7 @@ class Slider:
     145.0
     >>> round(slider.bent(15).joints["end"].toTuple()[0][0], 6)
     145.0
-    >>> round(rib.slider(angle=30).travel.length, 6)
+    >>> round(rib.slider(angle=30).travel.length, 3)
     30.0
     """
 
@@ -310,6 +311,7 @@ class FixtureSolid(_Jointed, cq.Solid):
 S = TypeVar("S", bound=_Made)
 
 
+@lists(StripOptions, drawn=True)
 def strip_outline(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -320,18 +322,6 @@ def strip_outline(
     """The flat pattern of the strip that bends into a curve, on the xy plane.
 
     The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
-
-    Parameters
-    ----------
-    path : Edge, Wire, Workplane, edges that follow each other, or PlaneCurve
-        The curve that the strip is to take.
-    sheet : Sheet or str
-        The material, or the name of a built-in one.
-    max_width : float
-        The largest width of the free part, mm; or give `min_width`, the least.
-    **options
-        All other fields of `StripSpec`: min_width, style, limits, keep, gravity, loads, supports,
-        natural_curvature, samples, ends, slots, label; and of a `PlaneCurve` its `frame` in space.
 
     Raises
     ------
@@ -350,6 +340,7 @@ def strip_outline(
     return dress(StripFace(made.face), {}, made)
 
 
+@lists(StripOptions, drawn=True)
 def flat_strip(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -357,11 +348,12 @@ def flat_strip(
     max_width: float | None = None,
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
-    """The strip as cut, from z = 0 upward; parameters, errors and axes as in `strip_outline`."""
+    """The strip as cut, from z = 0 upward; errors and axes as in `strip_outline`."""
     made = make_strip_of(path, sheet, max_width=max_width, **options)
     return make_body(FlatSolid.layers(made.strip), made)
 
 
+@lists(StripOptions, drawn=True)
 def bent_strip(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -371,12 +363,13 @@ def bent_strip(
 ) -> StripSolid | StripCompound:
     """The strip bent, standing on the drawn curve with half its thickness to either side.
 
-    Parameters and errors as in `strip_outline`.
+    Errors as in `strip_outline`.
     """
     made = make_strip_of(path, sheet, max_width=max_width, **options)
     return make_body(BentSolid.layers(made.strip, made.frame), made)
 
 
+@lists(FixtureSizes, BlockOptions, StripOptions, drawn=True)
 def end_fixture(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -390,13 +383,7 @@ def end_fixture(
 
     Parameters
     ----------
-    path, sheet, max_width, **options
-        As in `strip_outline`.
     end : "start" or "end"
-    floor : Plane, optional
-        What the block stands on; without it on a plane square to the tab.
-    clearance, wall, foot, foot_height, screw
-        As in `fabrication.EndFixture`, mm.
 
     Raises
     ------

@@ -60,12 +60,12 @@ class FixtureOptions(StripOptions, FixtureSizes, total=False):
 
 
 class BlockOptions(FixtureSizes, total=False):
-    """What the fixture of a strip that is made takes: its sizes, mm, the plane of any library that it stands on,
-    and the text engraved on it; see `fabrication.EndFixture`.
-    """
+    """What the fixture of a strip that is made takes; see `fabrication.EndFixture`."""
 
     floor: Any
+    """Plane of any library that the block stands on; square to the tab unless given."""
     engrave: str | None
+    """Text engraved on the block; the strip's name and the number of the end unless given, empty for none."""
 
 
 def make_strip_on(
