@@ -296,7 +296,7 @@ def test_engraved_blocks_are_valid(document, standing):
     standing[0].EngravedText = "R8"
     document.recompute()
     for block in fixtures.source_model(standing[:1]).fixtures():
-        marked, plain = make_solid(block.solid), make_solid(replace(block, number="").solid)
+        marked, plain = make_solid(block.solid), make_solid(replace(block, engrave="").solid)
         assert marked.isValid()
         assert 0.5 < plain.Volume - marked.Volume < 8
         assert len(marked.Faces) < len(plain.Faces) + 50
