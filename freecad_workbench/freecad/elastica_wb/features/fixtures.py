@@ -22,6 +22,7 @@ from freecad.elastica_wb.solving.strip_cache import growing_cache
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.held_tabs import holder_plays
+from elastica_cad.fabrication.holders.placed_tab import place_tabs
 from elastica_cad.fabrication.model.strip_model import Model
 
 PLAYS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
@@ -47,13 +48,7 @@ class FixturesFeature(Feature):
     def make(self, obj: Any) -> None:
         """Place a block at every end."""
         model = source_model(obj.Sources, shown=True)
-        blocks = model.fixtures(
-            clearance=obj.Clearance.Value,
-            wall=obj.Wall.Value,
-            foot=obj.Foot.Value,
-            foot_height=obj.FootHeight.Value,
-            screw=obj.Screw.Value,
-        )
+        blocks = _blocks(obj, model)
         if not blocks:
             raise InputError("no strip here has a tab to be held: give the strips tabs")
         inner = container(obj).inverse()
@@ -63,6 +58,25 @@ class FixturesFeature(Feature):
             block.Placement = inner * block.Placement
         obj.Shape = Part.Compound(made)
         tell_plays(obj, model, blocks)
+
+
+def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
+    return model.fixtures(
+        clearance=obj.Clearance.Value,
+        wall=obj.Wall.Value,
+        foot=obj.Foot.Value,
+        foot_height=obj.FootHeight.Value,
+        screw=obj.Screw.Value,
+    )
+
+
+def blocks_for(source: Any) -> list[EndFixture]:
+    """The blocks that fixtures of a document hold the ends of a strip or a model by, in their places."""
+    hanging = dict.fromkeys(user for one in (source, *getattr(source, "Strips", ())) for user in one.InList)
+    users = [one for one in hanging if isinstance(getattr(one, "Proxy", None), FixturesFeature)]
+    own = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
+    every = (block for one in users for block in _blocks(one, source_model(one.Sources)))
+    return [block for block in every if block.tab.key in own]
 
 
 @growing_cache

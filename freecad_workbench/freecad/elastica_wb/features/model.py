@@ -5,6 +5,7 @@
 
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future
+from dataclasses import replace
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -232,7 +233,7 @@ def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
         if is_strip(one):
             world = drawn_curve(one.Curve, one).world if one is obj else place
             strip = strip_in(one).mirrored() if is_image else strip_in(one)
-            yield _labelled(strip, one.EngravedText or _called(obj)), world
+            yield _labelled(strip, one.EngravedText or obj.Label, obj.Name), world
         elif is_model(one):
             here = container(one).inverse()
             for placed in model_in(one).placed:
@@ -254,18 +255,15 @@ def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
-def _called(obj: Any) -> str:
-    """What is engraved unless told otherwise: an object's label, or its name where no letter of that can be."""
-    label = engravable(obj.Label)
-    return label if any(map(str.isalnum, label)) else str(obj.Name)
-
-
 @growing_cache
-def _labelled(strip: Strip, label: str) -> Strip:
-    """Models tell their parts apart by label."""
-    from dataclasses import replace
-
-    return strip if strip.label else replace(strip, label=label)
+def _labelled(strip: Strip, label: str, name: str) -> Strip:
+    """Models tell their parts apart by label; where no letter of that can be engraved, the name is."""
+    engrave = None if any(map(str.isalnum, engravable(label))) else name
+    return (
+        strip
+        if (strip.label, strip.engrave) == (label, engrave)
+        else replace(strip, label=label, engrave=engrave)
+    )
 
 
 def _numbers(world: App.Placement) -> tuple[float, ...]:
