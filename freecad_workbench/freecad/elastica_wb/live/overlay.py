@@ -86,7 +86,7 @@ class Overlay:
         self._scene.addChild(self.root)
 
     def show(self, picture: Picture) -> None:
-        """Curvature, inflections and line of a curve."""
+        """Show curvature, inflections and inflection line of a curve."""
         self._set(
             comb=picture.comb,
             strained=picture.strained,
@@ -102,7 +102,7 @@ class Overlay:
         self._write(())
 
     def show_width(self, edges: Sequence[FloatArray]) -> None:
-        """Both edges of the strip; none hides them."""
+        """Show both edges of the strip; an empty sequence hides them."""
         self._set(width=edges)
 
     def show_nearest(self, points: FloatArray | None) -> None:
@@ -114,7 +114,7 @@ class Overlay:
         return {name: part.count for name, part in self._parts.items()}
 
     def remove(self) -> None:
-        """Take everything off the view."""
+        """Remove everything from the view."""
         self._scene.removeChild(self.root)
 
     def _set(self, **pieces: Sequence[FloatArray]) -> None:

@@ -173,7 +173,7 @@ def _legend(shown: Mapping[str, int]) -> str:
 
 
 def hex_of(color: tuple[float, float, float]) -> str:
-    """A colour as style sheets write it."""
+    """Return a colour as style sheets write it, "#rrggbb"."""
     return "#" + "".join(f"{round(255 * part):02x}" for part in color)
 
 
