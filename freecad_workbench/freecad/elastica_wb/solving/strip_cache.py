@@ -194,10 +194,12 @@ def _keeps_limits(asked: RodSpec) -> bool:
     ):
         return False
     try:
-        exact, again = _found(replace(asked, limits=None, keep=None)), _found(asked)
+        if ratio is not None and _found(replace(asked, limits=None, keep=None)).ratio > ratio:
+            return False
+        again = _found(asked)  # it searches, so it comes last
     except ElasticaError:
         return False
-    return (ratio is None or exact.ratio <= ratio) and again.met and again.deviation <= AS_DRAWN_MM
+    return bool(again.met and again.deviation <= AS_DRAWN_MM)
 
 
 def judged(rod: Rod) -> Stability | None:
