@@ -2,8 +2,10 @@
 
 import importlib.util
 import re
+import subprocess
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -32,9 +34,29 @@ def test_freecadcmd(tmp_path):
     assert "Traceback" in found["mistake"]
 
 
+def test_the_addon_that_users_install(tmp_path):
+    """`make addon`, alone in an empty profile: menu in German, panels, icons, a strip."""
+    subprocess.run(["make", "addon", f"OUT={tmp_path}"], cwd=launching.ROOT, capture_output=True, check=True)
+    addon, home = tmp_path / "addon/Elastica", tmp_path / "home"
+    assert {path.name for path in addon.iterdir()} == {"LICENSE", "package.xml", "freecad"}
+    assert [path.name for path in (addon / "freecad").iterdir()] == ["elastica_wb"]
+    assert sum(path.stat().st_size for path in addon.rglob("*")) < 5e6
+    for named in ElementTree.parse(addon / "package.xml").iter(
+        "{https://wiki.freecad.org/Package_Metadata}icon"
+    ):
+        assert (addon / named.text).is_file()
+    home.mkdir()
+    found = launching.run_window("installed.py", home, language="German", addon=addon)
+    assert {Path(place).is_relative_to(home) for place in found["places"]} == {True}
+    assert found["menu"] == "Streifen aus Skizze"
+    assert found["icon"]
+    assert found["boxes"]
+    assert found["volume"] > 1000
+
+
 def test_without_the_workbench(tmp_path):
     file = Path(__file__).parent / "data" / "strip-0.1.FCStd"
-    found = launching.run_console("bare.py", tmp_path, addon=False, ELASTICA_TEST_FILE=str(file))
+    found = launching.run_console("bare.py", tmp_path, addon=None, ELASTICA_TEST_FILE=str(file))
     assert found["workbench"] is False
     assert found["volumes"]["Strip"] == pytest.approx(3659.1, rel=1e-3)
     assert found["volumes"]["Flat"] == pytest.approx(3659.1, rel=1e-3)
