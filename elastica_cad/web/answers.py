@@ -40,8 +40,7 @@ from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 from elastica_cad.refusals import note
 from elastica_cad.web.saved_design import OF_MODELS, curve_table, open_design
 
@@ -153,11 +152,9 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 def _strip(request: Mapping[str, Any]) -> Record:
     """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
     spec = _spec(request)
-    check = check_equilibrium(spec.run_ins.bent, spec.supports, spec.natural_curvature)
+    check = spec.rod_spec.check
     told: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
-        if not (check.realizable or spec.may_change):
-            raise NotRealizable(check)
         found = spec.rod_spec.solve()
         made = spec.make(found)
     except ElasticaError as problem:

@@ -7,7 +7,7 @@ from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.records import described
 from elastica_cad.formats.design_files.strip_table import SharedKeys
-from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
+from elastica_cad.mechanics.material.sheet import sheets_by_kind
 from elastica_cad.web.answers import DOWNLOADS
 
 
@@ -18,6 +18,8 @@ def page_words() -> dict[str, Any]:
     return {
         "fields": described(SharedKeys),
         "pair_fields": [one for one in described(FlexureSpec) if one["name"] not in ("first", "second")],
-        "sheets": [{"name": one.name, "thickness": one.thickness} for one in map(Sheet.named, sheet_names())],
+        "sheets": [
+            [kind, [[one.name, one.full_name] for one in sheets]] for kind, sheets in sheets_by_kind().items()
+        ],
         "downloads": [kind for kind in DOWNLOADS if kind not in without],
     }

@@ -36,6 +36,15 @@ def test_a_curve_that_cannot_be_bent_is_shown_with_its_faults():
     assert len(told["drawn"]) > 100
 
 
+def test_a_strip_that_feels_its_weight_needs_no_line():
+    told = asked("strip")
+    heavy = answer({"do": "strip", "design": design(gravity=True)})
+    assert told["theorem"]["line"] is not None
+    assert "refused" not in heavy
+    assert heavy["theorem"]["line"] is None
+    assert heavy["theorem"]["at"] == told["theorem"]["at"]
+
+
 def test_straight_ends_are_tabs_on_the_page_too():
     first, last = [(x, 0) for x in (0, 20, 40, 60, 160)], [(x, 150) for x in (200, 300, 320, 340, 360)]
     knots = [*[0] * 4, *[1] * 3, *[3] * 3, *[4] * 4]

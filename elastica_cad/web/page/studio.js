@@ -9,7 +9,7 @@ import { COLORS, STEPS } from "./colors.js";
 import { LANGUAGES, speaker } from "./words.js";
 
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
-const HOLDERS = { rings: "Rings", base: "Base plate", fixtures: "Printed blocks", stand: "Whatever fits" };
+const HOLDERS = ["rings", "base", "fixtures", "stand"];
 const STATES = ["first", "second"]; // of a part that rests in two curves
 const SNAPS = [0, 1, 5, 10];
 const SPACE_MS = 30, SLOW_SPACE_MS = 300; // between two pictures of the bent strip while it is dragged
@@ -122,7 +122,7 @@ class Studio {
     this.space = new Space(space, t);
     this.formFor(this.design);
     this.model3d = new Form(this.copies, COPIES, {
-      t, sheets: [], get: ([key]) => COPY[key].get(this.design), set: ([key], value) => this.history.change((design) => COPY[key].set(design, value)),
+      t, sheets: this.hello.sheets, get: ([key]) => COPY[key].get(this.design), set: ([key], value) => this.history.change((design) => COPY[key].set(design, value)),
     });
     this.draws(!this.points().length);
     this.changed();
@@ -134,7 +134,7 @@ class Studio {
     const pair = this.formOf = Boolean(design.pair), table = (one, key) => (pair ? one.pair : tableOf(one, this.strip, key));
     this.copies.hidden = pair;
     this.form = new Form(this.fields, pair ? this.hello.pair_fields : this.hello.fields, {
-      t: this.t, sheets: this.hello.sheets.map((sheet) => sheet.name),
+      t: this.t, sheets: this.hello.sheets,
       get: (path) => reach(table(this.design, path[0]) ?? {}, path),
       set: (path, value) => this.history.change((one) => put(table(one, path[0]), path, value)),
     });
@@ -357,7 +357,7 @@ class Studio {
       this.drawing.show({ ghost: null });
       this.tell("");
     };
-    this.tell(`${t("The nearest curve is")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
+    this.tell(`${t("The nearest curve is off by")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
       html("button", { type: "button", class: "take", onclick: () => {
         this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
         done();
@@ -368,11 +368,12 @@ class Studio {
   async sheets() {
     const { t } = this, answer = await this.ask({ do: "sheets", design: this.design, strip: this.strip });
     if (!answer) return;
+    const titles = Object.fromEntries(this.hello.sheets.flatMap(([, sheets]) => sheets));
     const rows = answer.sheets.sort((a, b) => b.fits - a.fits).map((row) => html("tr", { class: row.fits ? "fits" : "not" },
       html("td", {}, html("button", { type: "button", onclick: () => {
         this.history.change((design) => { tableOf(design, this.strip, "sheet").sheet = row.name; });
         this.dialog.close();
-      } }, row.name)), html("td", {}, t(row.fits ? "fits" : "does not")),
+      } }, titles[row.name])), html("td", {}, t(row.fits ? "fits" : "does not")),
       html("td", {}, row.used == null ? row.text : `${Math.round(100 * row.used)} % ${t("of what the sheet bears")}, ${row.mass} g`)));
     this.ask1(t("Sheets that can do it"), html("table", {}, html("tbody", {}, ...rows)));
   }
@@ -485,10 +486,10 @@ function put(table, path, value) {
 }
 
 // Copies and what holds them: keys of the whole design, not of a strip.
-const holderOf = (design) => Object.keys(HOLDERS).find((key) => key in design);
+const holderOf = (design) => HOLDERS.find((key) => key in design);
 const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, ...value });
 const COPIES = [
-  copyField("Around the axis x = 0", { kind: "count" }), copyField("Holders", { kind: "choice", choices: Object.keys(HOLDERS) }), copyField("Sheet of the holders", { kind: "text" }),
+  copyField("Around the axis x = 0", { kind: "count" }), copyField("Holders", { kind: "choice", choices: HOLDERS }), copyField("Sheet of the holders", { kind: "choice", sheets: true }),
 ];
 const COPY = {
   "Around the axis x = 0": {
@@ -502,7 +503,7 @@ const COPY = {
     get: holderOf,
     set: (design, holder) => {
       const sheet = design[holderOf(design)]?.sheet ?? "mdf-3";
-      for (const key of Object.keys(HOLDERS)) delete design[key];
+      for (const key of HOLDERS) delete design[key];
       if (holder) design[holder] = holder === "fixtures" ? {} : { sheet };
     },
   },
