@@ -33,7 +33,7 @@ from elastica_cad.forming.rod_spec import accepted_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.kit.kit_contents import count_strips, kit_of
+from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.kit.kit_files import write_kit
 from elastica_cad.kit.pair_kit import PairKit, write_pair
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
@@ -372,8 +372,14 @@ def _model(request: Mapping[str, Any]) -> Record:
             }
             for plate in solids
         ],
-        "text": f"{count_strips(kit.model)}, {listed.count} pieces on {len(kit.nests)} sheets, "
-        f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
+        "text": note(
+            "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g",
+            strips=len(places),
+            pieces=listed.count,
+            sheets=len(kit.nests),
+            cuts=listed.cut_length / 1000,
+            mass=listed.mass,
+        ),
         "warnings": list(dict.fromkeys((*kit.notes, *kit.model.reports))),
     }
 
