@@ -9,6 +9,7 @@ import elastica_cad as ec
 from elastica_cad.cli import main
 from elastica_cad.web.answers import Download, answer, with_point_near, without_point
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
+from elastica_cad.web.vocabulary import page_words
 from tests.studio.conftest import ARCH, design
 
 OFF_LINE = [(0, 0), (60, 80), (120, 100), (200, -60), (260, 50), (330, 0), (360, 50)]
@@ -117,6 +118,13 @@ def test_a_curve_goes_through_a_design_file_exactly(curve, tmp_path):
     path.write_text(compose_design(design() | {"strips": [{"curve": curve_table(curve)}]}))
     table = open_design(path)["strips"][0]["curve"]
     assert table == curve_table(curve)
+
+
+@pytest.mark.parametrize("language", ["de", "zh"])
+@pytest.mark.parametrize("fields", ["fields", "pair_fields"])
+def test_fields_are_explained_in_the_language_of_the_page(language, fields):
+    told = page_words()
+    assert [one["name"] for one in told[fields] if one["help"] not in told["helps"][language]] == []
 
 
 def test_a_dropped_file_brings_its_curves():

@@ -55,7 +55,7 @@ class Studio {
   // ---- what is seen
 
   build(language) {
-    const t = this.t = speaker(language), digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
+    const t = this.t = speaker(language, this.hello.helps), digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
     this.language = language;
     this.number = (value) => digits.format(value);
     const button = (text, onclick, more = {}) => html("button", { type: "button", onclick, ...more }, t(text));
