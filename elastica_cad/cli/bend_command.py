@@ -124,8 +124,10 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     if moved is not None:
         _tell_forces(moved)
     told = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
-    table = None if moved is None else moved.table()
-    answer({"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": table})
+    answered = {"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": None}
+    if moved is not None:
+        answered |= {"travel": moved.table(), "snaps_at": moved.snaps_at, "strained_at": moved.strained_at}
+    answer(answered)
     wrote(_write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]))
 
 
@@ -232,11 +234,12 @@ def _tell_forces(moved: Travel) -> None:
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
         warn(f"Warning: at {moved.travel[k]:.4g} mm of travel, {moved.sideways[k]}")
-    if moved.safety.min() < 1:
-        k = int(np.argmin(moved.safety))
+    if moved.snaps_at is not None:
+        warn(f"Warning: at {moved.snaps_at:.4g} mm of travel it snaps out of its shape")
+    if moved.strained_at is not None:
         warn(
-            f"Warning: at {moved.travel[k]:.4g} mm of travel it is strained beyond what the sheet bears (safety "
-            f"{moved.safety[k]:.2g}): take a thinner sheet, a longer strip or less travel"
+            f"Warning: from {moved.strained_at:.4g} mm of travel on it is strained beyond what the sheet bears "
+            f"(safety {moved.safety.min():.2g}): take a thinner sheet, a longer strip or less travel"
         )
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._shell import MADE_BY, command_of_drawings
 from elastica_cad.cli.asking.options import UNITS, Length, option_name
 from elastica_cad.cli.running.suggestions import TYPED, suggestion_below
 from elastica_cad.cli.running.voice import echo, remake_on_change, voice, warn
@@ -125,6 +126,8 @@ class _Sentences(click.Group):
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
+        before = MADE_BY.set(command_of_drawings(ctx.meta[TYPED]))
+        ctx.call_on_close(lambda: MADE_BY.reset(before))
         try:
             return super().invoke(ctx)
         except ElasticaError as problem:
