@@ -210,15 +210,15 @@ class Travel:
 
     @property
     def place(self) -> Frame:
-        """Where the end is at first, z across the strip: x along the travel; of one that turns, which it does about
-        z, x along the strip."""
+        """The frame of the end at its start, z across the strip: x along the travel; of one that turns, about z, x
+        along the strip."""
         angle = self._rod.angle[-1]
         along = self._way / self.length if self.angle is None else np.array([np.cos(angle), np.sin(angle)])
         x, z = self.frame.direction(along), self.frame.z_axis * (-1.0 if self._turn < 0 else 1.0)
         return Frame(self.frame.point(self._rod.position[-1]), x, np.cross(z, x))
 
     def _ends(self, share: float) -> dict[str, Any]:
-        """Keywords of `bend` for a share of the way."""
+        """Return the keywords of `bend` for a share of the way."""
         if self.angle is None:
             return {"end": self._rod.position[-1] + share * self._way}
         return {"angles": (None, float(self._rod.angle[-1] + share * self._turn))}
@@ -240,7 +240,7 @@ class Travel:
         return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
 
     def rod(self, position: float) -> Rod:
-        """The shape with the end so far along the way, mm or degrees, found from the nearest station."""
+        """Return the shape with the end so far along the way, mm or degrees, found from the nearest station."""
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
@@ -297,8 +297,8 @@ class Travel:
 
 
 def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
-    """The travel of a bent body's end to a point in space, or to two numbers in the body's `frame`, mm; or to an
-    angle in that frame, degrees.
+    """Compute how a bent body follows when its end travels to a point in space, or to two numbers in its `frame`,
+    mm; or turns to an angle in that frame, degrees.
 
     Raises
     ------

@@ -118,7 +118,7 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 class BendOptions(TypedDict, total=False):
-    """Where the ends of a strip are led, as in `mechanics.bend`."""
+    """The ends to which a strip is bent, as in `mechanics.bend`."""
 
     start: "Point | None"
     """Where the start goes: a point in space, or two numbers in the body's `frame` (mm)."""

@@ -371,8 +371,8 @@ FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 
 def travel(moved: Travel) -> Figure:
-    """All shapes of a travel above; below the force along the way, the bending energy, and where the strip snaps or
-    is strained beyond what its sheet bears."""
+    """Draw all shapes of a travel above; below, force along the way and bending energy, and where the strip
+    snaps or is strained beyond what its sheet bears."""
     require_record(moved, Travel, "what is drawn", "a Travel")
     figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)

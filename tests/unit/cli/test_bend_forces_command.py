@@ -94,3 +94,28 @@ def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, grav
     moved = bend_strip(make_strip(curve, "acrylic-2", max_width=40.0, gravity=gravity), [(250.0, 0.0)])
     assert float(row["force_along_N"]) == pytest.approx(moved.force_along[0], rel=1e-4)
     assert float(row["energy_Nmm"]) == pytest.approx(moved.energy[0], rel=1e-4)
+
+
+def test_other_keys_of_the_strip_are_set(tmp_path):
+    (tmp_path / "arch.csv").write_text(ARCH)
+    line = "bend arch.csv --sheet pom-1 --to 300 0 --set max_width=12 --set samples=301 -o out --json"
+    told = json.loads(typed(line, tmp_path).stdout)
+    strip = make_strip(read_curves(tmp_path / "arch.csv")[0], "pom-1", max_width=12.0, samples=301)
+    moved = bend_strip(strip, [(300.0, 0.0)])
+    assert told["travel"]["force_along_N"] == pytest.approx(moved.force_along.tolist(), rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ("--set samples=301", "name one, and its --sheet"),
+        ("--sheet pom-1 --max-width 10 --set max_width=12", "--max-width and --set max_width say the same"),
+        ("--sheet pom-1 --set max_widht=12", "did you mean max_width?"),
+        ("--sheet pom-1 --ratio 3", "--ratio is given by --set limits.ratio=VALUE now"),
+    ],
+)
+def test_settings_are_refused_in_a_sentence(words, says, tmp_path):
+    (tmp_path / "arch.csv").write_text(ARCH)
+    made = typed(f"bend arch.csv --to 300 0 {words}", tmp_path)
+    assert made.exit_code == 2
+    assert says in made.stderr
