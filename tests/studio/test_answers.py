@@ -15,7 +15,7 @@ from elastica_cad.web.answers import Download, answer, with_point_near, without_
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
 from elastica_cad.web.vocabulary import page_words
 from elastica_cad.web.worker import reply
-from tests.studio.conftest import ARCH, design
+from tests.studio.conftest import ARCH, design, without_command
 
 OFF_LINE = [(0, 0), (60, 80), (120, 100), (200, -60), (260, 50), (330, 0), (360, 50)]
 LAMP = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
@@ -178,7 +178,7 @@ def test_the_cutting_file_is_that_of_the_command_line(tmp_path, capsys):
     for kind in ("dxf", "svg"):
         given = asked("file", kind=kind)
         assert isinstance(given, Download)
-        assert given.content == (tmp_path / "out" / given.name).read_bytes()
+        assert given.content == without_command((tmp_path / "out" / given.name).read_bytes())
     assert len(ezdxf.readfile(tmp_path / "out" / "arch.dxf").modelspace()) > 0
 
 
@@ -217,7 +217,7 @@ def test_two_curves_become_one_part(tmp_path):
     given = answer({"do": "file", "kind": "dxf", "design": pair})
     with pytest.raises(SystemExit, match=r"^0$"):
         main(["pair", str(path), "-o", str(tmp_path / "out"), "-q"])
-    assert given.content == (tmp_path / "out" / "clip.dxf").read_bytes()
+    assert given.content == without_command((tmp_path / "out" / "clip.dxf").read_bytes())
 
 
 @pytest.mark.campaign

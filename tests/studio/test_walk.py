@@ -14,7 +14,7 @@ import pytest
 
 import elastica_cad as ec
 from tests.studio.browser import TIMED, chromium
-from tests.studio.conftest import ARCH, running
+from tests.studio.conftest import ARCH, running, without_command
 
 CURVE = [(0.12, 0.75), (0.2, 0.6), (0.3, 0.25), (0.5, 0.15), (0.7, 0.25), (0.8, 0.6), (0.88, 0.75)]
 """Places on the drawing, in shares of its size."""
@@ -53,7 +53,7 @@ def by_command(design, folder):
     ]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    return (folder / "out" / "strip.dxf").read_bytes()
+    return without_command((folder / "out" / "strip.dxf").read_bytes())
 
 
 def test_from_an_empty_drawing_to_the_cutting_file(server, tmp_path):
