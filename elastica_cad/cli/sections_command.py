@@ -297,7 +297,7 @@ def _verdict(curve: SectionCurve) -> dict[str, Any]:
     try:
         check = check_equilibrium(curve.curve)
         if check.realizable:
-            return told | {"realizable": True, "ratio": optimal_rod(curve.curve).ratio}
+            return told | {"realizable": True, "ratio": optimal_rod(curve.curve, check=check).ratio}
     except (InputError, NotConvergedError) as problem:
         return told | {"problem": f"no strip: {problem}"}
     return told | {"problem": f"cannot be bent as it is: {check.reasons[0]}"}
