@@ -242,9 +242,8 @@ class Slider:
         self.travel = travel_of(rib, end, angle)
 
     def place(self, position: float) -> cq.Location:
-        """Return the place of the end `position` along the way, mm or degrees.
-
-        x points along the way, or along the strip that turns; z across the strip.
+        """Return the place of the end `position` along the way, mm or degrees: x along it, or along the strip that
+        turns; z across the strip.
         """
         if self.travel.angle is None:
             return make_location(self.travel.place) * cq.Location((position, 0, 0))

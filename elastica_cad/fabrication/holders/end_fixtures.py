@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from elastica_cad._counts import and_more
+from elastica_cad._equality import EqualByValue
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_record
 from elastica_cad.declared import Asked
@@ -44,7 +45,7 @@ BEYOND_MM = 1.0
 
 
 @dataclass(frozen=True, eq=False)
-class EndFixture:
+class EndFixture(EqualByValue):
     """A block with a pocket for one tab, and a foot with two screw holes.
 
     Parameters
@@ -235,7 +236,9 @@ class EndFixture:
 
     @cached_property
     def solid(self) -> PrismSolid:
-        """The block, as prisms put together and taken away; its joint "tab" is where the strip ends."""
+        """The block, as prisms put together and taken away, the pocket first; its joint "tab" is where the strip
+        ends.
+        """
         up, along, height = self._up
         core = self._core
         grounded = core - np.outer(core @ up - height, up)
