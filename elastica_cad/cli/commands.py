@@ -172,10 +172,11 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         if known:
             return f"{typed} is now called {typed_new}"
     if context is not None and any(one.name == "settings" for one in context.command.params):
-        from elastica_cad.cli.asking.settings import CommandKeys
+        from elastica_cad.cli.asking.settings import KEYS_OF
         from elastica_cad.formats.design_files.key_paths import near_path, paths_of
 
-        if path := GONE.get(typed) or near_path(name, paths_of(CommandKeys)):
+        keys = paths_of(KEYS_OF[str(context.command.name)])
+        if path := GONE[typed] if GONE.get(typed) in keys else near_path(name, keys):
             example = GONE_VALUES.get(path, "VALUE")
             return f"{typed} is given by --set {path}={example} now: `elastica help {path}` explains it"
     return problem.format_message()

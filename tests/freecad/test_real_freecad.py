@@ -119,7 +119,7 @@ def test_a_drag_and_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     check_drag(found, tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 18
+    assert len(found["known"]) == 19
     ours = {keys for name, keys in found["shortcuts"].items() if name.startswith("Elastica")}
     others = {keys for name, keys in found["shortcuts"].items() if not name.startswith("Elastica")}
     assert len(ours) == 9
@@ -181,6 +181,25 @@ def test_a_drag_and_every_command(tmp_path):
     assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])
     assert "stopped" in found["cancelled"]
     assert found["usable with nothing"] is False
+
+
+@pytest.mark.campaign
+def test_a_model_by_its_names(tmp_path):
+    found = launching.run_window("named.py", tmp_path)
+    first, second = "Träger strip", "Left rib strip"
+    named = {"Strip": first, "Strip001": second, "Flat": f"{first} flat", "Flat001": f"{second} flat"}
+    assert found["labels"] == found["undone"] == named
+    assert found["renamed"] == named | {"Strip001": "Right rib strip", "Flat001": "Right rib strip flat"}
+    assert found["told together"].startswith(f"{first}: A flat strip takes this curve.\n{second}: ")
+    assert found["edited"] == [[14, 14], [17, 17], [10, 10], [15, 15]], "of both, and Cancel takes back both"
+    refused, sentence, made, moved = found["held"]
+    assert refused == 0, "no block is made before the plate is refused"
+    assert "no tab" in sentence
+    assert moved - made == made / 2, "the blocks of one strip of two"
+    names, files = found["exported"]
+    assert names == ["Lamp", first, "Right rib strip", *(f"fixture {one}:{end}"
+                     for one in (first, "Right rib strip") for end in (1, 2))]  # fmt: skip
+    assert "Träger-strip_birch-plywood-0.8_0.8mm_x1.dxf" in files
 
 
 @pytest.mark.campaign

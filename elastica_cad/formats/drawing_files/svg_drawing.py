@@ -22,7 +22,7 @@ _LETTERS = {2: "Q", 3: "C"}
 
 
 def path_data(path: Path, origin: FloatArray) -> str:
-    """The d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
+    """Return the d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
 
     Parameters
     ----------

@@ -16,6 +16,7 @@ from freecad.elastica_wb.commands.curve_commands import (
 from freecad.elastica_wb.commands.model_commands import FixturesCommand, InterlockCommand, NestCommand
 from freecad.elastica_wb.commands.strip_commands import (
     BendCommand,
+    EditCommand,
     LaminateCommand,
     PerforateCommand,
     StripCommand,
@@ -28,7 +29,14 @@ __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
 DRAW = (BetweenCommand(), CheckCommand(), NearestCommand(), ProjectiveCommand(), SectionCommand())
-STRIPS = (StripCommand(), PerforateCommand(), LaminateCommand(), BendCommand(), ToleranceCommand())
+STRIPS = (
+    StripCommand(),
+    EditCommand(),
+    PerforateCommand(),
+    LaminateCommand(),
+    BendCommand(),
+    ToleranceCommand(),
+)
 MODELS = (InterlockCommand(), FixturesCommand(), NestCommand(), ExportCommand())
 WORKSHOP = (SheetsCommand(), CouponCommand())
 
@@ -47,7 +55,7 @@ MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"]]
 
 
 def register() -> None:
-    """Make FreeCAD know the commands."""
+    """Register all commands with FreeCAD."""
     import FreeCADGui as Gui
 
     known = set(Gui.listCommands())
@@ -57,7 +65,7 @@ def register() -> None:
 
 
 def context_menu() -> list[str]:
-    """What can be done with what is selected: the commands that need it and can be used."""
+    """Return the commands for the context menu: those that need the selection and can be used on it."""
     import FreeCADGui as Gui
 
     if not Gui.Selection.getSelection():
