@@ -32,18 +32,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Added to the width of every slot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slots as the angle asks for, or as in the paper</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Inner ends of the slots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Later strips are pushed on from here; zero leaves it open</source>
         <translation type="unfinished"></translation>
     </message>
@@ -304,43 +292,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Room beside a tab on either side</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Added to the width of the slots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Least distance of slots from the edge</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The outline around all slots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A model, or strips, whose ends are held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Room around the tab</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Least thickness around the pocket</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Height of the foot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Diameter of the screw holes in the foot; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1252,6 +1204,10 @@
     </message>
     <message>
         <source>hull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ring</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

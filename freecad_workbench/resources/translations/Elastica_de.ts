@@ -28,18 +28,6 @@
         <translation>Schlitze, wo Streifen sich kreuzen</translation>
     </message>
     <message>
-        <source>Added to the width of every slot</source>
-        <translation>Zuschlag zur Breite jedes Schlitzes</translation>
-    </message>
-    <message>
-        <source>Slots as the angle asks for, or as in the paper</source>
-        <translation>Schlitze, wie der Winkel sie verlangt, oder wie im Artikel</translation>
-    </message>
-    <message>
-        <source>Inner ends of the slots</source>
-        <translation>Innere Enden der Schlitze</translation>
-    </message>
-    <message>
         <source>Later strips are pushed on from here; zero leaves it open</source>
         <translation>Spätere Streifen werden von hier aufgeschoben; null lässt es offen</translation>
     </message>
@@ -300,44 +288,8 @@
         <translation>Die Zahlen der Platte</translation>
     </message>
     <message>
-        <source>Room beside a tab on either side</source>
-        <translation>Luft neben einer Lasche auf jeder Seite</translation>
-    </message>
-    <message>
-        <source>Added to the width of the slots</source>
-        <translation>Zuschlag zur Breite der Schlitze</translation>
-    </message>
-    <message>
-        <source>Least distance of slots from the edge</source>
-        <translation>Kleinster Abstand der Schlitze vom Rand</translation>
-    </message>
-    <message>
-        <source>The outline around all slots</source>
-        <translation>Der Umriss um alle Schlitze</translation>
-    </message>
-    <message>
         <source>A model, or strips, whose ends are held</source>
         <translation>Ein Modell oder Streifen, deren Enden gehalten werden</translation>
-    </message>
-    <message>
-        <source>Room around the tab</source>
-        <translation>Spiel um die Lasche</translation>
-    </message>
-    <message>
-        <source>Least thickness around the pocket</source>
-        <translation>Kleinste Wandstärke um die Tasche</translation>
-    </message>
-    <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation>Wie weit der Fuß auf jeder Seite vorsteht; 0 für keinen</translation>
-    </message>
-    <message>
-        <source>Height of the foot</source>
-        <translation>Höhe des Fußes</translation>
-    </message>
-    <message>
-        <source>Diameter of the screw holes in the foot; 0 for none</source>
-        <translation>Durchmesser der Schraubenlöcher im Fuß; 0 für keine</translation>
     </message>
     <message>
         <source>Strips, models and base plates to be cut</source>
@@ -1249,6 +1201,10 @@
     <message>
         <source>hull</source>
         <translation>Hülle</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>Ring</translation>
     </message>
     <message>
         <source>rectangle</source>

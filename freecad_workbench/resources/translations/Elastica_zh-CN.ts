@@ -28,18 +28,6 @@
         <translation>在条带相交处开槽</translation>
     </message>
     <message>
-        <source>Added to the width of every slot</source>
-        <translation>加到每个槽宽上的余量</translation>
-    </message>
-    <message>
-        <source>Slots as the angle asks for, or as in the paper</source>
-        <translation>槽按夹角确定，或按论文确定</translation>
-    </message>
-    <message>
-        <source>Inner ends of the slots</source>
-        <translation>槽的内端</translation>
-    </message>
-    <message>
         <source>Later strips are pushed on from here; zero leaves it open</source>
         <translation>后装的条从此方向推入；零表示不限定</translation>
     </message>
@@ -300,44 +288,8 @@
         <translation>板材数据</translation>
     </message>
     <message>
-        <source>Room beside a tab on either side</source>
-        <translation>端片两侧的间隙</translation>
-    </message>
-    <message>
-        <source>Added to the width of the slots</source>
-        <translation>加到槽宽上的余量</translation>
-    </message>
-    <message>
-        <source>Least distance of slots from the edge</source>
-        <translation>槽到边缘的最小距离</translation>
-    </message>
-    <message>
-        <source>The outline around all slots</source>
-        <translation>围绕所有槽的外廓</translation>
-    </message>
-    <message>
         <source>A model, or strips, whose ends are held</source>
         <translation>端部被固定的模型或条</translation>
-    </message>
-    <message>
-        <source>Room around the tab</source>
-        <translation>耳片周围间隙</translation>
-    </message>
-    <message>
-        <source>Least thickness around the pocket</source>
-        <translation>槽腔周围的最小厚度</translation>
-    </message>
-    <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation>底脚两侧伸出的长度；0 表示无</translation>
-    </message>
-    <message>
-        <source>Height of the foot</source>
-        <translation>底脚高度</translation>
-    </message>
-    <message>
-        <source>Diameter of the screw holes in the foot; 0 for none</source>
-        <translation>底脚螺钉孔直径；0 表示无</translation>
     </message>
     <message>
         <source>Strips, models and base plates to be cut</source>
@@ -1249,6 +1201,10 @@
     <message>
         <source>hull</source>
         <translation>凸包</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>圆环</translation>
     </message>
     <message>
         <source>rectangle</source>
