@@ -903,10 +903,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>inflections on their line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>can</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1240,6 +1236,30 @@
     </message>
     <message>
         <source>Sideways margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inflection on the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inflection off it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than the sheet bears</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line must not meet the curve here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fold or unfold the card</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1835,10 +1855,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep as my sheet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Remove my sheet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1876,10 +1892,6 @@
     </message>
     <message>
         <source>Where the numbers come from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Adds these numbers to your library under the name above</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2120,6 +2132,17 @@
     </message>
     <message>
         <source>Flat strips that bend into drawn curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Example</name>
+    <message>
+        <source>Open an example</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -899,10 +899,6 @@
         <translation>der Streifen flach gelegt</translation>
     </message>
     <message>
-        <source>inflections on their line</source>
-        <translation>Wendepunkte auf ihrer Linie</translation>
-    </message>
-    <message>
         <source>can</source>
         <translation>geht</translation>
     </message>
@@ -1237,6 +1233,30 @@
     <message>
         <source>Sideways margin</source>
         <translation>Reserve seitlich</translation>
+    </message>
+    <message>
+        <source>inflection on the line</source>
+        <translation>Wendepunkt auf der Linie</translation>
+    </message>
+    <message>
+        <source>inflection off it</source>
+        <translation>Wendepunkt daneben</translation>
+    </message>
+    <message>
+        <source>nearest curve</source>
+        <translation>nächste Kurve</translation>
+    </message>
+    <message>
+        <source>more than the sheet bears</source>
+        <translation>mehr, als die Platte verträgt</translation>
+    </message>
+    <message>
+        <source>the line must not meet the curve here</source>
+        <translation>hier darf die Linie die Kurve nicht treffen</translation>
+    </message>
+    <message>
+        <source>Fold or unfold the card</source>
+        <translation>Die Karte ein- oder ausklappen</translation>
     </message>
 </context>
 <context>
@@ -1831,10 +1851,6 @@
         <translation>Quelle</translation>
     </message>
     <message>
-        <source>Keep as my sheet</source>
-        <translation>Als meine Platte behalten</translation>
-    </message>
-    <message>
         <source>Remove my sheet</source>
         <translation>Meine Platte entfernen</translation>
     </message>
@@ -1873,10 +1889,6 @@
     <message>
         <source>Where the numbers come from</source>
         <translation>Woher die Zahlen stammen</translation>
-    </message>
-    <message>
-        <source>Adds these numbers to your library under the name above</source>
-        <translation>Nimmt diese Zahlen unter obigem Namen in Ihre Bibliothek auf</translation>
     </message>
     <message>
         <source>Takes this sheet out of your library</source>
@@ -2117,6 +2129,17 @@
     <message>
         <source>Flat strips that bend into drawn curves</source>
         <translation>Flache Streifen, die sich in gezeichnete Kurven biegen</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Example</name>
+    <message>
+        <source>Open an example</source>
+        <translation>Ein Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
+        <translation>Einen gezeichneten Bogen mit Streifen und flachem Teil öffnen; Pole ziehen, die Platte ändern</translation>
     </message>
 </context>
 </TS>

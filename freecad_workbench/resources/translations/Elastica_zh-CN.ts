@@ -899,10 +899,6 @@
         <translation>展平的条</translation>
     </message>
     <message>
-        <source>inflections on their line</source>
-        <translation>在线上的拐点</translation>
-    </message>
-    <message>
         <source>can</source>
         <translation>可以</translation>
     </message>
@@ -1237,6 +1233,30 @@
     <message>
         <source>Sideways margin</source>
         <translation>侧向裕度</translation>
+    </message>
+    <message>
+        <source>inflection on the line</source>
+        <translation>拐点在直线上</translation>
+    </message>
+    <message>
+        <source>inflection off it</source>
+        <translation>拐点偏离直线</translation>
+    </message>
+    <message>
+        <source>nearest curve</source>
+        <translation>最近的曲线</translation>
+    </message>
+    <message>
+        <source>more than the sheet bears</source>
+        <translation>超过板材承受能力</translation>
+    </message>
+    <message>
+        <source>the line must not meet the curve here</source>
+        <translation>直线不得在此与曲线相交</translation>
+    </message>
+    <message>
+        <source>Fold or unfold the card</source>
+        <translation>折叠或展开卡片</translation>
     </message>
 </context>
 <context>
@@ -1831,10 +1851,6 @@
         <translation>来源</translation>
     </message>
     <message>
-        <source>Keep as my sheet</source>
-        <translation>存为我的板材</translation>
-    </message>
-    <message>
         <source>Remove my sheet</source>
         <translation>删除我的板材</translation>
     </message>
@@ -1873,10 +1889,6 @@
     <message>
         <source>Where the numbers come from</source>
         <translation>数据来源</translation>
-    </message>
-    <message>
-        <source>Adds these numbers to your library under the name above</source>
-        <translation>以上述名称把这些数据加入库</translation>
     </message>
     <message>
         <source>Takes this sheet out of your library</source>
@@ -2117,6 +2129,17 @@
     <message>
         <source>Flat strips that bend into drawn curves</source>
         <translation>弯成所绘曲线的平条</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Example</name>
+    <message>
+        <source>Open an example</source>
+        <translation>打开示例</translation>
+    </message>
+    <message>
+        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
+        <translation>打开一个已绘制的拱形及其条带和平面件；可拖动控制点、更换板材</translation>
     </message>
 </context>
 </TS>

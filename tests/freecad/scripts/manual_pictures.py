@@ -233,6 +233,10 @@ def work():
     barrel.Shape = face.toShape()
     App.ActiveDocument.recompute()
     by_panel("Elastica_Section", barrel, Family="parallel", Count=5)
+    assert trigger("Elastica_Example")
+    assert until(lambda: App.ActiveDocument.getObject("Flat") is not None)
+    look("example")
+    close()
     answers["done"] = True
 
 
