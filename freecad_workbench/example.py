@@ -18,7 +18,7 @@ LEFT = [(0, 0), (40, 5), (80, 40), (125, 160), (SPAN / 2, 175)]
 
 
 def draw() -> None:
-    """The same arch as in examples/arch, standing upright."""
+    """Draw the arch of examples/arch, standing upright."""
     document = App.newDocument("Arch")
     sketch = document.addObject("Sketcher::SketchObject", "Curve")
     sketch.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(1, 0, 0), 90))
@@ -33,7 +33,7 @@ def draw() -> None:
 
 
 def look() -> None:
-    """The view from the front, and the toolbar of the workbench."""
+    """Show the view from the front, and the toolbar of the workbench."""
     Gui.activateWorkbench("ElasticaWorkbench")
     view = Gui.ActiveDocument.ActiveView
     view.viewIsometric()

@@ -234,7 +234,7 @@ class Slider:
         self.travel = travel_of(rib, end)
 
     def place(self, position: float) -> cq.Location:
-        """Where the end is `position` mm along the way: x along it, z across the strip."""
+        """Return the place of the end `position` mm along the way: x along it, z across the strip."""
         return make_location(self.travel.place) * cq.Location((position, 0, 0))
 
     def bent(self, position: float) -> "StripSolid | StripCompound":

@@ -209,7 +209,7 @@ class Batten:
 
     @property
     def strip_spec(self) -> StripSpec:
-        """The same as a request for a strip: this curve between hinges, its stiffness made of the stock."""
+        """The batten as a request for a strip: its curve between hinges, its stiffness made of the stock."""
         stock = self.spec.stock
         return StripSpec(
             self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
@@ -227,7 +227,10 @@ class Batten:
         return camber_of(self.strip.rod)
 
     def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
-        """The same under its own weight, lying with its chord level, the ends pressed as near as before."""
+        """Return depth and place of the camber under the batten's own weight, as `camber_of` does.
+
+        The batten lies with its chord level, and its ends are pressed as near as before.
+        """
         rod, size = self.strip.rod, self.strip.layout.size
         assert size is not None
         side = float(np.sign(rod.position[rod.s.size // 2, 1] - rod.position[0, 1]))
@@ -242,7 +245,7 @@ class Batten:
 
     @property
     def end_force(self) -> float:
-        """With which the ends are pressed together, N."""
+        """Force by which the ends are pressed together, N."""
         return float(np.hypot(*self.strip.reactions().start_force))
 
     def of_leaves(self, leaves: int) -> LeafedRod:
@@ -262,7 +265,7 @@ class Batten:
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 
     def strip_of(self, leafed: LeafedRod) -> Strip:
-        """The strip of such leaves."""
+        """Return the strip that these leaves make."""
         spec = self.spec
         return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
 

@@ -329,7 +329,7 @@ class StripSpec(EqualByValue):
 
     @property
     def in_plane(self) -> "StripSpec":
-        """The same strip asked for in the plane of its curve alone, wherever that lies: without a frame."""
+        """The same request in the plane of the curve alone, without its frame in space."""
         return self if self.frame is None else self._without_frame
 
     @cached_property

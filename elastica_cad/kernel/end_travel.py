@@ -72,7 +72,7 @@ class SkinMesh:
 
 
 def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
-    """The skins of the sheets of a strip, the base first."""
+    """Return a mesh of the skin of each sheet of a strip, the base first."""
     radius = strip.rod.length / TURN_RAD
     circle = optimal_rod(PlaneCurve.arc((0.0, 0.0), radius, 0.0, TURN_RAD))
     half = centred_thickness(strip) / 2
@@ -190,7 +190,7 @@ class Travel:
 
     @property
     def place(self) -> Frame:
-        """Where the end is at first: x along the travel, z across the strip."""
+        """The frame of the end at its start: x along the travel, z across the strip."""
         x = self.frame.direction(self._way / self.length)
         at = self.frame.point(self._rod.position[-1])
         return Frame(at, x, np.cross(self.frame.z_axis, x))
@@ -201,7 +201,9 @@ class Travel:
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
-        """The shapes at even places of the way, both its ends among them, each found from the one before."""
+        """Return `frames` shapes at even places of the way, both its ends among them, each found from the one
+        before.
+        """
         if not isinstance(frames, int) or frames < 2:
             raise InputError(
                 "a travel of {frames} frames shows no motion: give a whole number, 2 or more", frames=frames
@@ -210,7 +212,7 @@ class Travel:
         return (self._rod, *bend_path(self.strip.rod_to_bend, self._rod.position[-1] + shares * self._way))
 
     def rod(self, position: float) -> Rod:
-        """The shape with the end `position` mm along the way, found from the nearest station."""
+        """Return the shape with the end `position` mm along the way, found from the nearest station."""
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
@@ -267,7 +269,8 @@ class Travel:
 
 
 def travel_of(rib: StripBody, end: Point) -> Travel:
-    """The travel of a bent body's end to a point in space, or to two numbers in the body's `frame`, mm.
+    """Compute how a bent body follows when its end travels to a point in space, or to two numbers in its `frame`,
+    mm.
 
     Raises
     ------

@@ -55,7 +55,7 @@ NO_CURVES = {
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):
-    """The sizes of an end fixture too, mm; see `fabrication.EndFixture`."""
+    """The options of a strip, with the sizes of an end fixture, mm; see `fabrication.EndFixture`."""
 
 
 class BlockOptions(FixtureSizes, total=False):
@@ -198,7 +198,7 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
 def section_requests(
     body: Any, planes: Any, options: StripOptions, *, half: bool = False
 ) -> "list[tuple[PlaneCurve, StripOptions]]":
-    """The curves of `_curves_on_body`, each with its strip's options: their plane, and a label with a number."""
+    """Cut a body by planes; return each curve with the options of its strip: its plane, a numbered label."""
     called = options.get("label") or "strip"
     return [
         (one.curve, {**options, "plane": one.frame, "label": f"{called}-{number}"})

@@ -37,7 +37,7 @@ Writer: TypeAlias = Callable[[Path], object]
 
 @dataclass(frozen=True, eq=False)
 class Kit:
-    """Everything that a model becomes."""
+    """All files of a model, computed but not yet written."""
 
     model: Model
     spec: KitSpec
@@ -61,7 +61,7 @@ class Kit:
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """All numbers, without the files."""
+        """The report as plain data for JSON, without the list of files."""
         told = report_model(
             self.model,
             cut_list=self.cut_list,
@@ -76,7 +76,7 @@ class Kit:
 def kit_of(
     model: Model, spec: KitSpec | None = None, *, entries: Sequence[StripEntry] = (), effects: bool = False
 ) -> Kit:
-    """Pieces, sheets, base and fixtures of a model.
+    """Compute the pieces, nested sheets, base and fixtures of a model.
 
     Parameters
     ----------
@@ -193,8 +193,8 @@ def _bent_blanks(model: Model) -> list[str]:
         alike.setdefault(tell_blank(part.strip), []).append(part.name)
     alike.pop("", None)
     return [
-        f"{first}{f' (and {len(more)} more)' if more else ''}: {words}"
-        for words, (first, *more) in alike.items()
+        note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
+        for words, names in alike.items()
     ]
 
 
@@ -216,11 +216,13 @@ def _tell_unheld(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> li
         return []
     names = distinct_names(model.placed)
     (first, ends), *_ = unheld.items()
-    which = " and ".join(f"end {1 + ENDS.index(end)}" for end in ends)
     return [
-        f"{names[first]}{and_more([*unheld])}: nothing holds {which}, so it is not told how it rests; add a holder "
-        "(stand, fixtures), or hold it where the order of assembly says"
-    ]
+        note(
+            "{name}{more}: nothing holds end {ends}, so it is not told how it rests; add a holder (stand, "
+            "fixtures), or hold it where the order of assembly says",
+            name=names[first], more=and_more([*unheld]), ends=" & ".join(str(1 + ENDS.index(end)) for end in ends),
+        )
+    ]  # fmt: skip
 
 
 def _held(

@@ -53,7 +53,7 @@ class StripFiles:
 
 @dataclass(frozen=True, eq=False)
 class StripKit:
-    """One strip, what it answers, and the files that tell of it.
+    """One strip with the answer it was made from, and the files that describe it.
 
     Attributes
     ----------
@@ -79,17 +79,17 @@ class StripKit:
 
     @property
     def near(self) -> NearestRod | None:
-        """The nearest rod, where the curve could change."""
+        """The nearest rod, or None where the curve was not allowed to change."""
         return self.found if isinstance(self.found, NearestRod) else None
 
     @cached_property
     def stability(self) -> Stability:
-        """The verdict on its rest shape."""
+        """Whether the rest shape is stable, and by how much."""
         return stability(self.strip.rod)
 
     @cached_property
     def files(self) -> dict[str, str]:
-        """The name of each file by its kind: all that the installed libraries allow."""
+        """The name of each file by its kind, for all kinds that the installed packages can write."""
         # R12 has no header for its unit, so the name says it
         dxf = f"{self.name}-mm.dxf" if self.asked.cutting.version == "R12" else f"{self.name}.dxf"
         names = {"dxf": dxf} | {kind: f"{self.name}.{kind}" for kind in ("svg", "json")}
@@ -125,7 +125,7 @@ class StripKit:
 
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
-        """What is cut of each layer, named as its files."""
+        """The drawing of each layer to be cut, named as its file."""
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 

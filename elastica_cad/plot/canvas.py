@@ -160,7 +160,7 @@ def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: 
 
 
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
-    """A figure `WIDTH_INCHES` wide with axes one above the other.
+    """Make a figure `WIDTH_INCHES` wide with axes one above the other.
 
     The room of texts is reckoned: matplotlib's layouts measure every text first, which takes as long as drawing it.
     """

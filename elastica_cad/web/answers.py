@@ -76,7 +76,7 @@ PRESSED_SHARE = 0.4
 
 @dataclass(frozen=True)
 class Download:
-    """A file for the user."""
+    """A file that the page offers to save."""
 
     name: str
     content: bytes
@@ -132,7 +132,7 @@ def _design(request: Mapping[str, Any]) -> Design:
 
 
 def asked_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
-    """What a design asks of one of its strips.
+    """Return the request for strip number `k` of a design.
 
     Raises
     ------
@@ -440,7 +440,7 @@ def _edit(request: Mapping[str, Any]) -> Record:
 
 
 def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
-    """The same curve with a knot more where it passes a point, and so a control point more.
+    """Return the same curve with one more knot where it passes nearest to a point, and so one more control point.
 
     Examples
     --------
@@ -466,7 +466,7 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
 
 
 def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
-    """The curve with one control point less, and the inner knot beside it."""
+    """Return the curve without control point `k` and without the inner knot beside it."""
     count, degree = len(curve.control_points), curve.degree
     if not isinstance(k, int) or not 0 <= k < count:
         raise InputError("there is no control point {k!r} to take away", k=k)

@@ -12,7 +12,7 @@ from elastica_cad.web.answers import DOWNLOADS
 
 
 def page_words() -> dict[str, Any]:
-    """Fields, sheets and files, ready for JSON."""
+    """Return fields, sheets and kinds of file for the page, as plain data for JSON."""
     without = {"pdf"} if find_spec("matplotlib") is None else set()
     without |= {"step", "stl"} if step_trouble() else set()
     return {

@@ -34,7 +34,7 @@ CHINESE_NAMES = ("最大宽度", "最小宽度", "车间", "忽略限制", "初�
 
 
 def reply(line: bytes) -> tuple[bytes, bytes]:
-    """Kind and content of the answer to one request; every fault becomes a sentence."""
+    """Return kind and content of the answer to one request; every error becomes a sentence."""
     request: Any = None
     try:
         request = json.loads(line)
@@ -104,7 +104,7 @@ def _limit_memory() -> None:
 
 
 def main() -> None:
-    """Answer until the input ends."""
+    """Read requests line by line and answer them until the input ends."""
     _limit_memory()
     out = sys.stdout.buffer
     sys.stdout = sys.stderr  # what a library prints is no answer

@@ -77,7 +77,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def option_name(name: str) -> str:
-    """How the option that sets a parameter is typed."""
+    """Return the option that sets a parameter, as it is typed: `--max-width`."""
     return f"--{name.replace('_', '-')}"
 
 
@@ -114,12 +114,12 @@ def _typed_as(field: Field) -> tuple[Any, str | None]:
 
 
 def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
-    """Those of the parameters that were given."""
+    """Return those of the named parameters that the user gave."""
     return {name: chosen[name] for name in names if chosen[name] is not None}
 
 
 def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
-    """Several options as one decorator; help lists them in this order."""
+    """Return one decorator that adds several options; help lists them in this order."""
 
     def add(function: F) -> F:
         for option in reversed(options):
@@ -157,7 +157,9 @@ output_options = join_options(
 
 
 def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
-    """The material, by name or from a file, and another thickness of it."""
+    """Return a decorator that adds options for the material, by name or from a file, and for another thickness of
+    it.
+    """
 
     return join_options(
         click.option("--sheet", required=required, metavar="NAME|FILE",
@@ -168,7 +170,7 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
 
 
 def asked_sheet(chosen: Mapping[str, Any]) -> "Sheet":
-    """The sheet that `sheet_options` name.
+    """Return the sheet that the options of `sheet_options` select.
 
     Raises
     ------

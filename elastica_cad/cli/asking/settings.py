@@ -24,7 +24,7 @@ GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
 
 @dataclass(frozen=True)
 class CurveKeys:
-    """Which curve of the file, and in which pieces."""
+    """Which curve of the file is taken, and whether it is split into pieces."""
 
     layer: Annotated[str | None, Asked("Only curves on this layer of the drawing.", group="curve")] = None
     split_corners: Annotated[
@@ -56,7 +56,7 @@ _CUTTING = Cutting()
 
 @dataclass(frozen=True)
 class CommandKeys(StripKeys):
-    """What `elastica strip` is asked for: the keys of a strip in a design file, and which files it writes."""
+    """All keys of `elastica strip`: those of a strip in a design file, and which files are written."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
     curve: Annotated[CurveKeys, Asked("Which curve of the file.", group="curve")] = CurveKeys()
@@ -65,7 +65,7 @@ class CommandKeys(StripKeys):
 
 
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
-    """The table that `KEY=VALUE` texts give: values are TOML, a bare word is a text.
+    """Return the table that `KEY=VALUE` texts make: values are TOML, a bare word is a text.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def _value(text: str) -> Any:
 
 
 def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") -> Iterator[str]:
-    """Paths that two tables give different values; true is what any table or list says more exactly."""
+    """Yield paths to which two tables give different values; `true` agrees with any table or list."""
     for key in table.keys() & others.keys():
         mine, theirs = table[key], others[key]
         if isinstance(mine, dict) and isinstance(theirs, dict):
@@ -114,7 +114,7 @@ def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") ->
 
 
 def set_option(record: Record) -> Callable[[F], F]:
-    """`--set KEY=VALUE` for the keys of a record, which shells complete."""
+    """Return a decorator that adds `--set KEY=VALUE` for the keys of a record, which shells complete."""
 
     def complete(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
         from click.shell_completion import CompletionItem
@@ -165,7 +165,7 @@ def _in_words(kind: Kind) -> str:
 
 
 def explained(path: str, option: str) -> str:
-    """What `elastica help KEY` says of a key.
+    """Return the text of `elastica help KEY`.
 
     Raises
     ------
@@ -201,7 +201,7 @@ DEEPEST = 1
 
 
 def listed() -> str:
-    """All keys in their groups, each with what it says: `elastica help`."""
+    """Return the text of `elastica help`: all keys in their groups, each with its help."""
     known = paths_of(CommandKeys)
     lines = []
     for group in GROUPS:

@@ -128,7 +128,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
 
 
 def strokes_of(texts: Sequence[Text]) -> list[tuple[Path, ...]]:
-    """The same of many texts."""
+    """Return the strokes of many texts, as `strokes` does for one."""
     return [tuple(_placed_strokes(text)) for text in texts]
 
 

@@ -472,7 +472,7 @@ class Ring:
 
     @cached_property
     def outline(self) -> Path:
-        """Its rim, in the frame."""
+        """The rim of the ring, in its frame, mm."""
         return Path.circle((0.0, 0.0), self.radii[1])
 
     @cached_property

@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 STEEPEST_RAD = np.radians(80.0)
 """A tab that can turn this far counts as not held."""
 
-STOP_RAD = np.radians(0.01)
+STOP_RAD = np.radians(0.05)
 """Step of the turns that are tried."""
 
 WALL_PLACES = 17
@@ -142,7 +142,7 @@ class TabSeat:
         found[:, 1, 1] = side * (way * into * sin - (left - shift) * cos)
         return found
 
-    @property
+    @cached_property
     def turning(self) -> tuple[float, float]:
         """Angles, rad, by which the tab can turn to the right (negative) and to the left, seen outward."""
         return -self._stop(-1), self._stop(1)

@@ -85,7 +85,7 @@ class Splice:
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
-        """Of each layer one with all its pieces and plates, one above the other."""
+        """One drawing for each layer, with all its pieces and plates, one above the other."""
         drawn = []
         for name, pieces in self.layer_pieces.items():
             placed, y = [], 0.0

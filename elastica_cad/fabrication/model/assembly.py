@@ -98,7 +98,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
 def shape_parts(
     parts: Iterable[AssemblyPart], make: Callable[[AssemblyPart], Shape]
 ) -> Iterator[tuple[AssemblyPart, Shape]]:
-    """Each part with what `make` makes of it, made once for all parts that share their solids."""
+    """Yield each part with the shape that `make` makes of it, made once for all parts that share their solids."""
     made: dict[int, Shape] = {}
     for part in parts:
         if id(part.solids) not in made:

@@ -147,7 +147,7 @@ class FlatShape:
 
     @classmethod
     def of(cls, strip: Strip) -> "FlatShape":
-        """That of a strip."""
+        """Return the flat shape of a strip."""
         rod, size = strip.rod, strip.layout.worked_size
         s = np.linspace(0.0, rod.length, SIZE_STATIONS)
         bent = rod.length * rod.rest_at(s) if np.any(rod.natural_curvature) else None
@@ -333,7 +333,7 @@ def distinct(names: Iterable[str]) -> list[str]:
 
 
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
-    """Each group of equal strips as a piece with its count; each layer of a laminate is one.
+    """Return each group of equal strips as a piece with its count; each layer of a laminate is a piece.
 
     Different parts with the same label get a number behind it, on the part and in its name. With `numbered` ends
     are engraved 1 and 2, as the slots that hold them are.

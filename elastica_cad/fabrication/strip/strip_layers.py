@@ -71,7 +71,7 @@ class Layer:
         return self.low + self.sheet.thickness
 
     def called(self, strip: str) -> str:
-        """Its name in files: that of the strip, and what it is of it."""
+        """Return the layer's name in files: the strip's, and which layer it is."""
         return f"{strip}-{self.name.replace(' ', '-')}" if self.name else strip
 
     @cached_property

@@ -257,7 +257,7 @@ class Strip:
 
     @property
     def mass_told(self) -> str:
-        """Its mass as people say it: grams, from a thousand of them on kilograms."""
+        """The mass in words: in grams, from a thousand of them on in kilograms."""
         return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
 
     @property
@@ -433,7 +433,7 @@ class Strip:
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 
     def whole(self) -> tuple[Layer, ...]:
-        """Its layers without slots."""
+        """Return the layers without slots."""
         return cut_layers(self.layout, self.ends, (), name="strip") if self.slots else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
@@ -485,7 +485,7 @@ class Strip:
 
     @property
     def backing_side(self) -> str:
-        """On which side of the bend the backing of a laminate lies, in a sentence; empty of other strips."""
+        """A sentence on which side of the bend the backing of a laminate lies; empty of other strips."""
         return tell_backing(self._backing_mark)
 
     @property

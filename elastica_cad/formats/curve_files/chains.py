@@ -54,7 +54,15 @@ def join_runs(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE)
 
 
 def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
-    """The chains without circles that lie on straight first or last edges of others, and for each its circles."""
+    """Tell drawn holes, circles whose centre lies on a straight first or last edge of an open chain, from curves.
+
+    Returns
+    -------
+    chains : list of runs
+        All that are no such circle.
+    holes : list of lists of runs
+        The circles on each of these.
+    """
     ended = [
         i
         for i, run in enumerate(chains)
@@ -105,7 +113,8 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Ends of two chains of a layer that were not joined and yet nearly meet: distance, both chains, the place.
+    """Find ends of two chains on one layer that were not joined and yet nearly meet: distance (mm), both chains,
+    the place.
 
     That is within 1 mm and a hundredth of the smaller chain; the nearest first, one for each end.
     """
@@ -222,7 +231,7 @@ def curve_from_run(
     shown: Provenance | None = None,
     holes: Sequence[Run] = (),
 ) -> PlaneCurve:
-    """One curve from edges (in the plane) that follow each other.
+    """Make one curve from edges in the plane that follow each other.
 
     A run of straight pieces only is a polyline: its vertices are fitted. True curves stay exact; of several,
     each keeps its own form, brought to a common degree, and starts where the one before it ends: gaps up to
@@ -274,7 +283,8 @@ def curve_from_run(
 
 
 def curve_from_points(points: FloatArray, *, tolerance: float = FIT_TOLERANCE) -> PlaneCurve:
-    """The curve through measured points (n, 2): a line if in line, else fitted within `tolerance` mm.
+    """Return the curve through measured points (n, 2), mm: a line if they lie in line, else a spline fitted within
+    `tolerance` mm.
 
     Corners stay corners (`PlaneCurve.tangent_breaks` tells them): a turn by more than 50 degrees between two
     straight pieces that are long beside the tolerance was drawn, not measured.

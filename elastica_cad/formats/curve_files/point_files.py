@@ -34,7 +34,7 @@ _DIGITS = 20_000  # numbers whose digits are looked at
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Curves fitted to measured points, one "x, y" a row; blank rows part one curve from the next.
+    """Fit curves to measured points, one "x, y" a row; blank rows part one curve from the next.
 
     Columns are parted by commas, semicolons, tabs or blanks; rows that start with # are remarks, and the
     first row may be a heading. With semicolons, or with tabs, decimals may have commas. A third column is
@@ -65,7 +65,7 @@ def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCu
 
 
 def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
-    """The curve of a control point file: first line "degree count", then `count` lines "x y".
+    """Read a control point file: its first line is "degree count", then come `count` lines "x y".
 
     Its knots are the whole numbers from -degree to count: a uniform spline, not clamped at its ends.
 

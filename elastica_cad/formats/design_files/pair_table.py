@@ -14,7 +14,7 @@ from elastica_cad.formats.file_access.source_file import require_file
 
 
 def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
-    """The part that the table [pair] of a design file asks for.
+    """Read the part that the table [pair] of a design file requests.
 
     Raises
     ------
@@ -26,7 +26,7 @@ def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
 
 
 def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:
-    """The part that tables tell of, as `read_pair` makes it of a file at `path` that holds them.
+    """Make the request of a two-state part from parsed tables, as `read_pair` does from a file at `path`.
 
     Raises
     ------

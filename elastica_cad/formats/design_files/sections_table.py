@@ -25,7 +25,7 @@ Split: TypeAlias = PlaneSplit | PointSplit | CornerSplit
 
 @dataclass(frozen=True)
 class SectionsTable:
-    """The sections of a surface, as a file asks for them."""
+    """The table `sections`: a surface, and how planes cut it into curves."""
 
     mesh: Annotated[str, Asked("Surface beside the design: OBJ, STL, PLY or STEP.")]
     radial: Annotated[RadialCuts | None, Asked("Half planes about an axis.")] = None
@@ -53,7 +53,7 @@ class SectionsTable:
 
     @property
     def spec(self) -> SectionSpec:
-        """Without the surface."""
+        """Return the request for sections, without the surface."""
         splits = self.split if isinstance(self.split, tuple) else (self.split,)
         (cuts,) = self._cuts
         return SectionSpec(cuts, self.half, self.longest, splits, self.tolerance, self.wavelength)
@@ -66,7 +66,7 @@ IN_PLACE = {"radial": "angles", "parallel": "offsets"}
 def read_sections(
     table: Table, reader: Reader, read_surface: SurfaceReader | None
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-    """Curves of the sections that a table asks for, each in the plane of its own, and what is worth knowing.
+    """Return the curves of the sections that a table requests, each with its plane, and sentences worth knowing.
 
     Raises
     ------

@@ -25,7 +25,7 @@ ANGLE_DIGITS = 10
 def compose_section_design(
     name: str, mesh: Mapping[str, Any], sections: SectionSpec, strips: Mapping[str, Any]
 ) -> str:
-    """The text of a design file whose strips follow sections of a surface.
+    """Return the text of a design file whose strips follow sections of a surface.
 
     Parameters
     ----------

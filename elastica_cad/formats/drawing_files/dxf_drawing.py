@@ -46,7 +46,7 @@ def encode_dxf(
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """A drawing as the content of a DXF file in mm; the same drawing gives the same bytes.
+    """Encode a drawing as a DXF file in mm; the same drawing gives the same bytes.
 
     A loop of lines and arcs is one closed polyline (a circle a CIRCLE), a loop that is one spline is one
     closed SPLINE. A loop with splines among others is a chain of LINE, ARC and SPLINE in order, ends meeting,

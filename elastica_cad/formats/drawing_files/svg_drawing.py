@@ -21,7 +21,7 @@ _LETTERS = {2: "Q", 3: "C"}
 
 
 def path_data(path: Path, origin: FloatArray) -> str:
-    """The d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
+    """Return the d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def encode_svg(
     tolerance: float = 0.02,
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """A drawing as the content of an SVG file whose user unit is the mm; same drawing, same bytes.
+    """Encode a drawing as an SVG file whose user unit is the mm; the same drawing gives the same bytes.
 
     One group a layer, in working order, one <path> a loop, y upward on the sheet. Arcs and polynomial splines
     up to degree 3 are exact.

@@ -42,7 +42,7 @@ class SearchSettings(NamedTuple):
     ----------
     steps, unmet_steps : int
         Number of steps in all after which no new start is tried, and the same where no start has met the limits yet
-        or the first has missed the margin. A search that stalled counts as half of the steps that it might take.
+        or the first has missed the margin. A search that stalled counts as all the steps that it might take.
     tensions : tuple of float
         Starts of straight rods under tension, as shares of the tension that alone gives the margin. Taut starts
         are stable, unloaded ones do not buckle.
@@ -82,7 +82,7 @@ class SearchSettings(NamedTuple):
     """
 
     steps: int = 600
-    unmet_steps: int = 160
+    unmet_steps: int = 200
     tensions: tuple[float, float] = (0.6, 0.0)
     follows: float = 0.009
     longer: float = 1.03
@@ -185,11 +185,13 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
     for enough, start in _starts(task, problem):
         best = min(found, key=_rank)
         off = task.off(best.point) / task.target.diagonal
-        spent = sum(SQP.steps // 2 if one.stalled else one.iterations for one in found)
+        spent = sum(SQP.steps if one.stalled else one.iterations for one in found)
         done = best.settled and best.violation <= MET
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         if (spent < most or enough == np.inf) and not (done and off < enough):
-            found.append(minimize(problem, start()))
+            # a largest distance does not tell how far two rods are apart
+            known = [] if measure == "max" else [one for one in found if one.settled and one.violation <= MET]
+            found.append(minimize(problem, start(), known=known))
     best = min(found, key=_rank)
     off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
     return _concluded(measure, Search(task, problem, best, (), steps, off), found)

@@ -60,6 +60,8 @@ class SearchSettings(NamedTuple):
     patience, stalled, far_from_met : int, float, float
         The search ends when `patience` steps leave more than the share `stalled` of the violation, unless the
         violation is below `far_from_met`.
+    alike : float
+        A search ends at a known optimum when it is nearer to it than this share of that optimum's own distance.
     closer : float
         A rejected point is taken all the same if its defect is below this share of the present one.
     sensitive : float
@@ -93,6 +95,7 @@ class SearchSettings(NamedTuple):
     patience: int = 7
     stalled: float = 0.95
     far_from_met: float = 0.02
+    alike: float = 0.1
     closer: float = 0.1
     sensitive: float = 100.0
     clearance: float = 1e-9
@@ -108,7 +111,7 @@ SETTINGS = SearchSettings()
 
 @dataclass(frozen=True, eq=False)
 class Outcome(Generic[Point]):
-    """Where the search ended.
+    """The point at which a search ended.
 
     Attributes
     ----------
@@ -167,9 +170,13 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.l
 
 
 def minimize(
-    program: NonlinearProgram[Point], start: Point, *, steps: int = SETTINGS.steps
+    program: NonlinearProgram[Point],
+    start: Point,
+    *,
+    steps: int = SETTINGS.steps,
+    known: Sequence[Outcome[Point]] = (),
 ) -> Outcome[Point]:
-    """Find a local minimum from a point that need not be closed.
+    """Find a local minimum from a point that need not be closed; of optima that are `known`, that nearby.
 
     Each step solves one quadratic program: a local model of the objective, linearised constraints with penalties,
     and a box of one radius (in scales). The state follows the unknowns (see `follow_step`). The penalties of the
@@ -183,6 +190,9 @@ def minimize(
     walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
     iteration, broken, stalled = 0, [walk.here.violation], False
     while iteration < steps and not walk.settled and walk.radius > SETTINGS.smallest_radius and not stalled:
+        for other in known:
+            if program.apart(walk.here.local.point, other.point) < SETTINGS.alike**2 * other.objective:
+                return replace(other, iterations=iteration)
         iteration += 1
         walk.advance()
         broken.append(walk.here.violation)

@@ -63,16 +63,17 @@ class ArcLength:
         panel = cell // (_PLACES.size - 1)
         low, high = (places[at] - 2.0 * panel for at in (cell, cell + 1))
         x = np.interp(s, reached, places) - 2.0 * panel
-        series, slopes = self.series.T[:, panel], self._slopes.T[:, panel]
+        series, slopes = self.series[panel], self._slopes[panel]
         for _ in range(_NEWTON_STEPS):
-            gap = chebyshev.chebval(x, series, tensor=False) - (s - self.s[panel])
+            polynomials = chebyshev.chebvander(x, _DEGREE + 1)
+            gap = (polynomials * series).sum(axis=1) - (s - self.s[panel])
             low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
             with np.errstate(divide="ignore", invalid="ignore"):
-                newton = x - gap / chebyshev.chebval(x, slopes, tensor=False)
+                newton = x - gap / (polynomials[:, :-1] * slopes).sum(axis=1)
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
             x = following
-            if step < 1e-9:  # the error after it is the square of this: rounding
+            if step < 1e-7:  # the error after it is the square of this
                 break
         t = self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2
         return np.asarray(np.where(s <= 0, self.t[0], np.where(s >= self.s[-1], self.t[-1], t)))

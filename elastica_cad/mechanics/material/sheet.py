@@ -370,7 +370,8 @@ class Sheet:
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
     def with_thickness(self, thickness: float) -> "Sheet":
-        """The same material at another thickness, mm; of plywood the strain limit follows the published radii.
+        """Return the same material at another thickness, mm; of plywood the strain limit follows the published
+        radii.
 
         Examples
         --------
@@ -421,7 +422,7 @@ class Sheet:
 
     @property
     def full_name(self) -> str:
-        """What people call it, "Birch plywood 0.8 mm"; of a user's own sheet its name.
+        """The name in words, "Birch plywood 0.8 mm"; of a user's own sheet its name.
 
         Examples
         --------

@@ -29,7 +29,7 @@ PUSH_RAD = 0.02  # along the critical mode, to see where the rod comes to rest
 
 @dataclass(frozen=True, eq=False)
 class StabilityLimit:
-    """Where a stable rod becomes unstable on a path of end positions or loads.
+    """The place on a path of end positions or loads at which a stable rod becomes unstable.
 
     Attributes
     ----------

@@ -16,7 +16,7 @@ if TESTS not in App.__unit_test__:
 
 
 def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = True, **properties: Any) -> Any:
-    """The strip that bends into a sketch, or into edges of an object, with its flat part.
+    """Make the strip that bends into a sketch, or into edges of an object, with its flat part.
 
     Parameters
     ----------

@@ -14,8 +14,8 @@ from drawn_splines import spline, strip_with_flat_part
 
 OUT = Path(os.environ["ELASTICA_TEST_OUT"])
 CURVES = {
-    "an arch": [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)],
-    "a wave": [(0, 0), (50, 80), (90, 60), (120, -60), (160, -80), (210, 0)],
+    "an arch": [(0, 0), (90, 180), (210, 240), (360, 180), (450, 0)],
+    "a wave": [(0, 0), (200, 320), (360, 240), (480, -240), (640, -320), (840, 0)],
 }
 TIMES = 60
 answers = {"recomputes": {}}

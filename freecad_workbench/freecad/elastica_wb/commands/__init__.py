@@ -47,7 +47,7 @@ MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"]]
 
 
 def register() -> None:
-    """Make FreeCAD know the commands."""
+    """Register all commands with FreeCAD."""
     import FreeCADGui as Gui
 
     known = set(Gui.listCommands())
@@ -57,7 +57,7 @@ def register() -> None:
 
 
 def context_menu() -> list[str]:
-    """What can be done with what is selected: the commands that need it and can be used."""
+    """Return the commands for the context menu: those that need the selection and can be used on it."""
     import FreeCADGui as Gui
 
     if not Gui.Selection.getSelection():

@@ -32,7 +32,7 @@ class OnStrips(Command):
 
 
 class StripCommand(CurveCommand):
-    """The bent strip on the curve and its flat twin, then the panel to choose sheet and widths."""
+    """Makes the bent strip on the curve and its flat part, and opens the panel with sheet and widths."""
 
     name = "Elastica_Strip"
     text = QT_TRANSLATE_NOOP("Elastica_Strip", "Strip from sketch")
@@ -43,7 +43,7 @@ class StripCommand(CurveCommand):
     shortcut = "Y, S"
 
     def run(self) -> None:
-        """One strip for every selected curve; the panel of the last one stays open."""
+        """Make one strip for every selected curve; the panel of the last one stays open."""
         curves = chosen_curves()
         record_step(App.ActiveDocument, self.text)  # first, or it bears FreeCAD's name for closing the sketch
         if edited_sketch() is not None:
@@ -83,7 +83,7 @@ class PerforateCommand(OnStrips):
     )
 
     def run(self) -> None:
-        """Change the style, then the panel to choose widths and holes."""
+        """Change the style, and open the panel with widths and holes."""
         strips = chosen_strips()
         record_step(App.ActiveDocument, self.text)
         for chosen in strips:
@@ -103,7 +103,7 @@ class LaminateCommand(OnStrips):
     )
 
     def run(self) -> None:
-        """Change the style, add the flat part of the backing, then the panel."""
+        """Change the style, add the flat part of the backing, and open the panel."""
         strips = chosen_strips()
         record_step(App.ActiveDocument, self.text)
         for chosen in strips:
@@ -116,7 +116,7 @@ class LaminateCommand(OnStrips):
 
 
 class BendCommand(OnStrips):
-    """Move or turn an end and watch the strip follow."""
+    """Moves or turns an end of a strip, and shows how the strip follows."""
 
     name = "Elastica_Bend"
     text = QT_TRANSLATE_NOOP("Elastica_Bend", "Bend forward")

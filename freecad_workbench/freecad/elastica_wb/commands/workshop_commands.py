@@ -13,7 +13,7 @@ from freecad.elastica_wb.panels.sheets import SheetsPanel
 
 
 class CouponCommand(Command):
-    """A strip to cut, hang over an edge and measure; the readings make a sheet of your own."""
+    """Makes a strip to cut, hang over an edge and measure; the readings make a sheet of the user's own."""
 
     name = "Elastica_Coupon"
     text = QT_TRANSLATE_NOOP("Elastica_Coupon", "Coupon and calibrate")
@@ -28,7 +28,7 @@ class CouponCommand(Command):
 
 
 class ExportCommand(Command):
-    """DXF, SVG, STEP and a cut list."""
+    """Writes DXF, SVG, STEP and a cut list."""
 
     name = "Elastica_Export"
     text = QT_TRANSLATE_NOOP("Elastica_Export", "Export cutting files")
@@ -40,7 +40,7 @@ class ExportCommand(Command):
     in_sketch = True
 
     def has_subject(self) -> bool:
-        """There is something to be cut."""
+        """Tell whether something that can be cut is selected."""
         return answers(chosen_sources)
 
     def run(self) -> None:
@@ -49,7 +49,7 @@ class ExportCommand(Command):
 
 
 class SheetsCommand(Command):
-    """Look at the built-in sheets, keep your own."""
+    """Shows the built-in sheets, and edits the user's own."""
 
     name = "Elastica_Sheets"
     text = QT_TRANSLATE_NOOP("Elastica_Sheets", "Sheet library")

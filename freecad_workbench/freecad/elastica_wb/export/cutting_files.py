@@ -36,7 +36,9 @@ from elastica_cad.formats.reports.strip_report import tell_blank
 
 
 def tell_later_features(obj: Any) -> list[str]:
-    """A sentence where features go on after a strip, a model or a plate, or after its flat part."""
+    """Return a warning where later features change a strip, a model, a plate or its flat part; files leave them
+    out.
+    """
     words = translate(
         "Elastica",
         "{strip} is followed by {later}, which these files leave out: make it in the strip itself "

@@ -38,7 +38,7 @@ class BasePlateFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Cut the slots."""
+        """Make the plate with its slots."""
         plate = plate_of(obj)
         solid = plate.solid
         lowered = Frame().shifted(z=-solid.thickness)
@@ -47,7 +47,7 @@ class BasePlateFeature(Feature):
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """A base plate for a model or for strips; recompute the document to see it."""
+    """Make a base plate for a model or for strips; recompute the document to see it."""
     obj = added(document, "BasePlate", BasePlateFeature, sources)
     obj.Sources = sources
     return obj
@@ -59,7 +59,7 @@ def is_base_plate(obj: Any) -> bool:
 
 
 def plate_of(obj: Any) -> BasePlate:
-    """The core's base plate behind a parametric one."""
+    """Return the `BasePlate` record that a base plate feature shows."""
     return source_model(obj.Sources).base_plate(
         sheet_called(obj.Sheet, obj.SheetData),
         frame=frame_of(obj.getGlobalPlacement()),

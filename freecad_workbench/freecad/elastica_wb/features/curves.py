@@ -51,7 +51,7 @@ class NearestFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Search it."""
+        """Find the nearest curve, and show it."""
         drawn = drawn_curve(obj.Curve, obj)
         near = find_nearest_to_draw(nearest_spec_of(obj, drawn))
         obj.Shape = spline_geometry(near.curve).toShape()
@@ -86,7 +86,7 @@ class BentFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Bend it."""
+        """Bend the strip to its new ends, and show its curve."""
         if not is_strip(obj.Strip):
             raise InputError("the strip is missing: choose one in the property Strip")
         rest = strip_of(obj.Strip).rod_to_bend
@@ -154,7 +154,7 @@ def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any]) -
 
 
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
-    """The nearest curve of a sketch or of edges, as a feature; recompute the document to see it."""
+    """Make the nearest curve of a sketch or of edges as a feature; recompute the document to see it."""
     obj = _curve(document, "Nearest", NearestFeature, [source])
     obj.Label = f"{source.Label} {translate('Elastica', 'nearest')}"
     obj.Curve = (source, list(edges))
@@ -172,7 +172,7 @@ def bent(document: Any, strip: Any, **moves: float) -> Any:
 
 
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
-    """Sections of bodies across an axis, or along a path; recompute the document to see them."""
+    """Make sections of bodies across an axis, or along a path; recompute the document to see them."""
     obj = _curve(document, "Section", SectionFeature, sources)
     obj.Label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj.Sources = sources
@@ -201,7 +201,7 @@ def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
 
 
 def largest_move(rest: Rod, rod: Rod) -> float:
-    """How far a rod moved at most, mm."""
+    """Return the largest distance between equal places of two rods, mm."""
     return max(math.hypot(x, y) for x, y in rod.position - rest.position)
 
 
@@ -215,7 +215,7 @@ def draw_into(obj: Any) -> None:
 
 
 def nearest_sketch(obj: Any) -> None:
-    """A sketch to edit in place of a nearest curve: it follows nothing."""
+    """Replace a nearest curve by a sketch of it, which can be edited and follows nothing."""
     near, document = _near(obj), obj.Document
     made = document.addObject("Sketcher::SketchObject", "Nearest")
     group = obj.getParentGeoFeatureGroup()

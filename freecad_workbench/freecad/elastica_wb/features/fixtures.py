@@ -26,7 +26,7 @@ PLAYS = Property("StringList", "Reports", "Result", "What was found on the way",
 
 
 class FixturesFeature(Feature):
-    """A block for every tab, as one compound."""
+    """The printed blocks for all tabs, as one compound."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Fixtures", "A model, or strips, whose ends are held"),
@@ -69,7 +69,7 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def tell_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
-    """Say in a holder's results how far tabs shift and turn in it."""
+    """Write into a holder's results how far tabs shift and turn in it."""
     put(obj, Reports=[worded(line) for line in holder_plays(model.placed, holders)])
 
 

@@ -71,7 +71,7 @@ class ModelFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Slot the strips and stand them in their places."""
+        """Cut the slots, and put the strips in their places."""
         model = model_of(obj)
         obj.Shape = Part.Compound(solids_of(model, container(obj).inverse()))
         known = _overlaps.get(model)
@@ -83,7 +83,7 @@ class ModelFeature(Feature):
         )
 
     def tell_error(self, obj: Any, error: ElasticaError) -> None:
-        """No results of before."""
+        """Replace the results by the error."""
         put(obj, Joints=0, Reports=[worded(str(error))], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
@@ -92,7 +92,7 @@ class ModelFeature(Feature):
 
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
-    """A model of strips; recompute the document to see it."""
+    """Make a model of strips; recompute the document to see it."""
     obj = added(document, "Model", ModelFeature, strips)
     obj.Strips = strips
     obj.Interlock = interlock
@@ -108,7 +108,7 @@ def is_model(obj: Any) -> bool:
 
 
 def model_of(obj: Any) -> Model:
-    """The core's model behind a parametric one.
+    """Return the `Model` record that a model feature shows.
 
     Raises
     ------
@@ -131,7 +131,7 @@ def model_of(obj: Any) -> Model:
 
 
 def overlaps_of(obj: Any) -> list[str]:
-    """A sentence for every two strips of a model that run into each other where no slot lets them.
+    """Return a sentence for every two strips of a model that run into each other without a slot.
 
     Raises
     ------
@@ -157,7 +157,7 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
 
 
 def tell_overlaps(obj: Any, found: tuple[str, ...]) -> None:
-    """Write which strips of a model run into each other."""
+    """Write into the results which strips of a model run into each other."""
     told = _worded(found)
     if told and obj.Overlaps != told:
         report_warning(" ".join(told), obj.Label)
@@ -175,12 +175,12 @@ def _worded(sentences: Iterable[str]) -> list[str]:
 
 
 def named_strips(model: Model) -> list[tuple[str, Strip]]:
-    """The strips of a model, as messages call them."""
+    """Return the strips of a model with the names that messages use."""
     return [(model.name_of(i), strip) for i, strip in enumerate(model.strips)]
 
 
 def solids_of(model: Model, place: App.Placement) -> list[Any]:
-    """The bent strips of a model, seen from a place."""
+    """Return the bent strips of a model as solids, in the coordinates of `place`."""
     solids = []
     for placed in model.placed:
         solid = bent_shape(placed.strip).copy(False)

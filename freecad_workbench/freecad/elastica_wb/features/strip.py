@@ -44,7 +44,7 @@ _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
 
 
 class StripFeature(Feature):
-    """Proxy of a strip."""
+    """The proxy of a parametric strip."""
 
     properties = PROPERTIES
     sheets: ClassVar = {"Sheet": "SheetData", "Backing": "BackingData"}
@@ -54,7 +54,7 @@ class StripFeature(Feature):
         obj.Anticlastic = True
 
     def make(self, obj: Any) -> None:
-        """Make the shape and tell the results."""
+        """Set the shape and the results."""
         drawn = drawn_curve(obj.Curve, obj)
         spec = spec_of(obj, drawn)
         strip = solve_strip(spec)
@@ -80,19 +80,19 @@ class StripFeature(Feature):
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Nothing is hidden while its sketch is open."""
+        """Write the error into the results; while the sketch is open nothing is hidden."""
         if is_edited(obj):
             self.tell_error(obj, error)
         else:
             super().failed(obj, error)
 
     def tell_error(self, obj: Any, error: ElasticaError) -> None:
-        """No results of before."""
+        """Replace the results by the error."""
         _tell_error(obj, error)
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
-    """The parametric strip that follows a sketch, or edges of an object; recompute the document to see it."""
+    """Make the parametric strip that follows a sketch, or edges of an object; recompute the document to see it."""
     group = sketch.getParentGeoFeatureGroup()
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
@@ -114,7 +114,7 @@ def is_strip(obj: Any) -> bool:
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:
-    """What `copies` of an object gives.
+    """Yield the strips that an object shows, with the placement of each copy.
 
     Raises
     ------
@@ -134,7 +134,7 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
 
 
 def strip_of(obj: Any) -> Strip:
-    """The core's strip behind a parametric strip.
+    """Return the `Strip` record that a strip feature shows.
 
     Raises
     ------
@@ -165,7 +165,7 @@ def shown_strip(obj: Any) -> Strip:
 
 
 def tell_held(obj: Any) -> None:
-    """Write how far a strip strays as made and held, and whether it stays in its plane.
+    """Write into the results how far a strip as made and held is from its curve, and whether it stays in its plane.
 
     It takes as long as the rest of it, so no recompute waits.
     """

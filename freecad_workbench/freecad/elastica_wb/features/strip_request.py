@@ -39,7 +39,8 @@ SHEET, BACKING = "sheet", "backing"
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
-    """What the properties ask for; what belongs to another style, or to the nearest curve only, is left out.
+    """Return the request that the properties make; those of another style, or of the nearest curve only, are left
+    out.
 
     Raises
     ------
@@ -62,7 +63,7 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
-    """The table of a design file that asks for the same.
+    """Return the table of a design file that requests the same strip as the properties do.
 
     Raises
     ------

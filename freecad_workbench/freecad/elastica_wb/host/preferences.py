@@ -32,7 +32,7 @@ CHOICES = {
 
 
 def get(name: str) -> Any:
-    """The value of a preference."""
+    """Return the value of a preference."""
     default, group = DEFAULTS[name], App.ParamGet(PATH)
     if name in CHOICES:
         number = group.GetInt(name, CHOICES[name].index(default))
@@ -43,7 +43,7 @@ def get(name: str) -> Any:
 
 
 def put(name: str, value: Any) -> None:
-    """Change a preference."""
+    """Change the value of a preference."""
     group = App.ParamGet(PATH)
     if name in CHOICES:
         group.SetInt(name, CHOICES[name].index(value))

@@ -35,12 +35,12 @@ class Property:
 
     @property
     def type_id(self) -> str:
-        """FreeCAD's name of its type."""
+        """FreeCAD's name of the property's type."""
         return f"App::Property{self.kind}"
 
     @property
     def translated_help(self) -> str:
-        """What it means, in the user's language."""
+        """The help of the property in the user's language."""
         told = worded(str(App.Qt.translate("App::Property", self.help)))
         return f"{told} {self.example}" if self.example else told
 
@@ -113,7 +113,7 @@ def _is_choice(given: Any, choices: list[str]) -> bool:
 
 
 def is_misread(obj: Any, name: str) -> bool:
-    """Has a formula left a list of choices without one, or with the first for a word that is none of them?"""
+    """Tell whether a formula left a list without a choice, or on its first one for a word that is no choice."""
     present, formula = getattr(obj, name), _formulas(obj).get(name)
     if present is None or formula is None:
         return present is None
@@ -136,7 +136,7 @@ def choose_again(obj: Any, name: str, chosen: str | None) -> None:
 
 
 def put(obj: Any, **values: Any) -> None:
-    """Set the properties whose value differs: an unchanged result leaves no trace in the undo history."""
+    """Set the properties whose value differs, so that an unchanged result leaves no trace in the undo history."""
     for name, value in values.items():
         present = getattr(obj, name)
         if getattr(present, "Value", present) != value:

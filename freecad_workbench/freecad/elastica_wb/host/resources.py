@@ -18,7 +18,7 @@ _aside: list[Any] = []
 
 
 def translate(context: str, words: str) -> str:
-    """The words in the user's language."""
+    """Return the words in the user's language."""
     return str(App.Qt.translate(context, words))
 
 
@@ -28,12 +28,12 @@ def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
 
 
 def icon(name: str) -> str:
-    """Path of an icon."""
+    """Return the path of an icon."""
     return str(RESOURCES / "icons" / f"{name}.svg")
 
 
 def load_panel(name: str) -> Any:
-    """A widget from its .ui file.
+    """Make a widget from its .ui file.
 
     PySide may take the Python face of a deleted widget for a new one at the same address (FreeCAD 1.0 on
     Python 3.13 does); such a form is put aside, where it keeps its addresses, and the file is loaded anew.

@@ -60,7 +60,7 @@ class Picture:
 
 
 def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
-    """What is known of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
+    """Return the overlay of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
     samples = curve.sample(TEETH)
     comb = _comb(samples.position, samples.angle, samples.curvature, scale or comb_scale(curve))
     try:
@@ -104,7 +104,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
 
 
 def comb_scale(curve: PlaneCurve) -> float:
-    """mm that the comb draws for a curvature of 1/mm."""
+    """Return the length, mm, that the comb draws for a curvature of 1/mm."""
     samples = curve.sample(TEETH)
     largest = float(np.abs(samples.curvature).max())
     extent = float(np.ptp(samples.position, axis=0).max())
@@ -112,7 +112,7 @@ def comb_scale(curve: PlaneCurve) -> float:
 
 
 def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
-    """Both edges of the strip, laid flat into the plane along its curve."""
+    """Return both edges (n, 2) of the strip, mm, laid flat into the plane along its curve."""
     samples = strip.rod.curve.sample(count)
     aside = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     half = strip.width(samples.s * (strip.width.length / samples.s[-1]))[:, None] / 2

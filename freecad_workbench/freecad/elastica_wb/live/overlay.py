@@ -59,7 +59,7 @@ class Overlay:
         self._scene.addChild(self.root)
 
     def show(self, picture: Picture) -> None:
-        """Curvature, inflections and line of a curve."""
+        """Show curvature, inflections and inflection line of a curve."""
         self._comb.set(picture.comb)
         self._line.set([] if picture.line is None else [picture.line])
         self._line.color(COLORS[Verdict.CAN] if picture.realizable else COLORS["line"])
@@ -83,7 +83,7 @@ class Overlay:
         self._write(())
 
     def show_width(self, edges: Sequence[FloatArray]) -> None:
-        """Both edges of the strip; none hides them."""
+        """Show both edges of the strip; an empty sequence hides them."""
         self._width.set(edges)
 
     def show_nearest(self, points: FloatArray | None) -> None:
@@ -99,7 +99,7 @@ class Overlay:
         return {name: part.count for name, part in parts.items()}
 
     def remove(self) -> None:
-        """Take everything off the view."""
+        """Remove everything from the view."""
         self._scene.removeChild(self.root)
 
     def _lines(self, color: tuple[float, float, float], width: float, pattern: int = 0xFFFF) -> "_Points":

@@ -78,7 +78,7 @@ class Session:
         self._show(None)
 
     def close(self) -> None:
-        """End of the edit."""
+        """Remove the overlay at the end of the edit."""
         for timer in (self._soon, self._rest, self._answer):
             timer.stop()
         if self._sensor is not None:
@@ -242,7 +242,7 @@ class _OwnComb:
 
 
 def session() -> Session | None:
-    """The session that runs now."""
+    """Return the running session, or None."""
     return _session
 
 
@@ -259,7 +259,7 @@ def start(sketch: Any) -> Session | None:
 
 
 def stop() -> None:
-    """Take the overlay off."""
+    """Remove the overlay."""
     global _session  # noqa: PLW0603
     if _session is not None:
         _session.close()

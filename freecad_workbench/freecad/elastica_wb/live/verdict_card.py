@@ -112,7 +112,7 @@ def _legend() -> str:
 
 
 def hex_of(color: tuple[float, float, float]) -> str:
-    """A colour as style sheets write it."""
+    """Return a colour as style sheets write it, "#rrggbb"."""
     return "#" + "".join(f"{round(255 * part):02x}" for part in color)
 
 

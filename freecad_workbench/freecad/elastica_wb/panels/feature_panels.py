@@ -337,7 +337,7 @@ LAYOUTS = {
 
 
 def panel_of(obj: Any) -> Panel:
-    """The panel of a feature."""
+    """Return the panel of a feature."""
     if isinstance(obj.Proxy, BentFeature):
         return BendPanel(obj.Strip, obj)
     return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")])

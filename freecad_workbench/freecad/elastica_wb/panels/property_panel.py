@@ -35,7 +35,7 @@ Told = tuple[tuple[str, object], ...]
 
 @dataclass(frozen=True)
 class Layout:
-    """What the panel of a kind of feature shows.
+    """The contents of the panel for one kind of feature.
 
     Attributes
     ----------
@@ -93,7 +93,7 @@ class PropertyPanel(Panel):
         self._show()
 
     def make_form(self) -> Any:
-        """Message and numbers on top, then the groups of properties."""
+        """Make the form: message and numbers on top, then the groups of properties."""
         form = QtWidgets.QWidget()
         form.setWindowTitle(translate("Elastica", self.layout.title))
         outer = QtWidgets.QVBoxLayout(form)
@@ -138,7 +138,7 @@ class PropertyPanel(Panel):
         return form
 
     def changed(self) -> None:
-        """What was touched goes into its properties, then the document is recomputed."""
+        """Write the changed widgets into their properties, and recompute the document."""
         self._writing = True
         try:
             bound = {path for path, *_ in self.object.ExpressionEngine}
@@ -154,7 +154,7 @@ class PropertyPanel(Panel):
         self._show()
 
     def finished(self) -> None:
-        """Nothing may wait."""
+        """Apply the changes that still wait, and record them for macros."""
         self.now()
         self._record()
 
@@ -192,7 +192,7 @@ class PropertyPanel(Panel):
         self._refresh.start()
 
     def addSelection(self, document: str, name: str, element: str, _place: Any) -> None:
-        """The user picks another curve."""
+        """Take a curve that the user picks in the view."""
         source = App.getDocument(document).getObject(name)
         if source is None:
             return

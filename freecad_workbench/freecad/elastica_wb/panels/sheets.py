@@ -37,7 +37,7 @@ class SheetsPanel(Panel):
         self.shown()
 
     def shown(self, *_: Any) -> None:
-        """The numbers of the chosen sheet."""
+        """Show the numbers of the chosen sheet."""
         name = self.form.sheets.currentText()
         if not name:
             return
@@ -55,7 +55,7 @@ class SheetsPanel(Panel):
         ))  # fmt: skip
 
     def keep(self, *_: Any) -> None:
-        """Keep the numbers as a sheet of the user's own."""
+        """Save the numbers as one of the user's sheets."""
         try:
             sheet = self.sheet()
         except InputError as error:
@@ -65,14 +65,14 @@ class SheetsPanel(Panel):
         self._list(sheet.name)
 
     def remove(self, *_: Any) -> None:
-        """Take a sheet of the user's own out."""
+        """Remove one of the user's sheets."""
         if self.own.pop(self.form.sheets.currentText(), None) is None:
             self.tell(translate("Elastica", "Built-in sheets stay: keep yours under another name."))
             return
         self._list()
 
     def sheet(self) -> Sheet:
-        """The sheet that the widgets describe."""
+        """Return the sheet that the widgets describe."""
         # boxes round: what was not changed is as exact as it was, and a nominal number stays one
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
         # what is found in practice about another number says nothing of this one

@@ -115,13 +115,13 @@ def find_nearest(asked: RodSpec) -> NearestRod:
 
 
 def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
-    """The same, for its curve to be drawn: as a spline it keeps the limits too."""
+    """Find the nearest rod for a curve to be drawn, which keeps the limits as a spline too."""
     return in_background(SEARCHING, find_nearest_now, asked)
 
 
 @growing_cache
 def find_nearest_now(asked: RodSpec) -> NearestRod:
-    """As `find_nearest_to_draw`, for threads of their own: no progress bar.
+    """Find the nearest rod as `find_nearest_to_draw` does, but in a thread and without a progress bar.
 
     A spline strays from its rod by some thousandths of the curvature, so the rod keeps as much away from its limit.
     """
@@ -142,7 +142,7 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
 
 
 def judged(rod: Rod) -> Stability | None:
-    """Its stability, None where it cannot be decided."""
+    """Return the stability of a rod; None where it cannot be decided."""
     try:
         return _stability(rod)
     except ElasticaError:
@@ -160,7 +160,7 @@ def held_shape(strip: Strip) -> HeldShape | None:
 
 @growing_cache
 def bent_shape(strip: Strip) -> Part.Shape:
-    """The strip bent, its curve in the xy plane; of a laminate both layers."""
+    """Return the bent strip, its curve in the xy plane; of a laminate both layers."""
     # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
     many = len(strip.holes) > MANY_HOLES
     layers = (
@@ -183,7 +183,7 @@ def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
 
 @growing_cache
 def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
-    """One layer of the strip as cut, lying on the xy plane."""
+    """Return one layer of the strip as cut, lying on the xy plane."""
     records = FlatSolid.layers(strip)
     if strip.layout.stack is not None:
         return Part.Compound([make_solid(record) for record in records])

@@ -58,7 +58,7 @@ class ProjectivePanel(Panel):
         self.reset()
 
     def reset(self, *_: Any) -> None:
-        """The handles back to the box around the drawn curve."""
+        """Put the handles back to the box around the drawn curve."""
         self._fill(self.corners)
         self._safely_changed()
 
