@@ -1,6 +1,5 @@
 """`elastica coupon`: a strip to cut, hang and measure, and what the measurement says of the sheet."""
 
-import shlex
 from dataclasses import replace
 from math import hypot
 from pathlib import Path
@@ -8,6 +7,7 @@ from typing import Any
 
 import click
 
+from elastica_cad._shell import quote_words
 from elastica_cad.cli.asking.options import LENGTH, POINT, output_options
 from elastica_cad.cli.running.suggestions import name_program
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
@@ -122,7 +122,7 @@ def coupon(
         "name": name if sheet else known.name,
     }
     typed = " ".join(
-        f"--{option} {shlex.quote(value) if isinstance(value, str) else f'{value:g}'}"
+        f"--{option} {quote_words([value]) if isinstance(value, str) else f'{value:g}'}"
         for option, value in given.items()
         if value is not None
     )
@@ -233,7 +233,7 @@ def _calibrate(
     say(found.toml())
     wrote([output / file])
     known_as = name if output in library_folders() else output / file
-    say(f"every command takes it: --sheet {shlex.quote(str(known_as))}")
+    say(f"every command takes it: --sheet {quote_words([str(known_as)])}")
 
 
 def _as_readings_tell(sheet: Sheet) -> Sheet:

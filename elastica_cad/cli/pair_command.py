@@ -15,6 +15,8 @@ from elastica_cad.cli.asking.options import (
     output_options,
     sheet_options,
 )
+from elastica_cad.cli.asking.settings import PairKeys, parsed_settings, set_option
+from elastica_cad.cli.asking.strip_options import with_settings
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
@@ -23,9 +25,10 @@ from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.design_files.pair_table import read_pair
+from elastica_cad.formats.design_files.records import Reader
+from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import PairKit, write_pair
-from elastica_cad.mechanics.two_states.two_state_rod import PairLimits
 
 FILE = click.Path(path_type=Path)
 
@@ -41,6 +44,7 @@ _WISHES = (
     click.option("--name", help="What the files are called  [default: as FIRST]."),
     click.option("--kerf", type=LENGTH, default=DEFAULT_KERF_MM, metavar="MM",
                  help=f"Width of the cut  [default: {DEFAULT_KERF_MM:g}]."),
+    set_option(PairKeys),
     output_options,
 )  # fmt: skip
 
@@ -59,12 +63,13 @@ def pair(**chosen: Any) -> None:
     [pair], which says all this.
     """
     path: Path = chosen["first"]
+    settings = parsed_settings(chosen["settings"], PairKeys)
     if path.suffix == ".toml":
         if chosen["second"] is not None or chosen["sheet"] is not None:
             raise InputError("a design file names both curves and the sheet: give it alone")
-        spec = read_pair(path, read_curves)
+        spec = read_pair(path, read_curves, settings)
     else:
-        spec = _asked(chosen)
+        spec = _asked(chosen, settings)
     name = chosen["name"] or path.stem
     if matched := spec.matched:
         say(str(matched))
@@ -78,13 +83,13 @@ def pair(**chosen: Any) -> None:
     wrote(written)
 
 
-def _asked(chosen: dict[str, Any]) -> FlexureSpec:
+def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     if chosen["sheet"] is None:
         raise InputError("a part needs a sheet: elastica pair FIRST SECOND --sheet NAME")
-    wishes = given_of(chosen, (one.name for one in _WISHED))
-    return FlexureSpec(
-        *_curves(chosen), asked_sheet(chosen), limits=PairLimits(ratio=chosen["ratio"]), **wishes
-    )
+    table = given_of(chosen, (one.name for one in _WISHED))
+    table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
+    given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
+    return FlexureSpec(*_curves(chosen), asked_sheet(chosen), **given)
 
 
 def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:

@@ -118,24 +118,32 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 class BendOptions(TypedDict, total=False):
-    """The ends to which a strip is bent, as in `mechanics.bend`.
-
-    `start` and `end` are points in space (three numbers, a vector of the library), or two numbers in the body's
-    `frame`, mm; `angles` are degrees in that frame, None where an end is to turn freely.
-    """
+    """The ends to which a strip is bent, as in `mechanics.bend`."""
 
     start: "Point | None"
+    """Where the start goes: a point in space, or two numbers in the body's `frame` (mm)."""
     end: "Point | None"
+    """Where the end goes, likewise (mm)."""
     angles: "tuple[float | None, float | None] | ArrayLike | None"
+    """Directions of start and end in that frame, counted along the strip; None keeps one (degrees)."""
     gravity: Any
+    """A `Gravity`, or None for no weight; the strip's own unless given."""
     supports: Supports | None
+    """What holds the ends from now on; the strip's own unless given."""
     force: ArrayLike | None
+    """Dead force on ends that are free to move, over the least bending stiffness (1/mm2)."""
     moment: float | tuple[float, float] | None
+    """Moment on ends that are free to turn, anticlockwise, over the least bending stiffness (1/mm)."""
     guess: Any
+    """A `Rod` to start from, or angles of its nodes (rad)."""
     side: int | None
+    """To which side a straight strip bulges: 1 for left, -1 for right."""
     mode: int
+    """Buckling mode in which a straight strip bulges, from 1."""
     samples: int | None
+    """Nodes of the rod."""
     settle: bool
+    """An unstable shape snaps to the stable one near it."""
 
 
 @dataclass(frozen=True, eq=False)

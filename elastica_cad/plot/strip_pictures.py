@@ -371,7 +371,8 @@ FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 
 def travel(moved: Travel) -> Figure:
-    """Draw all shapes of a travel above, and force along the way and bending energy below."""
+    """Draw all shapes of a travel above; below, force along the way and bending energy, and where the strip
+    snaps or is strained beyond what its sheet bears."""
     require_record(moved, Travel, "what is drawn", "a Travel")
     figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)
@@ -395,6 +396,13 @@ def travel(moved: Travel) -> Figure:
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
+    for at, color, told in ((moved.strained_at, INK, "strain limit"), (moved.snaps_at, UNSTABLE, "snaps")):
+        if at is not None:
+            beside.axvline(at, color=color, linewidth=1.0, linestyle=":")
+            beside.text(
+                at, 0.96, f"{told}, {at:.4g} mm", transform=beside.get_xaxis_transform(), rotation=90,
+                ha="center", va="top", fontsize=8, color=color, bbox={"facecolor": "white", "linewidth": 0},
+            )  # fmt: skip
     worst = int(np.argmin(moved.safety))
     below.set_title(
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.travel[worst]:.4g} mm of travel, "

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from elastica_cad._units import MILLIMETRES, MM_PER_INCH
+from elastica_cad._units import MILLIMETRES, MM_PER_INCH, read_number
 from elastica_cad.declared import Field
 from elastica_cad.formats.design_files.records import written
 
@@ -47,7 +47,7 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         found = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
         number, scale = (value, plain) if found is None else (found[1], _NAMED.get(found[2], 0.0))
         try:
-            length = scale * _number(number)
+            length = scale * read_number(number)
         except ValueError:
             scale = 0.0
         if not scale:
@@ -60,12 +60,6 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         if self.positive and not length > 0:
             self.fail(f"{value} is no length above 0", param, ctx)
         return length
-
-
-def _number(text: str) -> float:
-    """Of digits, or of a fraction as on a folding rule: "5/16", "1 3/8", "1-3/8"."""
-    parts = re.fullmatch(r"\s*(?:(\d+)[ -])?(\d+)/([1-9]\d*)\s*", text)
-    return float(text) if parts is None else int(parts[1] or 0) + int(parts[2]) / int(parts[3])
 
 
 LENGTH = Length()

@@ -9,6 +9,7 @@ import click
 
 from elastica_cad.declared import REQUIRED, Asked, Kind, Record
 from elastica_cad.errors import InputError, quoted
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.formats.design_files.design_schema import told
 from elastica_cad.formats.design_files.key_paths import paths_of, put, require_path_of
 from elastica_cad.formats.design_files.kit_spec import Cutting
@@ -64,6 +65,29 @@ class CommandKeys(StripKeys):
     files: Annotated[FileKeys, Asked("Which files are written.", group="files")] = FileKeys()
 
 
+@dataclass(frozen=True)
+class BentKeys(StripKeys):
+    """What `elastica bend` is asked for of the strip that it bends."""
+
+    WITHOUT: ClassVar[tuple[str, ...]] = (
+        "count", "let", "sections", "curve", "origin", "x_axis", "y_axis", "label", "engrave",
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class PairKeys:
+    """What `elastica pair` is asked for of its part."""
+
+    BESIDE: ClassVar[Record] = FlexureSpec
+    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
+
+
+KEYS_OF: Mapping[str, Record] = {
+    "strip": CommandKeys, "bend": BentKeys, "model": DesignKeys, "pair": PairKeys,
+}  # fmt: skip
+"""Keys that `--set` of each command knows."""
+
+
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
     """Return the table that `KEY=VALUE` texts make: values are TOML, a bare word is a text.
 
@@ -111,6 +135,12 @@ def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") ->
             yield from twice(mine, theirs, f"{way}{key}.")
         elif mine != theirs and not (mine is True and key == "gravity"):
             yield f"{way}{key}"
+
+
+def completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
+    """Keys of a strip and of a design file that begin as typed, for shells."""
+    known = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
+    return [one for one in known if one.startswith(typed)]
 
 
 def set_option(record: Record) -> Callable[[F], F]:

@@ -1,7 +1,6 @@
 """The command that was typed, and suggestions of one that would work."""
 
 import re
-import shlex
 import shutil
 import sys
 import threading
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import click
 import numpy as np
 
+from elastica_cad._shell import quote_words
 from elastica_cad.cli.running.voice import voice
 from elastica_cad.errors import Change, ElasticaError
 
@@ -26,10 +26,10 @@ def name_program() -> str:
     """Return how to call this program: by name, by path where the name finds another, or as a module."""
     called = Path(sys.argv[0])
     if called.parts[-2:] == ("elastica_cad", "__main__.py"):
-        return f"{shlex.quote(sys.executable)} -m elastica_cad"
+        return f"{quote_words([sys.executable])} -m elastica_cad"
     found = shutil.which("elastica")
     if called.stem == "elastica" and called.exists() and not (found and called.samefile(found)):
-        return shlex.quote(sys.argv[0])
+        return quote_words([sys.argv[0]])
     return "elastica"
 
 
@@ -42,7 +42,7 @@ MOST_REFUSALS = 7
 
 def _command_line(*words: str) -> str:
     """A command as it is typed."""
-    return f"{name_program()} {shlex.join(words)}"
+    return f"{name_program()} {quote_words(words)}"
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:

@@ -244,4 +244,4 @@ def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
             if isinstance(holder, Ring):
                 yield from ((name, f"on {holder.name}") for name in holder.seated)
         elif isinstance(holder, EndFixture):
-            yield holder.tab.name, f"block {holder.number or holder.tab.name}"
+            yield holder.tab.name, f"block {holder.engrave or holder.tab.name}"

@@ -48,7 +48,7 @@ def cut_key(strip: Strip) -> Hashable:
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
         for slot in strip.slots
     ]
-    own = [getattr(strip, one.name) for one in fields(Strip) if one.name not in ("label", "slots")]
+    own = [getattr(strip, one.name) for one in fields(Strip) if one.name not in ("label", "engrave", "slots")]
     key: Hashable = value_key((own, slots))
     return key
 
@@ -123,7 +123,7 @@ def count_shapes(parts: Sequence[EqualStrips]) -> int:
 def _same_marks(a: Strip, b: Strip) -> bool:
     """Whether the same is engraved on both."""
     mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
-    return a.label == b.label and mates[0] == mates[1]
+    return (a.label, a.engraved) == (b.label, b.engraved) and mates[0] == mates[1]
 
 
 def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:

@@ -122,7 +122,7 @@ class Design:
                 except (NotRealizable, NotConvergedError, InputError) as problem:
                     (failed if entry.section else refused).append(problem)
                     continue
-            strip = replace(made[key], label=entry.label, slots=entry.spec.slots)
+            strip = replace(made[key], label=entry.label, engrave=entry.spec.engrave, slots=entry.spec.slots)
             placed.append(Placed(strip, entry.frame.origin, entry.frame.x_axis, entry.frame.y_axis))
             if done is not None:
                 done(entry.label)
@@ -403,7 +403,7 @@ def _likeness(entry: StripEntry) -> Any:
     numbers += [] if curve.weights is None else [curve.weights]
     numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
     digits = np.round(np.concatenate(numbers) / curve.length, SAME_DIGITS) + 0.0
-    placed = ("curve", "frame", "gravity", "slots", "label")
+    placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
     asked = [getattr(spec, one.name) for one in fields(spec) if one.name not in placed]
     return digits.tobytes(), value_key(asked)
 

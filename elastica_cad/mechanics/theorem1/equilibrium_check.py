@@ -513,7 +513,7 @@ def project_inflections(
         except NotConvergedError:
             continue
         if np.abs(moved.control_points - curve.control_points).max() <= LARGEST_MOVE_SHARE * curve.length:
-            return moved
+            return moved.drawn_as(curve.provenance)
     raise NotConvergedError("no small move of the control points brings the inflections onto one line")
 
 

@@ -583,6 +583,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>bent further</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1995,6 +1999,17 @@
     </message>
     <message>
         <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Edit</name>
+    <message>
+        <source>Edit strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change sheet, widths and ends of all selected strips at once</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -579,6 +579,10 @@
         <translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder an einem der Griffe in der Ansicht ziehen.</translation>
     </message>
     <message>
+        <source>strip</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
         <source>bent further</source>
         <translation>weiter gebogen</translation>
     </message>
@@ -1992,6 +1996,17 @@
     <message>
         <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
         <translation>Einen Probestreifen erzeugen, über eine Kante hängen und aus dem gemessenen Durchhang eine eigene Platte machen</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Edit</name>
+    <message>
+        <source>Edit strips</source>
+        <translation>Streifen bearbeiten</translation>
+    </message>
+    <message>
+        <source>Change sheet, widths and ends of all selected strips at once</source>
+        <translation>Platte, Breiten und Enden aller gewählten Streifen auf einmal ändern</translation>
     </message>
 </context>
 <context>

@@ -579,6 +579,10 @@
         <translation>移动或旋转端部：输入数值，或在视图中拖动一个手柄。</translation>
     </message>
     <message>
+        <source>strip</source>
+        <translation>条带</translation>
+    </message>
+    <message>
         <source>bent further</source>
         <translation>继续弯曲</translation>
     </message>
@@ -1992,6 +1996,17 @@
     <message>
         <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
         <translation>生成悬挂试样，并由测得的下垂量得到自己的板材</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Edit</name>
+    <message>
+        <source>Edit strips</source>
+        <translation>编辑条带</translation>
+    </message>
+    <message>
+        <source>Change sheet, widths and ends of all selected strips at once</source>
+        <translation>一次更改所有选定条带的板材、宽度和端部</translation>
     </message>
 </context>
 <context>

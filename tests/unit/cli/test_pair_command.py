@@ -65,6 +65,17 @@ def test_curves_that_meet_in_their_drawing_begin_where_they_meet(tmp_path):
     assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"] * (1 + 1e-9)
 
 
+@pytest.mark.parametrize("words", [("clip.toml",), ("clip.svg", "clip.svg", "--first", "up", "--second", "down",
+                                                    "--sheet", "pom-3")])  # fmt: skip
+def test_other_keys_are_set(words, tmp_path):
+    files = [EXAMPLES / word if word.startswith("clip.") else word for word in words]
+    said = typed(*files, "--set", "pad.hole=2", "--kerf", "0", "-o", tmp_path)
+    assert said.exit_code == 0, said.output
+    drawn = ezdxf.readfile(tmp_path / "clip.dxf").modelspace()
+    holes = [entity for entity in drawn if entity.dxf.layer == "CUT_INNER"]
+    assert [hole.dxf.radius for hole in holes] == pytest.approx([1.0] * 4)
+
+
 def test_a_printed_stand_has_two_settings(tmp_path):
     said = typed(EXAMPLES / "stand.toml", "-o", tmp_path, "--json")
     assert said.exit_code == 0, said.output

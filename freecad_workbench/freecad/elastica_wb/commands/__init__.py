@@ -16,6 +16,7 @@ from freecad.elastica_wb.commands.curve_commands import (
 from freecad.elastica_wb.commands.model_commands import FixturesCommand, InterlockCommand, NestCommand
 from freecad.elastica_wb.commands.strip_commands import (
     BendCommand,
+    EditCommand,
     LaminateCommand,
     PerforateCommand,
     StripCommand,
@@ -28,7 +29,14 @@ __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
 DRAW = (BetweenCommand(), CheckCommand(), NearestCommand(), ProjectiveCommand(), SectionCommand())
-STRIPS = (StripCommand(), PerforateCommand(), LaminateCommand(), BendCommand(), ToleranceCommand())
+STRIPS = (
+    StripCommand(),
+    EditCommand(),
+    PerforateCommand(),
+    LaminateCommand(),
+    BendCommand(),
+    ToleranceCommand(),
+)
 MODELS = (InterlockCommand(), FixturesCommand(), NestCommand(), ExportCommand())
 WORKSHOP = (SheetsCommand(), CouponCommand())
 

@@ -43,7 +43,7 @@ class StripCommand(CurveCommand):
     shortcut = "Y, S"
 
     def run(self) -> None:
-        """Make one strip for every selected curve; the panel of the last one stays open."""
+        """One strip for every selected curve, and one panel for all."""
         curves = chosen_curves()
         record_step(App.ActiveDocument, self.text)  # first, or it bears FreeCAD's name for closing the sketch
         if edited_sketch() is not None:
@@ -53,7 +53,7 @@ class StripCommand(CurveCommand):
             _add_flat(one)
         for source, _ in curves:
             source.Visibility = True
-        show_panel(panel_of, made[-1])
+        show_panel(panel_of, made[-1], made)
 
 
 def _add_flat(one: Any, layer: str = "Base") -> None:
@@ -70,6 +70,19 @@ def _even_out(strip: Any, style: str) -> None:
     ):
         record_value(strip, "OuterWidth", strip.MaxWidth.Value)
     record_value(strip, "Style", style)
+
+
+class EditCommand(OnStrips):
+    """One panel for all selected strips: what is changed in it is changed in all."""
+
+    name = "Elastica_Edit"
+    text = QT_TRANSLATE_NOOP("Elastica_Edit", "Edit strips")
+    tip = QT_TRANSLATE_NOOP("Elastica_Edit", "Change sheet, widths and ends of all selected strips at once")
+
+    def run(self) -> None:
+        """Open the panel."""
+        first, *others = chosen_strips()
+        show_panel(panel_of, first, others)
 
 
 class PerforateCommand(OnStrips):
@@ -89,7 +102,7 @@ class PerforateCommand(OnStrips):
         for chosen in strips:
             _even_out(chosen, "Perforated")
         record_recompute(App.ActiveDocument)
-        show_panel(panel_of, strips[-1])
+        show_panel(panel_of, strips[-1], strips)
 
 
 class LaminateCommand(OnStrips):
@@ -112,7 +125,7 @@ class LaminateCommand(OnStrips):
         for chosen in strips:
             if not any(part.Layer == "Backing" for part in flat.flats_of([chosen])):
                 _add_flat(chosen, "Backing")
-        show_panel(panel_of, strips[-1])
+        show_panel(panel_of, strips[-1], strips)
 
 
 class BendCommand(OnStrips):

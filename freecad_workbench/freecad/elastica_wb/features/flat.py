@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.model import is_model, shown_model
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, shown_strip
 from freecad.elastica_wb.host.property_table import Property
@@ -75,7 +75,7 @@ def _slotted(obj: Any) -> Strip:
             strip=obj.Strip.Label,
             model=obj.Model.Label,
         )
-    return model_of(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
+    return shown_model(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
 
 
 def _beside(strip: Any) -> App.Placement:

@@ -5,6 +5,7 @@
 
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future
+from dataclasses import replace
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -14,7 +15,7 @@ import Part
 from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
-from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
+from freecad.elastica_wb.features.strip import is_strip, shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import begun, in_background
 from freecad.elastica_wb.host.property_table import Property, put
@@ -33,6 +34,10 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
 """What is known of models, or sought in another thread; the cache of models keeps them."""
+
+
+_shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
+"""The models that shapes show, and in which place of their container, by their proxies."""
 
 
 class ModelFeature(Feature):
@@ -71,9 +76,11 @@ class ModelFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Cut the slots, and put the strips in their places."""
-        model = model_of(obj)
-        obj.Shape = Part.Compound(solids_of(model, container(obj).inverse()))
+        """Slot the strips and stand them in their places."""
+        model = model_of(obj, shown=True)
+        shape = Part.Compound(solids_of(model, container(obj).inverse()))
+        obj.Shape = shape
+        _shown[self] = shape, container(obj), model
         known = _overlaps.get(model)
         put(
             obj,
@@ -107,8 +114,20 @@ def is_model(obj: Any) -> bool:
     return isinstance(getattr(obj, "Proxy", None), ModelFeature)
 
 
-def model_of(obj: Any) -> Model:
-    """Return the `Model` record that a model feature shows.
+def shown_model(obj: Any) -> Model:
+    """The model that a shape shows, as `shown_strip` of a strip.
+
+    Raises
+    ------
+    ElasticaError
+        As `model_of`, which is asked where no model is kept.
+    """
+    shape, place, model = _shown.get(obj.Proxy, (None, None, None))
+    return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)
+
+
+def model_of(obj: Any, *, shown: bool = False) -> Model:
+    """The core's model behind a parametric one; of the strips that are `shown`, where these were just made.
 
     Raises
     ------
@@ -127,7 +146,7 @@ def model_of(obj: Any) -> Model:
             ("relief", obj.Relief),
             ("above", above),
         )
-    return strips_model(obj.Strips, name=obj.Label, options=options)
+    return strips_model(obj.Strips, name=obj.Label, options=options, shown=shown)
 
 
 def overlaps_of(obj: Any) -> list[str]:
@@ -189,29 +208,35 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
     return solids
 
 
-def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = ()) -> Model:
-    """Strips and models of a document, or what shows them, in their places; slotted where options are given."""
+def strips_model(
+    strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), shown: bool = False
+) -> Model:
+    """Strips and models of a document, or what shows them, in their places; slotted where options are given.
+
+    They are those that properties ask for, or those that are `shown`.
+    """
     if not strips:
         raise InputError("the model has no strips: choose some in the property Strips")
-    places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj)]
+    places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj, shown)]
     return in_background(
         QT_TRANSLATE_NOOP("Elastica", "Putting the model together"), _model, tuple(places), name, options
     )
 
 
-def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
-    """The strips that an object shows, each with the place of its curve in the document."""
-    shown = list(shown_strips(obj))
-    if not any(is_strip(one) or is_model(one) for one, *_ in shown):
+def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
+    """The strips that an object stands for, each with the place of its curve in the document."""
+    strip_in, model_in = (shown_strip, shown_model) if shown else (strip_of, model_of)
+    found = list(shown_strips(obj))
+    if not any(is_strip(one) or is_model(one) for one, *_ in found):
         raise InputError("{object} is no strip: a model is made of strips", object=obj.Label)
-    for one, place, is_image in shown:
+    for one, place, is_image in found:
         if is_strip(one):
             world = drawn_curve(one.Curve, one).world if one is obj else place
-            strip = strip_of(one).mirrored() if is_image else strip_of(one)
-            yield _labelled(strip, one.EngravedText or _called(obj)), world
+            strip = strip_in(one).mirrored() if is_image else strip_in(one)
+            yield _labelled(strip, one.EngravedText or obj.Label, obj.Name), world
         elif is_model(one):
             here = container(one).inverse()
-            for placed in model_of(one).placed:
+            for placed in model_in(one).placed:
                 strip, inside = placed.strip, here * placement_of(placed.frame)
                 yield (strip.mirrored(), place * turned_over(inside)) if is_image else (strip, place * inside)
 
@@ -220,23 +245,25 @@ def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
 def _model(
     places: tuple[tuple[Strip, tuple[float, ...]], ...], name: str, options: tuple[tuple[str, Any], ...]
 ) -> Model:
-    placed = [Placed(strip, *np.array(numbers).reshape(3, 3)) for strip, numbers in places]
-    model = Model(tuple(placed), name=name)
+    model = Model(tuple(_placed(*place) for place in places), name=name)
     return model.interlock(**dict(options)) if options else model
 
 
-def _called(obj: Any) -> str:
-    """What is engraved unless told otherwise: an object's label, or its name where no letter of that can be."""
-    label = engravable(obj.Label)
-    return label if any(map(str.isalnum, label)) else str(obj.Name)
+@growing_cache
+def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
+    """The same strip in the same place is the same record: its joints are kept by that."""
+    return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
 @growing_cache
-def _labelled(strip: Strip, label: str) -> Strip:
-    """Models tell their parts apart by label."""
-    from dataclasses import replace
-
-    return strip if strip.label else replace(strip, label=label)
+def _labelled(strip: Strip, label: str, name: str) -> Strip:
+    """Models tell their parts apart by label; where no letter of that can be engraved, the name is."""
+    engrave = None if any(map(str.isalnum, engravable(label))) else name
+    return (
+        strip
+        if (strip.label, strip.engrave) == (label, engrave)
+        else replace(strip, label=label, engrave=engrave)
+    )
 
 
 def _numbers(world: App.Placement) -> tuple[float, ...]:

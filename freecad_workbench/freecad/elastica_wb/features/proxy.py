@@ -147,7 +147,7 @@ class Feature:
 
     @property
     def execute(self) -> Callable[[Any], None]:
-        """The function that FreeCAD calls in a recompute; it fails with a sentence and keeps the last good shape."""
+        """What FreeCAD calls in a recompute; it fails with a sentence and keeps the last good shape."""
         return raising(self._made_or_refused)
 
     def _made_or_refused(self, obj: Any) -> RefusalError | None:

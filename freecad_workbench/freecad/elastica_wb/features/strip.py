@@ -16,6 +16,7 @@ from freecad.elastica_wb.features.strip_request import spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.view_providers import dress
 from freecad.elastica_wb.host.words import capital, worded
@@ -97,6 +98,10 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
+    if (
+        is_sketch(sketch) and sketch.Label != sketch.Name
+    ):  # it was given a name; FreeCAD lets no two share one
+        obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
         group.addObject(obj)
     obj.Curve = (sketch, list(edges))

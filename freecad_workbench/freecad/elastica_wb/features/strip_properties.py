@@ -42,7 +42,7 @@ EXAMPLES = {
 """Lines of properties that hold tables, written as in a design file."""
 
 OWN_BOXES = (
-    "curve", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
+    "curve", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
     "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
 )  # fmt: skip
 """Keys that are not one to one with a property: `strip_request` reads them."""

@@ -12,7 +12,10 @@ import FreeCAD as App
 
 TRIES = 10
 
-RESOURCES = Path(__file__).resolve().parents[3] / "resources"
+HERE = Path(__file__).resolve()
+
+RESOURCES = next(at / "resources" for at in (HERE.parents[1], HERE.parents[3]) if (at / "resources").is_dir())
+"""In the folder that `make addon` writes beside the modules, in a checkout beside `freecad`."""
 
 _aside: list[Any] = []
 

@@ -297,8 +297,12 @@ def _shared(work: str, *subject: Any) -> None:
 
 
 def _renamed(obj: Any, old: str) -> None:
-    """Sentences that speak of an object under its old name are told anew."""
+    """What is called after an object follows its name; sentences that speak of the old one are told anew."""
     module = _proxies()
+    if old and not obj.Document.Transacting and not _is_importing(obj.Document):
+        for user in filter(is_feature, obj.InList):
+            if user.Label.startswith(f"{old} "):
+                user.Label = f"{obj.Label}{user.Label[len(old) :]}"
     told = module.telling(obj, old) if module is not None and old not in ("", obj.Label) else []
     if told:
         QtCore.QTimer.singleShot(0, lambda: recompute(told))

@@ -3,7 +3,7 @@
 
 """What the panels of the features show, and how."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from freecad.elastica_wb.curves.plane_sections import FAMILIES
@@ -336,8 +336,8 @@ LAYOUTS = {
 }
 
 
-def panel_of(obj: Any) -> Panel:
-    """Return the panel of a feature."""
+def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
+    """The panel of a feature, for others of its kind too."""
     if isinstance(obj.Proxy, BentFeature):
         return BendPanel(obj.Strip, obj)
-    return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")])
+    return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")], others)

@@ -4,8 +4,8 @@
 """The panel of a feature: a widget for each property, in both directions."""
 
 import gc
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import FreeCAD as App
@@ -69,12 +69,16 @@ class Layout:
 
 
 class PropertyPanel(Panel):
-    """Edits the properties of one feature, with its numbers and its shape following.
+    """Edits the properties of one feature, with its numbers and its shape following; or those of several alike.
 
-    A widget writes its own property and nothing else; what is changed elsewhere meanwhile is shown.
+    A widget writes its own property and nothing else; what is changed elsewhere meanwhile is shown. Of several
+    features the boxes show the first one's, and what is touched is written into all.
     """
 
-    def __init__(self, obj: Any, layout: Layout) -> None:
+    def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
+        self.objects = list(dict.fromkeys([obj, *others]))
+        if len(self.objects) > 1:  # each has a curve and numbers of its own
+            layout = replace(layout, source="", told=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
         self.icon_name, self.step = layout.icon_name, layout.step
         self.fields: dict[str, Any] = {}
@@ -82,7 +86,7 @@ class PropertyPanel(Panel):
         self._touched: dict[str, None] = {}
         self._changed: dict[str, None] = {}
         self._writing = False
-        super().__init__(obj.Document, [obj])
+        super().__init__(obj.Document, self.objects)
         for name, widget in self.fields.items():
             on_change(widget, lambda *_, name=name: self._touch(name))
         self._refresh = QtCore.QTimer(self.form)
@@ -141,11 +145,10 @@ class PropertyPanel(Panel):
         """Write the changed widgets into their properties, and recompute the document."""
         self._writing = True
         try:
-            bound = {path for path, *_ in self.object.ExpressionEngine}
-            for name in [name for name in self._touched if name not in bound]:
+            for obj, name in self._unbound(self._touched):
                 value = value_of(self.fields[name])
-                if _plain(getattr(self.object, name)) != value:
-                    setattr(self.object, name, value)
+                if _plain(getattr(obj, name)) != value:
+                    setattr(obj, name, value)
                     self._changed[name] = None
         finally:
             self._touched.clear()
@@ -160,11 +163,14 @@ class PropertyPanel(Panel):
 
     def _record(self) -> None:
         """Macros get the last of many values."""
-        if self._changed:
-            bound = {path for path, *_ in self.object.ExpressionEngine}
-            for name in [name for name in self._changed if name not in bound]:
-                record_value(self.object, name, _plain(getattr(self.object, name)))
+        for obj, name in self._unbound(self._changed):
+            record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
+
+    def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
+        """The features with those of these properties that no formula gives."""
+        bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
+        return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
     def closed(self) -> None:
         """Watch the document no longer; boxes that are bound to an object must not outlive it."""
@@ -183,9 +189,9 @@ class PropertyPanel(Panel):
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """A property was changed: by the property editor, an expression, undo, or the recompute."""
-        if self.form is None or obj is not self.object:
+        if self.form is None or obj not in self.objects:
             return
-        if name in self.fields and not self._writing:
+        if obj is self.object and name in self.fields and not self._writing:
             # an expression moves its box too: what waits there is older than this
             self._touched.pop(name, None)
             self._refill(name)
@@ -248,6 +254,8 @@ class PropertyPanel(Panel):
 
     def _words(self) -> str:
         obj = self.object
+        if len(self.objects) > 1:
+            return "\n".join(f"{one.Label}: {why_not_made(one) or one.Verdict}" for one in self.objects)
         if hasattr(obj, "Verdict"):
             return "\n".join([obj.Verdict, *obj.Reasons])
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
@@ -256,7 +264,8 @@ class PropertyPanel(Panel):
         return all(self.is_there(subject) for subject in self.subjects)
 
     def _use_nearest(self, *_: Any) -> None:
-        self.object.Follow = "Nearest"
+        for obj in self.objects:
+            obj.Follow = "Nearest"
         self._changed["Follow"] = None
         self.document.recompute()
         self._show()
