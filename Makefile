@@ -152,7 +152,7 @@ campaign-soak: $(VENV)/test-installed
 # FreeCAD with the workbench as it lies here and an example open (0.20 takes options after the file only).
 freecad:
 	tests/freecad/setup.sh
-	freecad freecad_workbench/example.py -M "$(CURDIR)"
+	freecad freecad_workbench/freecad/elastica_wb/example.py -M "$(CURDIR)"
 
 # Ratios of times in one run, on a machine that does nothing else; docs/explanation/speed.md is written anew.
 benchmark: programs $(VENV)/benchmark-installed

@@ -101,7 +101,14 @@ class Smoothing:
                 "{points}.",
                 percent=100 * change, points=points.told, severity="warning",
             ))  # fmt: skip
-        if self.fairing is not None:
+        drawn = self.drawn.provenance
+        if self.fairing is not None and drawn is not None and drawn.drawn == "poles":
+            found.append(note(
+                "A spline of degree {degree} would give the strip kinks: made fair, {far:.2g} from the drawn curve "
+                "at most.",
+                degree=self.drawn.degree, far=Length(self.moved),
+            ))  # fmt: skip
+        elif self.fairing is not None:
             before = self.ratio_as_drawn
             ratio = (
                 note("as drawn no strip takes it")

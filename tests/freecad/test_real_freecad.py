@@ -119,7 +119,7 @@ def test_a_drag_and_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     check_drag(found, tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 19
+    assert len(found["known"]) == 20
     ours = {keys for name, keys in found["shortcuts"].items() if name.startswith("Elastica")}
     others = {keys for name, keys in found["shortcuts"].items() if not name.startswith("Elastica")}
     assert len(ours) == 9
@@ -372,6 +372,24 @@ def test_first_use_in_german_and_in_the_dark(tmp_path):
     found = launching.run_window("first_use.py", tmp_path, language="German", theme="dark")
     check_first_use(found)
     assert found["verdict"] == "geht"
+
+
+@pytest.mark.campaign
+def test_the_card_over_an_open_sketch(tmp_path):
+    found = launching.run_window("card.py", tmp_path)
+    assert found["searching"][0]
+    assert found["found"] == ["Use the nearest curve", True]
+    for words in ("curvature", "inflection off it", "more than the sheet bears", "nearest curve"):
+        assert words.replace(" ", "&nbsp;") in found["legend"]
+    assert "laid&nbsp;flat" not in found["legend"], "what is not shown is not explained"
+    assert found["wheel goes through"]
+    assert found["kept off"]
+    assert found["folded"] == [True, False, False]
+    assert found["unfolded"] == [True, True]
+    poles, shown, verdict = found["drawn"]
+    assert shown == poles <= 24
+    assert verdict == "can"
+    assert f"Drawn with {poles} poles to drag" in found["cost"]
 
 
 @pytest.mark.campaign

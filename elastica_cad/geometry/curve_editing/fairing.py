@@ -59,9 +59,13 @@ class Fairing:
 
 
 def has_rough_curvature(curve: PlaneCurve) -> bool:
-    """Does the curvature jump, or its slope at an inflection, somewhere inside a curve without corners?"""
+    """Does the curvature jump, or its slope at an inflection, somewhere inside a curve without corners?
+
+    Of a curve that was drawn by poles the slope may jump nowhere: the width of the strip would have a kink there.
+    """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
-    if any(b.continuity == 1 for b in breaks):
+    by_poles = curve.provenance is not None and curve.provenance.drawn == "poles"
+    if any(b.continuity <= 1 + by_poles for b in breaks):
         return True
     kinks = np.array([b.t for b in breaks if b.continuity == 2])
     zeros = [z.t for z in curve.curvature_zeros if z.kind in ("crossing", "touch")]
@@ -72,12 +76,12 @@ def has_rough_curvature(curve: PlaneCurve) -> bool:
 def choose_tolerance(curve: PlaneCurve) -> float:
     """How far a curve may be moved to make it fair unless told, mm; 0: not at all.
 
-    Only curves of a pen tool, as readers of files record it, whose curvature jumps: by 0.1 mm or 5e-4 of the
-    length, whichever is less, and no less than its coordinates were rounded by. Curves with straight pieces are
-    left alone: those are meant to be straight.
+    Only curves of a pen tool, as readers of files record it, whose curvature jumps, and splines of low degree that
+    were drawn by poles: by 0.1 mm or 5e-4 of the length, whichever is less, and no less than its coordinates were
+    rounded by. Curves with straight pieces are left alone: those are meant to be straight.
     """
     drawn = curve.provenance
-    if drawn is None or drawn.drawn != "pen" or curve.has_corners:
+    if drawn is None or drawn.drawn == "exact" or curve.has_corners:
         return 0.0
     if any(zero.kind == "flat" for zero in curve.curvature_zeros) or not has_rough_curvature(curve):
         return 0.0

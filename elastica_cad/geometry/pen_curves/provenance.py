@@ -10,8 +10,9 @@ from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 from elastica_cad.refusals import Point, note
 
-Drawn: TypeAlias = Literal["pen", "exact"]
-"""How a curve was drawn: with Bezier pieces of a pen tool, or as a shape whose digits are exact."""
+Drawn: TypeAlias = Literal["pen", "poles", "exact"]
+"""How a curve was drawn: with Bezier pieces of a pen tool, by the poles of a spline of low degree, or with exact
+digits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,8 +22,9 @@ class Provenance:
     Parameters
     ----------
     drawn : str
-        "pen": polynomial Bezier pieces, which a strip may leave a little to become fair; "exact": arcs, conics,
-        splines, which are followed to the last digit.
+        "pen": polynomial Bezier pieces, which a strip may leave a little to become fair; "poles": a spline of a
+        sketch, which it may leave to become fair in the slope of its curvature too; "exact": arcs, conics, splines,
+        which are followed to the last digit.
     rounding : float
         How far a coordinate may be from what was drawn by the number of its digits alone, mm; 0: not at all.
     healed : float

@@ -487,6 +487,21 @@ def sheet_names() -> list[str]:
     return [*library_sheets()[0], *built_in_figures()]
 
 
+KINDS = {
+    "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
+    "board": "Fibre boards", "metal": "Metals", "composite": "Composites",
+}  # fmt: skip
+"""What the kinds of sheets are called in a list."""
+
+
+def sheets_by_kind() -> dict[str, list[Sheet]]:
+    """All sheets of `sheet_names`, under what their kinds are called."""
+    found: dict[str, list[Sheet]] = {}
+    for one in map(Sheet.named, sheet_names()):
+        found.setdefault(KINDS.get(one.kind, one.kind.capitalize() or "Other"), []).append(one)
+    return found
+
+
 def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
     """The sheets of the user's library by name, and a sentence for each file or sheet there that cannot be used.
 

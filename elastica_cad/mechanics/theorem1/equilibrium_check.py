@@ -86,7 +86,7 @@ def examine(
     curve: PlaneCurve,
     supports: Supports,
     natural_curvature: NaturalCurvature,
-    tolerance: float,
+    tolerance: float = 1e-4,
     *,
     heavy: bool = False,
 ) -> EquilibriumCheck:

@@ -425,9 +425,9 @@ def test_the_options_that_set_a_refused_field_are_named(words, options, tmp_path
 
 
 @pytest.mark.usefixtures("unhurried")
-@pytest.mark.parametrize("count", [40, 200])
 @pytest.mark.parametrize(
-    "words", ["check points.csv", "strip points.csv --sheet pom-1 --max-width 30 -o out"]
+    ("count", "words"),
+    [(200, "check points.csv"), (40, "strip points.csv --sheet pom-1 --max-width 30 -o out")],
 )
 def test_points_that_waver_are_smoothed_first(count, words, tmp_path, monkeypatch):
     """So few that a curve goes through all of them, and so many that none does."""

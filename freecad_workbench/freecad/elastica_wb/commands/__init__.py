@@ -22,7 +22,12 @@ from freecad.elastica_wb.commands.strip_commands import (
     StripCommand,
     ToleranceCommand,
 )
-from freecad.elastica_wb.commands.workshop_commands import CouponCommand, ExportCommand, SheetsCommand
+from freecad.elastica_wb.commands.workshop_commands import (
+    CouponCommand,
+    ExampleCommand,
+    ExportCommand,
+    SheetsCommand,
+)
 from freecad.elastica_wb.live.live_command import NAME as LIVE
 
 __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
@@ -39,8 +44,9 @@ STRIPS = (
 )
 MODELS = (InterlockCommand(), FixturesCommand(), NestCommand(), ExportCommand())
 WORKSHOP = (SheetsCommand(), CouponCommand())
+EXAMPLE = ExampleCommand()
 
-COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP)
+COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)
 
 
 def _names(commands: Iterable[Command]) -> list[str]:
@@ -51,7 +57,7 @@ TOOLBARS = {
     "Elastica": [SKETCH, LIVE, "Separator", *_names(DRAW), "Separator", *_names(STRIPS)],
     "Elastica models": [*_names(MODELS), "Separator", *_names(WORKSHOP)],
 }
-MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"]]
+MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"], "Separator", EXAMPLE.name]
 
 
 def register() -> None:

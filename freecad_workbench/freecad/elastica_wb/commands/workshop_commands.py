@@ -6,6 +6,7 @@
 import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, answers, show_panel
 from freecad.elastica_wb.commands.selection import chosen_sources
+from freecad.elastica_wb.example import open_example
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.panels.coupon import CouponPanel
 from freecad.elastica_wb.panels.export import ExportPanel
@@ -61,3 +62,22 @@ class SheetsCommand(Command):
     def run(self) -> None:
         """Open the panel."""
         show_panel(SheetsPanel)
+
+
+class ExampleCommand(Command):
+    """Something to look at and to change, in a document of its own."""
+
+    name = "Elastica_Example"
+    text = QT_TRANSLATE_NOOP("Elastica_Example", "Open an example")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Example",
+        "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
+    )
+
+    def has_subject(self) -> bool:
+        """It needs nothing."""
+        return True
+
+    def run(self) -> None:
+        """Make the document."""
+        open_example()

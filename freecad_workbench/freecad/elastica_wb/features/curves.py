@@ -27,13 +27,13 @@ from freecad.elastica_wb.features.strip_request import nearest_spec_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
-from freecad.elastica_wb.host.words import worded
+from freecad.elastica_wb.host.words import report, worded
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
-from freecad.elastica_wb.solving.strip_cache import find_nearest_to_draw
+from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
 from elastica_cad.errors import InputError
-from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.plane_sections.section_curves import AT_TWO_PLACES, SectionCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
@@ -207,23 +207,23 @@ def largest_move(rest: Rod, rod: Rod) -> float:
 
 def draw_into(obj: Any) -> None:
     """A nearest curve in place of the one that its sketch holds; the feature goes."""
-    sketch, near = obj.Curve[0], _near(obj)
+    sketch, curve = obj.Curve[0], _curve_to_drag(obj)
     if not is_sketch(sketch):
         raise InputError("{object} is no sketch: nothing can be drawn into it", object=sketch.Label)
     obj.Document.removeObject(obj.Name)
-    curve_into(sketch, near.curve)
+    curve_into(sketch, curve)
 
 
 def nearest_sketch(obj: Any) -> None:
     """Replace a nearest curve by a sketch of it, which can be edited and follows nothing."""
-    near, document = _near(obj), obj.Document
+    curve, document = _curve_to_drag(obj), obj.Document
     made = document.addObject("Sketcher::SketchObject", "Nearest")
     group = obj.getParentGeoFeatureGroup()
     if group is not None:
         group.addObject(made)
     made.Label, made.Placement = f"{obj.Label} {translate('Elastica', 'sketch')}", obj.Placement
     document.removeObject(obj.Name)
-    curve_into(made, near.curve)
+    curve_into(made, curve)
 
 
 def section_sketches_of(obj: Any) -> None:
@@ -235,8 +235,11 @@ def section_sketches_of(obj: Any) -> None:
         section_sketches(document, body, curves)
 
 
-def _near(obj: Any) -> NearestRod:
-    return find_nearest_to_draw(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+def _curve_to_drag(obj: Any) -> PlaneCurve:
+    curve, cost = find_nearest_to_drag(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+    if cost:
+        report(cost, obj.Label)
+    return curve
 
 
 def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:

@@ -13,17 +13,21 @@ from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import strips_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
-from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.strip_cache import growing_cache
 
+from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.held_tabs import holder_plays
 from elastica_cad.fabrication.holders.placed_tab import place_tabs
 from elastica_cad.fabrication.model.strip_model import Model
+
+SIZES = {one.name.title().replace("_", ""): one for one in declared(EndFixture)}
+"""What blocks are asked for, by its properties."""
 
 PLAYS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
 """How much room tabs have in what holds them."""
@@ -34,13 +38,7 @@ class FixturesFeature(Feature):
 
     properties = (
         Property("LinkListGlobal", "Sources", "Fixtures", "A model, or strips, whose ends are held"),
-        Property("Length", "Clearance", "Fixtures", "Room around the tab", 0.15),
-        Property("Length", "Wall", "Fixtures", "Least thickness around the pocket", 4.0),
-        Property(
-            "Length", "Foot", "Fixtures", "How far the foot sticks out on either side; 0 for none", 12.0
-        ),
-        Property("Length", "FootHeight", "Fixtures", "Height of the foot", 4.0),
-        Property("Length", "Screw", "Fixtures", "Diameter of the screw holes in the foot; 0 for none", 4.3),
+        *(declared_property(field, "Fixtures", name) for name, field in SIZES.items()),
         PLAYS,
         CONTAINERS,
     )
@@ -61,13 +59,7 @@ class FixturesFeature(Feature):
 
 
 def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
-    return model.fixtures(
-        clearance=obj.Clearance.Value,
-        wall=obj.Wall.Value,
-        foot=obj.Foot.Value,
-        foot_height=obj.FootHeight.Value,
-        screw=obj.Screw.Value,
-    )
+    return model.fixtures(**values_of(obj, SIZES))
 
 
 def blocks_for(source: Any) -> list[EndFixture]:

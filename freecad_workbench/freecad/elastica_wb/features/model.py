@@ -18,16 +18,18 @@ from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import begun, in_background
-from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import report_warning, worded
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 from freecad.elastica_wb.solving.strip_cache import bent_shape, growing_cache
 
+from elastica_cad.declared import declared
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.interlocking.collisions import missing_slots
+from elastica_cad.fabrication.interlocking.interlock import interlock
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -40,21 +42,17 @@ _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = We
 """The models that shapes show, and in which place of their container, by their proxies."""
 
 
+SLOTS = {one.name.title(): one for one in declared(interlock) if one.name != "above"}
+"""What slots are asked for, by its properties; a direction of 0 stands for none."""
+
+
 class ModelFeature(Feature):
     """Bent strips with their slots, as one compound."""
 
     properties = (
         Property("LinkListGlobal", "Strips", "Model", "The strips, in the order of assembly"),
         Property("Bool", "Interlock", "Model", "Cut slots where strips cross", True),
-        Property("Length", "Clearance", "Model", "Added to the width of every slot", 0.1),
-        Property(
-            "Enumeration",
-            "Fit",
-            "Model",
-            "Slots as the angle asks for, or as in the paper",
-            ["exact", "paper"],
-        ),
-        Property("Enumeration", "Relief", "Model", "Inner ends of the slots", ["square", "round"]),
+        *(declared_property(field, "Model", name) for name, field in SLOTS.items()),
         Property(
             "Vector",
             "Above",
@@ -140,12 +138,7 @@ def model_of(obj: Any, *, shown: bool = False) -> Model:
     options: tuple[tuple[str, Any], ...] = ()
     if obj.Interlock:
         above = tuple(obj.Above) if obj.Above.Length > 0 else None
-        options = (
-            ("clearance", obj.Clearance.Value),
-            ("fit", obj.Fit),
-            ("relief", obj.Relief),
-            ("above", above),
-        )
+        options = (*values_of(obj, SLOTS).items(), ("above", above))
     return strips_model(obj.Strips, name=obj.Label, options=options, shown=shown)
 
 

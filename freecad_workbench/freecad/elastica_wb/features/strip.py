@@ -4,6 +4,7 @@
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Any, ClassVar
 from weakref import WeakValueDictionary
 
@@ -38,6 +39,7 @@ from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.refusals import Length, note, sentences
 
 BODY = "PartDesign::Body"
+SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
@@ -53,6 +55,13 @@ class StripFeature(Feature):
     def __init__(self, obj: Any) -> None:
         super().__init__(obj)
         obj.Anticlastic = True
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Another sheet has another colour."""
+        before = self.chosen
+        super().onChanged(obj, name)
+        if name == "Sheet" and App.GuiUp and before is not None and "Restore" not in obj.State:
+            _recolor(obj, before)
 
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""
@@ -111,6 +120,16 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     if App.GuiUp:
         obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     return obj
+
+
+def _recolor(strip: Any, before: str) -> None:
+    """The strip, and what is made from it: but for what the user has painted."""
+    with suppress(InputError):  # a sheet that is not known any more
+        old, new = (sheet_color(sheet_called(name)) for name in (before, strip.Sheet))
+        for view in [one.ViewObject for one in (strip, *strip.InList)]:
+            shown = getattr(view, "ShapeColor", ())[:3]
+            if shown and all(abs(a - b) < SAME_COLOR for a, b in zip(shown, old, strict=True)):
+                view.ShapeColor = new
 
 
 def is_strip(obj: Any) -> bool:

@@ -9,8 +9,8 @@ from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
-from freecad.elastica_wb.features.strip_properties import EXAMPLES, FIELDS, NOTHING, PROPERTIES, name_of
-from freecad.elastica_wb.host.property_table import require_choices
+from freecad.elastica_wb.features.strip_properties import EXAMPLES, FIELDS, PROPERTIES, name_of
+from freecad.elastica_wb.host.property_table import NOTHING, require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field

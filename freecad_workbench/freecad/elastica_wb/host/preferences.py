@@ -20,6 +20,7 @@ DEFAULTS: dict[str, Any] = {
     "Tolerance": 0.02,
     "LiveMode": True,
     "LiveNearest": True,
+    "CardFolded": False,
     "ExportFolder": "",
 }
 """Name of every preference and what holds until it is changed; the type is the default's."""

@@ -31,6 +31,8 @@ class Panel:
     icon_name = "Elastica"
     step = ""
     only_tells = False
+    done = "Ok"
+    """The button of the task panel that calls `finished`."""
     preview: Any = None
     opened: "Panel | None" = None
 
@@ -101,9 +103,9 @@ class Panel:
         gc.collect()
 
     def getStandardButtons(self) -> int:
-        """OK and Cancel, or for a panel that only tells something Close."""
+        """OK (or Save) and Cancel, or for a panel that only tells something Close."""
         kinds = QtWidgets.QDialogButtonBox
-        wanted = [kinds.Close] if self.only_tells else [kinds.Ok, kinds.Cancel]
+        wanted = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
         return sum(int(getattr(button, "value", button)) for button in wanted)
 
     def isAllowedAlterSelection(self) -> bool:

@@ -30,7 +30,7 @@ from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.refusals import note
 
-Told = tuple[tuple[str, object], ...]
+Told = tuple[tuple[str, object, str], ...]
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Layout:
     source : str
         Property with the curve, that can be picked anew; empty for none.
     told : callable
-        Numbers below the message: label and value.
+        Numbers below the message: label, value, and the property that says in its help what they mean.
     actions : tuple of (label, callable)
         Buttons that put something else in the feature's place, and end the panel.
     footnote : callable
@@ -234,8 +234,10 @@ class PropertyPanel(Panel):
         told = () if failed else layout.told(obj)
         rows = "".join(
             f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{worded(note('{given}', given=value))}</b></td></tr>"
-            for name, value in told
+            for name, value, _ in told
         )
+        helps = {entry.name: entry.translated_help for entry in layout.table}
+        self.form.numbers.setToolTip("\n".join(f"{name}: {helps[entry]}" for name, _, entry in told))
         self.form.numbers.setText(f"<table>{rows}</table>" if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(
