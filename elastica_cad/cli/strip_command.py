@@ -269,14 +269,14 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     with suppress(NotConvergedError):
         say(str(made.held()))
         _tell_compensation(kit)
-    run_ins = kit.spec.run_ins.told
-    if run_ins is not None:
-        say(run_ins)
+    tabs = kit.spec.tabs_told
+    if tabs is not None:
+        say(tabs)
     say(made.joint or tell_ends(made))
     if blank := tell_blank(made):
         say(blank)
     for warning in made.warnings:
-        if warning == run_ins or (near is not None and warning == near.status.value):
+        if warning == tabs or (near is not None and warning == near.status.value):
             continue  # told above
         warn(f"Warning: {warning}", told=is_told(warning))
     if kit.asked.pictures and "png" not in kit.files:
