@@ -198,12 +198,17 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
 
 
 def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Candidate]":
-    """Of a strip that would break: the thickest sheet that bears this curve, and the size that its own bears."""
+    """Of a strip that would break: the thickest sheet that bears this curve, and the size that its own bears.
+
+    Sheets of its kind come first, and those alone where the user's own is in no list.
+    """
     if not isinstance(problem, StrainError):
         return
     used, own = problem.refusal.values["percent"] / 100, spec.material
     bears = used * own.max_strain / own.thickness
-    sheets = sorted(map(Sheet.named, sheet_names()), key=lambda one: -one.thickness)
+    listed = sheet_names()
+    known = (one for one in map(Sheet.named, listed) if one.kind == own.kind or own.name in listed)
+    sheets = sorted(known, key=lambda one: (one.kind != own.kind, -one.thickness))
     other = next((one for one in sheets if one.max_strain / one.thickness >= bears), None)
     if other is not None:
         yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
