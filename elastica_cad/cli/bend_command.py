@@ -80,6 +80,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 
     \b
       elastica bend arch.dxf --to 350 0                        the arch with its feet 50 mm closer
+      elastica bend out/arch.json --to 350 0                   the same, of the report that `elastica strip` wrote
       elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
 
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
@@ -109,6 +110,11 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     if chosen["max_width"] is not None and chosen["sheet"] is None:
         raise InputError("--max-width tells newtons of a material: add --sheet NAME")
     rod = _rod(curve, chosen)
+    held = chosen["hold_start"], chosen["hold_end"]
+    if curve is not None and held != ("clamped", "clamped"):
+        say(
+            f"the strip is that of {curve.name} with both ends clamped; now its start is {held[0]}, its end {held[1]}"
+        )
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
     name = f"{curve.stem if curve is not None else 'straight'}-bent"
     moved = None
@@ -174,7 +180,9 @@ def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
         None if given is None else np.radians(given) for given in (chosen["start_angle"], chosen["end_angle"])
     ]
     supports = Supports(chosen["hold_start"], chosen["hold_end"])
-    parts = np.arange(1, chosen["steps"] + 1) / chosen["steps"]
+    # forces are listed from travel 0 on; of a straight strip they are any there, up to that at which it buckles
+    listed = chosen["max_width"] is not None and chosen["steps"] > 1 and chosen["straight"] is None
+    parts = np.arange(0 if listed else 1, chosen["steps"] + 1) / chosen["steps"]
     return [
         {
             "start": here[0] + part * (there[0] - here[0]),
@@ -222,7 +230,7 @@ def _tell_forces(moved: Travel) -> None:
     """Forces, energy and strain of every shape in a line."""
     for k in range(len(moved.rods)):
         size = float(np.hypot(*moved.end_force[k]))
-        x, y = np.where(np.abs(moved.end_force[k]) < 1e-9 * size, 0.0, moved.end_force[k])
+        x, y = np.where(np.abs(moved.end_force[k]) <= 1e-9 * size, 0.0, moved.end_force[k])
         say(
             f"travel {moved.travel[k]:.4g} mm: end pushed by ({x:.4g}, {y:.4g}) N and {moved.end_moment[k]:.4g} "
             f"N mm, energy {moved.energy[k]:.4g} N mm, strain {100 * moved.strain[k]:.3g} %, "
