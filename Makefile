@@ -17,7 +17,7 @@ endef
 # What the compiled library is made of: an environment is brought up to date where one of these is newer.
 SOURCES := $(wildcard elastica_cad/_native/*.[ch])
 
-.PHONY: demo docs generate test lint programs test-main test-windows test-oldest freecad benchmark clean
+.PHONY: demo docs addon generate test lint programs test-main test-windows test-oldest freecad benchmark clean
 
 demo: $(VENV)/demo-installed
 	$(BIN)/elastica strip examples/arch/arch.dxf --sheet birch-plywood-0.8 --max-width 40 \
@@ -26,6 +26,23 @@ demo: $(VENV)/demo-installed
 # The manual as a site in out/manual, in three languages; a warning is an error.
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
+
+# The folder that a user of FreeCAD puts into Mod: metadata, licence, and `freecad/` with the core inside it, without
+# the page of `elastica studio`, compiled loops and the sources of translations.
+ADDON := $(OUT)/addon/Elastica
+addon:
+	rm -rf $(ADDON)
+	mkdir -p $(ADDON)/freecad
+	cp LICENSE $(ADDON)
+	sed 's|>resources|>freecad/elastica_wb/resources|; s|freecad_workbench/resources|freecad/elastica_wb/resources|; s|freecad_workbench/||' \
+		package.xml > $(ADDON)/package.xml
+	cp -R freecad_workbench/freecad/elastica_wb $(ADDON)/freecad
+	cp -R freecad_workbench/resources $(ADDON)/freecad/elastica_wb
+	mkdir $(ADDON)/freecad/elastica_wb/core
+	cp -R elastica_cad $(ADDON)/freecad/elastica_wb/core
+	rm -rf $(ADDON)/freecad/elastica_wb/core/elastica_cad/web
+	find $(ADDON) -name '*.py[co]' -delete -o -name '*.so' -delete -o -name '*.[ch]' -delete -o -name '*.ts' -delete
+	find $(ADDON) -name __pycache__ -delete
 
 # Writes again what is made from the code: the reference pages of the manual, the typed options of the CAD libraries,
 # and the drawing of the packages.
@@ -135,7 +152,7 @@ campaign-soak: $(VENV)/test-installed
 # FreeCAD with the workbench as it lies here and an example open (0.20 takes options after the file only).
 freecad:
 	tests/freecad/setup.sh
-	freecad freecad_workbench/example.py -M "$(CURDIR)"
+	freecad freecad_workbench/freecad/elastica_wb/example.py -M "$(CURDIR)"
 
 # Ratios of times in one run, on a machine that does nothing else; docs/explanation/speed.md is written anew.
 benchmark: programs $(VENV)/benchmark-installed

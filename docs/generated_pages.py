@@ -26,7 +26,8 @@ NAMES = {
     ),
     "Can it be bent?": ("check_equilibrium", "EquilibriumCheck", "NotRealizable", "split"),
     "Rods": (
-        "optimal_rod", "Rod", "bend", "stability", "Stability", "Supports", "End", "Gravity", "Weight", "PointMass",
+        "optimal_rod", "Rod", "bend", "stability", "Stability", "stability_limit", "Supports", "End", "Gravity",
+        "Weight", "PointMass",
     ),
     "The nearest rod": (
         "nearest_rod", "nearest_rods", "NearestRod", "Status", "Limits", "Keep", "Box", "HalfPlane",
@@ -36,8 +37,7 @@ NAMES = {
         "FabricationLimits", "Drawing", "save",
     ),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
-    "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
-               "touching_widths"),
+    "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through"),
     "Two drawn curves, one strip": (
         "matched_pair", "check_pair", "two_state_rod", "TwoStateRod", "PairLimits", "Flexure",
     ),

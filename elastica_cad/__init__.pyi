@@ -18,7 +18,6 @@ from elastica_cad.fabrication.flexure import Flexure as Flexure
 from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits as FabricationLimits
 from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.fabrication.model.strip_model import Model as Model
-from elastica_cad.fabrication.model.touching_widths import touching_widths as touching_widths
 from elastica_cad.fabrication.placed_strip import Placed as Placed
 from elastica_cad.fabrication.slots.slot import Slot as Slot
 from elastica_cad.fabrication.strip.lamination import Laminated as Laminated
@@ -56,6 +55,7 @@ from elastica_cad.mechanics.material.sheet import (
 )
 from elastica_cad.mechanics.rod.rod_record import Rod as Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability as Stability, stability as stability
+from elastica_cad.mechanics.studies.stability_limit import stability_limit as stability_limit
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod as optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium as check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import (

@@ -263,7 +263,7 @@ def refuse_renamed(asked: Iterable[str]) -> None:
 
 
 def refusing_old_names(function: Callable[P, R]) -> Callable[P, R]:
-    """The same function, which refuses names of options that were changed with what they are called now."""
+    """Make a function refuse names of options that were changed, and say what they are called now."""
 
     @wraps(function)
     def call(*args: P.args, **options: P.kwargs) -> R:

@@ -47,7 +47,7 @@ class Listed(tuple[Any, ...]):
 
 
 class Either(Listed):
-    """The same, of which one is to be chosen.
+    """Sentences or numbers of which one is to be chosen, joined by "or".
 
     Examples
     --------
@@ -59,13 +59,13 @@ class Either(Listed):
 
 
 class Span(Listed):
-    """From where to where lengths run; one length where both look alike."""
+    """A range of lengths; one length where both ends look alike."""
 
     LAST = "{some} to {last}"
 
     @classmethod
     def of(cls, low: float, high: float, digits: str = ".3g") -> "Span":
-        """Of lengths in mm, alike where they are so in these digits.
+        """Return the range from `low` to `high`, mm; ends that are equal in these digits become one.
 
         Examples
         --------
@@ -252,14 +252,14 @@ class Refusal(str):
         return self.kind, self.text, self.values, self.where, self.changes, self.severity
 
     def at(self, **where: Any) -> "Refusal":
-        """The same with more places."""
+        """Return the same refusal with more places."""
         return Refusal(
             self.kind, self.text, self.values, {**self.where, **where}, self.changes, self.severity
         )
 
     @property
     def all_changes(self) -> tuple[Change, ...]:
-        """Its own, and those of the records in it."""
+        """The changes of this record, and those of the records in its values."""
         inside = (one for one in self.values.values() if isinstance(one, Refusal))
         return (*self.changes, *(change for one in inside for change in one.all_changes))
 

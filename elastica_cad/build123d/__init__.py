@@ -12,6 +12,7 @@ except ImportError as error:
     ) from error
 
 from elastica_cad.build123d.strip_objects import (
+    AngleSlider,
     BentStrip,
     EndFixture,
     FlatStrip,
@@ -23,6 +24,7 @@ from elastica_cad.build123d.strip_operations import Elastica, elastic_strip, mod
 from elastica_cad.kernel.strip_body import StripWarning
 
 __all__ = [
+    "AngleSlider",
     "BentStrip",
     "Elastica",
     "EndFixture",

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from os import PathLike
-from typing import Any, TypeAlias, Unpack
+from typing import TYPE_CHECKING, Any, TypeAlias, Unpack
 
 import build123d as bd
 
@@ -14,6 +14,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
@@ -21,8 +22,11 @@ from elastica_cad.kernel.strip_on_path import (
     make_fixture_on,
     make_strip_on,
 )
-from elastica_cad.kernel.strip_options import StripOptions
+from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
+
+if TYPE_CHECKING:
+    from elastica_cad.kernel.end_travel import Travel
 
 
 def make_solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
@@ -61,19 +65,18 @@ class _Made(StripBody):
         """The strip as cut, on the xy plane."""
         return FlatStrip(self, mode=bd.Mode.PRIVATE)
 
+    @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "BentStrip":
-        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`.
-
-        `start` and `end` are points in space, or two numbers in the `frame` of the body, mm; `angles` (degrees in
-        that frame) and all others as in `mechanics.bend`.
-        """
+        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`."""
         if not moved:
             return BentStrip(self, mode=bd.Mode.PRIVATE)
         return BentStrip(self._bent_anew(moved), plane=self.frame, mode=bd.Mode.PRIVATE)
 
-    def slider(self, end: Point) -> "Slider":
-        """A joint of this body: the travel of its end to a point in space, or two numbers in its `frame`, mm."""
-        return Slider(self, end)
+    def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider | AngleSlider":
+        """A joint of this body: the travel of its end to a point in space or two numbers in its `frame`, mm; or
+        turning where it stands to an angle in that frame, degrees.
+        """
+        return Slider(self, end) if angle is None else AngleSlider(self, angle, end)
 
     @property
     def outline(self) -> "StripOutline":
@@ -101,8 +104,9 @@ class _Made(StripBody):
         self._require_backing()
         return self.layers[1]
 
+    @lists(FixtureSizes, BlockOptions)
     def fixture(self, end: StripEnd = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
-        """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
+        """The block that holds an end of the bent strip, in place."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
     def _apply_transform(self, transformation: Any) -> Any:
@@ -144,7 +148,31 @@ class _Made(StripBody):
         self.__dict__.update(state | {COLOR: None if color is None else bd.Color(*color)})
 
 
-class Slider(bd.LinearJoint):
+class _Travelled:
+    """What joints on a strip's end know of the strip on its way."""
+
+    travel: "Travel"
+    parent: Any
+
+    def bent(self, position: float) -> "BentStrip":
+        """The strip with its end `position` along the way, mm or degrees."""
+        strip = replace(self.travel.strip, rod=self.travel.rod(position))
+        return BentStrip(strip, plane=self._frame, mode=bd.Mode.PRIVATE)
+
+    def write_glb(
+        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
+    ) -> None:
+        """Write the way there and back as an animation; a file that is there only with `force`."""
+        moved = replace(self.travel, frame=self._frame)
+        moved.write_glb(path, frames=frames, seconds=seconds, force=force)
+
+    @property
+    def _frame(self) -> Frame:
+        """The plane of the strip where its body lies now: it may have been joined to others since."""
+        return self.parent.frame if isinstance(self.parent, _Made) else self.travel.frame
+
+
+class Slider(_Travelled, bd.LinearJoint):
     """Linear joint "slider": a strip's end on its way, straight and with its direction held, to another point.
 
     `connect_to(joint, position=...)` moves what rides on the end; `bent(position)` is the strip then.
@@ -177,35 +205,70 @@ class Slider(bd.LinearJoint):
     (145.0, 145.0)
     """
 
-    def __init__(self, rib: "_Made", end: Point) -> None:
+    def __init__(self, rib: "_Made", end: Point | None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
-        self.travel = travel_of(rib, end)
+        self.travel = travel_of(rib, end, None)
         place = bd.Location(occt.make_location(self.travel.place))
         super().__init__(
             "slider", rib, bd.Axis(place.position, bd.Plane(place).x_dir), (0.0, self.travel.length)
         )
 
-    def bent(self, position: float) -> "BentStrip":
-        """The strip with its end `position` mm along the way."""
-        travel = self.travel
-        strip = replace(travel.strip, rod=travel.rod(position))
-        return BentStrip(strip, plane=self._frame, mode=bd.Mode.PRIVATE)
 
-    def write_glb(
-        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
-    ) -> None:
-        """Write the way there and back as an animation; a file that is there only with `force`."""
-        moved = replace(self.travel, frame=self._frame)
-        moved.write_glb(path, frames=frames, seconds=seconds, force=force)
+class AngleSlider(_Travelled, bd.RevoluteJoint):
+    """Revolute joint "slider": a strip's end that turns where it stands.
 
-    @property
-    def _frame(self) -> Frame:
-        """The plane of the strip where its body lies now: it may have been joined to others since."""
-        rib: Any = self.parent
-        return rib.frame if isinstance(rib, _Made) else self.travel.frame
+    `connect_to(joint, angle=...)` turns what sits on the end, its x axis along the strip; `bent(angle)` is the
+    strip then. Angles count from where the end is, degrees.
+
+    Parameters
+    ----------
+    rib : BentStrip or PlacedStrip
+        Gets the joint.
+    angle : float
+        The direction that the end turns to in the rib's `frame`, degrees, counted along the strip.
+
+    Attributes
+    ----------
+    travel : Travel
+        The shapes on the way, and how far it turns.
+
+    Raises
+    ------
+    InputError
+        A body that is not bent, or whose end has that direction already.
+
+    Examples
+    --------
+    >>> from elastica_cad.build123d import Elastica
+    >>> rib = BentStrip(Elastica((0, 0), (160, 0), 200, angles=(0, 0)).edge(), "pom-0.5", max_width=10)
+    >>> slider = rib.slider(angle=30)
+    >>> slider.connect_to(bd.RigidJoint("hub", bd.Box(10, 20, 10)), angle=20)
+    >>> round(float(slider.bent(20).rod.angle[-1] - rib.rod.angle[-1]), 6)
+    0.349066
+    """
+
+    def __init__(self, rib: "_Made", angle: float, end: Point | None = None) -> None:
+        from elastica_cad.kernel.end_travel import travel_of
+
+        self.travel = travel_of(rib, end, angle)
+        place = bd.Location(occt.make_location(self.travel.place))
+        body: Any = rib
+        self._home = body.location.inverse() * place
+        super().__init__(
+            "slider",
+            rib,
+            bd.Axis(place.position, bd.Plane(place).z_dir),
+            angular_range=(0.0, self.travel.length),
+        )
+
+    def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
+        """Where a joint is put on the end; the base class leaves open where angles are counted from."""
+        super().relative_to(other, angle=angle)
+        return self._home * bd.Rotation(0, 0, self._angle) * other.relative_location.inverse()
 
 
+@lists(StripOptions, drawn=True)
 class StripOutline(_Made, bd.BaseSketchObject):
     """Sketch object: the flat pattern of the strip that bends into a curve.
 
@@ -213,17 +276,10 @@ class StripOutline(_Made, bd.BaseSketchObject):
 
     Parameters
     ----------
-    path : Edge, Wire, edges that follow each other, or PlaneCurve
-        The curve that the strip is to take.
-    sheet : Sheet or str
-        The material, or the name of a built-in one.
-    max_width : float
-        The largest width of the free part, mm; or give `min_width`, the least.
-    rotation, align, mode
+    rotation : float
+        About the z axis, degrees.
+    align, mode
         As in every sketch object of build123d.
-    **options
-        All other fields of `StripSpec`: min_width, style, limits, keep, gravity, loads, supports,
-        natural_curvature, samples, ends, slots, label; and of a `PlaneCurve` its `frame` in space.
 
     Raises
     ------
@@ -280,28 +336,45 @@ class _StripPart(_Made, bd.BasePartObject):
         raise NotImplementedError
 
 
+@lists(StripOptions, drawn=True)
 class FlatStrip(_StripPart):
     """Part object: the strip as cut, lying on the xy plane.
 
     Rigid joints "start", "end", "hole1", "hole2", ... lie half way through the thickness: z off the sheet, x
-    outward along the strip. Parameters, errors and frame as in `StripOutline`.
+    outward along the strip. Errors and frame as in `StripOutline`.
+
+    Parameters
+    ----------
+    rotation : (float, float, float)
+        About the axes, degrees.
+    align, mode
+        As in every part object of build123d.
     """
 
     def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
         return FlatSolid.layers(made.strip)
 
 
+@lists(StripOptions, drawn=True)
 class BentStrip(_StripPart):
     """Part object: the strip bent, standing on the drawn curve with half its thickness to either side.
 
     Inside a builder the path is in the coordinates of its workplane, as all that is drawn there. Joints as on
-    `FlatStrip`, parameters and errors as in `StripOutline`.
+    `FlatStrip`, errors as in `StripOutline`.
+
+    Parameters
+    ----------
+    rotation : (float, float, float)
+        About the axes, degrees.
+    align, mode
+        As in every part object of build123d.
     """
 
     def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
         return BentSolid.layers(made.strip, made.frame)
 
 
+@lists(FixtureSizes, BlockOptions, StripOptions, drawn=True)
 class EndFixture(_Made, bd.BasePartObject):
     """Part object: the block that holds one end of the bent strip, in place beside `BentStrip` of the same path.
 
@@ -309,15 +382,11 @@ class EndFixture(_Made, bd.BasePartObject):
 
     Parameters
     ----------
-    path, sheet, max_width
-        As in `StripOutline`.
     end : "start" or "end"
-    floor : Plane, optional
-        What the block stands on; without it on a plane square to the tab.
-    clearance, wall, foot, foot_height, screw, number
-        As in `fabrication.EndFixture`, mm.
-    rotation, align, mode, **options
-        As in `BentStrip`.
+    rotation : (float, float, float)
+        About the axes, degrees.
+    align, mode
+        As in every part object of build123d.
 
     Raises
     ------
@@ -333,15 +402,12 @@ class EndFixture(_Made, bd.BasePartObject):
         max_width: float | None = None,
         end: StripEnd = "start",
         floor: bd.Plane | None = None,
-        number: str | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
         **options: Unpack[FixtureOptions],
     ) -> None:
-        made, block = make_fixture_on(
-            path, sheet, max_width=max_width, end=end, floor=floor, number=number, **options
-        )
+        made, block = make_fixture_on(path, sheet, max_width=max_width, end=end, floor=floor, **options)
         solid = bd.Solid(occt.make_solid(block.solid))
         add_joints(solid, block.solid)
         super().__init__(solid, rotation, align, mode)

@@ -21,6 +21,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
 from elastica_cad.kernel.strip_on_path import section_requests
 from elastica_cad.kernel.strip_options import StripOptions
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from elastica_cad.forming.plane_sections.section_spec import SectionSpec
 
 
+@lists(StripOptions, drawn=True)
 def elastic_strip(
     path: Drawn | None = None,
     *,
@@ -48,19 +50,12 @@ def elastic_strip(
 
     Parameters
     ----------
-    path : Edge, Wire, edges or PlaneCurve, optional
-    sheet : Sheet or str
-        The material, or the name of a built-in one.
-    max_width : float
-        As in `StripOutline`.
     form : "bent", "flat" or "outline"
         The strip as bent (`BentStrip`), as cut (`FlatStrip`, which is `.flat` of a bent one too), or its flat
         pattern (`StripOutline`). Bent it stands on the pending edges where these are, as locations put them
         there; flat it lies at each active location.
     mode : Mode
         How it joins the builder's part or sketch.
-    **options
-        All others of `StripOutline`.
 
     Returns
     -------
@@ -101,6 +96,7 @@ def elastic_strip(
     return forms[form](path, sheet, max_width=max_width, mode=mode, **options)
 
 
+@lists(StripOptions)
 def section_strips(
     body: bd.Shape,
     planes: "bd.Plane | Frame | Iterable[bd.Plane | Frame] | SectionSpec",
@@ -117,8 +113,12 @@ def section_strips(
     body : Face, Shell or Solid
     planes : Plane, planes, or SectionSpec
         A `SectionSpec` also splits closed lines, keeps the longest and smooths.
-    sheet, max_width, **options
-        As in `StripOutline`; most sections bend within `limits` only.
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    max_width : float
+        The largest width of each strip, mm.
+    limits : Limits
+        Most sections bend within limits only.
     half : bool
         Only what lies on the side to which a plane's x axis points.
 
@@ -159,7 +159,7 @@ class Elastica(bd.BaseLineObject):
     Parameters
     ----------
     start, end : point
-        In the plane of the workplane; `end=None` leaves the end free, with the start clamped.
+        In the plane of the workplane, mm; `end=None` leaves the end free, with the start clamped.
     length : float
         Of the strip, mm: more than the distance of its ends.
     angles : pair of float or None

@@ -25,6 +25,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
 from elastica_cad.kernel.strip_on_path import section_requests
 from elastica_cad.kernel.strip_options import StripOptions
@@ -97,6 +98,7 @@ def elastica(
     return cq.Wire(occt.make_wire(Path([Spline(found.curve)]))).Edges()[0]
 
 
+@lists(StripOptions)
 def section_strips(
     body: "cq.Shape | cq.Workplane",
     planes: "cq.Plane | Frame | Iterable[cq.Plane | Frame] | SectionSpec",
@@ -113,8 +115,12 @@ def section_strips(
     body : Face, Shell, Solid, or Workplane with one
     planes : Plane, planes, or SectionSpec
         A `SectionSpec` also splits closed lines, keeps the longest and smooths.
-    sheet, max_width, **options
-        As in `strip_outline`; most sections bend within `limits` only.
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    max_width : float
+        The largest width of each strip, mm.
+    limits : Limits
+        Most sections bend within limits only.
     half : bool
         Only what lies on the side to which a plane's x axis points.
 
@@ -235,6 +241,7 @@ def register() -> None:
         setattr(owner, METHOD, method)
 
 
+@lists(StripOptions)
 def _workplane_strip(
     self: cq.Workplane,
     sheet: Sheet | str,
@@ -252,7 +259,7 @@ def _workplane_strip(
     sheet : Sheet or str
         The material, or the name of a built-in one.
     max_width : float
-        As in `strip_outline`.
+        The largest width of the free part, mm; or give `min_width`, the least.
     form : "bent", "flat" or "outline"
         Flat (which is `.flat` of a bent one too) it lies on the workplane, the start of its free part at the
         origin, as its outline does, which is a face to be extruded; bent it stands on the edges, which are moved
@@ -260,8 +267,6 @@ def _workplane_strip(
         are some.
     combine, clean
         As in `Workplane.eachpoint`; of solids only.
-    **options
-        As in `strip_outline`.
 
     Returns
     -------
@@ -310,6 +315,7 @@ def _edges(drawn: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:
     return [edge for item in drawn for edge in (item.Edges() if isinstance(item, cq.Wire) else [item])]
 
 
+@lists(StripOptions)
 def _sketch_strip(
     self: cq.Sketch,
     sheet: Sheet | str,
@@ -321,7 +327,14 @@ def _sketch_strip(
 ) -> cq.Sketch:
     """Add the flat pattern of the strip that bends into the sketch's edges; these are used up.
 
-    `mode` and `tag` as in `Sketch.face`, other arguments as in `strip_outline`.
+    Parameters
+    ----------
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    max_width : float
+        The largest width of the free part, mm; or give `min_width`, the least.
+    mode, tag
+        As in `Sketch.face`.
     """
     if not self._edges:
         raise InputError("there is no curve: draw edges in the sketch first")

@@ -23,6 +23,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
@@ -30,7 +31,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_fixture_on,
     make_strip_on,
 )
-from elastica_cad.kernel.strip_options import StripOptions
+from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.material.sheet import Sheet
 
 
@@ -83,17 +84,18 @@ class _Made(StripBody, cq.Shape):
         """The flat pattern as a face."""
         return strip_outline(self)
 
+    @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "StripSolid | StripCompound":
-        """The strip bent, with its ends led to `start` and `end` where given: points in space, or two numbers in
-        the `frame` of the body, mm; `angles` (degrees in that frame) and all others as in `mechanics.bend`.
-        """
+        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`."""
         if not moved:
             return bent_strip(self)
         return bent_strip(self._bent_anew(moved), plane=self.frame)
 
-    def slider(self, end: Point) -> "Slider":
-        """The travel of the strip's end to a point in space, or two numbers in its `frame`, mm."""
-        return Slider(self, end)
+    def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider":
+        """The travel of the strip's end: to a point in space or two numbers in its `frame`, mm; or turning where it
+        stands to an angle in that frame, degrees.
+        """
+        return Slider(self, end, angle=angle)
 
     @property
     def backing(self) -> cq.Solid:
@@ -119,8 +121,9 @@ class _Made(StripBody, cq.Shape):
             made.add(solid, name=free_name(solid.label, made), color=cq.Color(*sheet_color(sheet)))
         return made
 
+    @lists(FixtureSizes, BlockOptions)
     def fixture(self, end: "StripEnd" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
-        """The block that holds an end of the bent strip, in place; `sizes` as in `end_fixture`."""
+        """The block that holds an end of the bent strip, in place."""
         return end_fixture(self, end=end, **sizes)
 
     def moved(self, *args: Any, **options: Any) -> Any:
@@ -196,7 +199,7 @@ class _Made(StripBody, cq.Shape):
 
 
 class Slider:
-    """A strip's end on its way, straight and with its direction held, to another point.
+    """A strip's end on its way: straight and with its direction held to another point, or turning where it stands.
 
     Parameters
     ----------
@@ -204,6 +207,9 @@ class Slider:
         A bent strip.
     end : point, or (2,) array_like
         Where the end goes: a point in space, or two numbers in the rib's `frame`, mm.
+    angle : float
+        In place of `end`: the direction that the end turns to in that frame, degrees, counted along the strip.
+        Positions are then degrees too.
 
     Attributes
     ----------
@@ -226,19 +232,25 @@ class Slider:
     145.0
     >>> round(slider.bent(15).joints["end"].toTuple()[0][0], 6)
     145.0
+    >>> round(rib.slider(angle=30).travel.length, 3)
+    30.0
     """
 
-    def __init__(self, rib: "_Made", end: Point) -> None:
+    def __init__(self, rib: "_Made", end: Point | None = None, *, angle: float | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
-        self.travel = travel_of(rib, end)
+        self.travel = travel_of(rib, end, angle)
 
     def place(self, position: float) -> cq.Location:
-        """Where the end is `position` mm along the way: x along it, z across the strip."""
-        return make_location(self.travel.place) * cq.Location((position, 0, 0))
+        """Return the place of the end `position` along the way, mm or degrees: x along it, or along the strip that
+        turns; z across the strip.
+        """
+        if self.travel.angle is None:
+            return make_location(self.travel.place) * cq.Location((position, 0, 0))
+        return make_location(self.travel.place) * cq.Location((0, 0, 0), (0, 0, 1), position)
 
     def bent(self, position: float) -> "StripSolid | StripCompound":
-        """The strip with its end `position` mm along the way."""
+        """The strip with its end `position` along the way, mm or degrees."""
         travel = self.travel
         return bent_strip(replace(travel.strip, rod=travel.rod(position)), plane=travel.frame)
 
@@ -299,6 +311,7 @@ class FixtureSolid(_Jointed, cq.Solid):
 S = TypeVar("S", bound=_Made)
 
 
+@lists(StripOptions, drawn=True)
 def strip_outline(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -309,18 +322,6 @@ def strip_outline(
     """The flat pattern of the strip that bends into a curve, on the xy plane.
 
     The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
-
-    Parameters
-    ----------
-    path : Edge, Wire, Workplane, edges that follow each other, or PlaneCurve
-        The curve that the strip is to take.
-    sheet : Sheet or str
-        The material, or the name of a built-in one.
-    max_width : float
-        The largest width of the free part, mm; or give `min_width`, the least.
-    **options
-        All other fields of `StripSpec`: min_width, style, limits, keep, gravity, loads, supports,
-        natural_curvature, samples, ends, slots, label; and of a `PlaneCurve` its `frame` in space.
 
     Raises
     ------
@@ -339,6 +340,7 @@ def strip_outline(
     return dress(StripFace(made.face), {}, made)
 
 
+@lists(StripOptions, drawn=True)
 def flat_strip(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -346,11 +348,12 @@ def flat_strip(
     max_width: float | None = None,
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
-    """The strip as cut, from z = 0 upward; parameters, errors and axes as in `strip_outline`."""
+    """The strip as cut, from z = 0 upward; errors and axes as in `strip_outline`."""
     made = make_strip_of(path, sheet, max_width=max_width, **options)
     return make_body(FlatSolid.layers(made.strip), made)
 
 
+@lists(StripOptions, drawn=True)
 def bent_strip(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -360,12 +363,13 @@ def bent_strip(
 ) -> StripSolid | StripCompound:
     """The strip bent, standing on the drawn curve with half its thickness to either side.
 
-    Parameters and errors as in `strip_outline`.
+    Errors as in `strip_outline`.
     """
     made = make_strip_of(path, sheet, max_width=max_width, **options)
     return make_body(BentSolid.layers(made.strip, made.frame), made)
 
 
+@lists(FixtureSizes, BlockOptions, StripOptions, drawn=True)
 def end_fixture(
     path: Drawn,
     sheet: Sheet | str | None = None,
@@ -373,20 +377,13 @@ def end_fixture(
     max_width: float | None = None,
     end: StripEnd = "start",
     floor: cq.Plane | None = None,
-    number: str | None = None,
     **options: Unpack[FixtureOptions],
 ) -> FixtureSolid:
     """The block that holds one end of the bent strip, in place beside `bent_strip` of the same path.
 
     Parameters
     ----------
-    path, sheet, max_width, **options
-        As in `strip_outline`.
     end : "start" or "end"
-    floor : Plane, optional
-        What the block stands on; without it on a plane square to the tab.
-    clearance, wall, foot, foot_height, screw, number
-        As in `fabrication.EndFixture`, mm.
 
     Raises
     ------
@@ -395,7 +392,7 @@ def end_fixture(
     """
     edges, drawn_on = _drawn(path)
     made, block = make_fixture_on(
-        edges, sheet, max_width=max_width, end=end, floor=floor, number=number, **drawn_on, **options
+        edges, sheet, max_width=max_width, end=end, floor=floor, **drawn_on, **options
     )
     fixture = dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
     fixture.label, fixture.color = block.label, cq.Color(*FIXTURE_COLOR)

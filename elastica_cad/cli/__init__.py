@@ -49,6 +49,11 @@ def _run(arguments: list[str] | None) -> int:
     elastica = _command()
     import click
 
+    if "_ELASTICA_COMPLETE" in os.environ:
+        from elastica_cad.cli.running import bash_completion
+
+        bash_completion.install()
+
     if arguments is None:
         gc.freeze()
         gc.set_threshold(*RARE_COLLECTIONS)

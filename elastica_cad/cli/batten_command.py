@@ -1,8 +1,6 @@
 """`elastica batten`: the taper that puts the camber of a pressed batten where it is wanted."""
 
-import csv
 from importlib.util import find_spec
-from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -22,8 +20,7 @@ from elastica_cad.cli.asking.options import (
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.batten import Batten, BattenSpec, camber_of
-from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.leaf_stack import LeafStack
+from elastica_cad.fabrication.bench import bench_csv, bench_drawing
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
@@ -99,7 +96,7 @@ def batten(**chosen: Any) -> None:
             way: dict(zip(("camber", "camber_place"), made.camber_with_weight(bulging=way), strict=True))
             for way in ("up", "down")
         }
-    written = _write(made.strip, made.drawing(stations), _rows(report["table"]), report, chosen)
+    written = _write(made.strip, stations, report, chosen)
     answer({"batten": report})
     _tell(made, table)
     for way, told in report.get("camber_with_weight", {}).items():
@@ -128,8 +125,7 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
             for name, leaf in zip(section.names, leafed.leaves, strict=True)
         ],
     }  # fmt: skip
-    stack = LeafStack(strip)
-    written = _write(strip, stack.drawing, stack.cut_list.csv, report, chosen)
+    written = _write(strip, None, report, chosen)
     answer({"batten": report})
     say(
         f"{strip.label}: {rod.length:.1f} mm, {chosen['leaves']} leaves of {strip.sheet.thickness:.4g} mm: camber "
@@ -199,25 +195,16 @@ def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _rows(table: dict[str, list[float | None]]) -> str:
-    """The table as comma-separated text, with empty cells for what is infinite."""
-    text = StringIO()
-    rows = csv.writer(text)
-    rows.writerow(table)
-    for row in zip(*table.values(), strict=True):
-        rows.writerow(["" if value is None else f"{value:.6g}" for value in row])
-    return text.getvalue()
-
-
 def _write(
-    strip: Strip, drawing: Drawing, rows: str, report: dict[str, Any], chosen: dict[str, Any]
+    strip: Strip, stations: FloatArray | None, report: dict[str, Any], chosen: dict[str, Any]
 ) -> list[Path]:
     """Table, numbers, drawing, print and bodies: all that the installed libraries allow, or none."""
+    drawing = bench_drawing(strip, stations)
     more = {"pdf": find_spec("matplotlib") is not None, "step": not step_trouble()}
     kinds = ["csv", "svg", "dxf", "json", *(kind for kind, possible in more.items() if possible)]
     files = {kind: f"{chosen['name']}.{kind}" for kind in kinds}
     with write_together(chosen["output"], files.values(), force=chosen["force"]) as workshop:
-        write_text(workshop / files["csv"], rows)
+        write_text(workshop / files["csv"], bench_csv(strip, stations))
         write_json(workshop / files["json"], report)
         for kind in ("svg", "dxf"):
             save(drawing, workshop / files[kind])

@@ -1,7 +1,6 @@
 """`elastica bend`: where a strip goes when its ends are moved."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -15,10 +14,13 @@ from elastica_cad.cli.asking.options import (
     LENGTH,
     POINT,
     asked_sheet,
+    given_of,
     output_options,
     sheet_options,
     smooth_option,
 )
+from elastica_cad.cli.asking.settings import BentKeys, parsed_settings, set_option
+from elastica_cad.cli.asking.strip_options import spec_from_options, with_settings
 from elastica_cad.cli.asking.support_options import END_NAMES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
@@ -30,6 +32,7 @@ from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
 from elastica_cad.mechanics.bending.bend_forward import bend_path
+from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.plain_section import WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -58,6 +61,7 @@ OF_A_CURVE = {
     metavar="MM",
     help="Width of the widest place: with --sheet it tells newtons, strain and safety.",
 )
+@set_option(BentKeys)
 @click.option("--gravity", is_flag=True, help="The strip feels its weight (needs --sheet).")
 @click.option("--down", type=(float, float), metavar="X Y",
               help="The direction in which things fall.  [default: 0 -1]")  # fmt: skip
@@ -87,7 +91,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 
     Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, which
     `elastica` reads again) and NAME-bent.png; with --sheet and --max-width NAME-travel.csv and NAME-travel.png too:
-    forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes.
+    forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes. The strip of
+    CURVE is then the one that `elastica strip` makes, and --set gives it any other key of a strip, as
+    --set style.kind=perforated.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError("name a CURVE, or give the length of a straight strip with --straight MM")
@@ -109,61 +115,86 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError("--thickness is of a material: add --sheet NAME")
     if chosen["max_width"] is not None and chosen["sheet"] is None:
         raise InputError("--max-width tells newtons of a material: add --sheet NAME")
-    rod = _rod(curve, chosen)
-    held = chosen["hold_start"], chosen["hold_end"]
-    if curve is not None and held != ("clamped", "clamped"):
-        say(
-            f"the strip is that of {curve.name} with both ends clamped; now its start is {held[0]}, its end {held[1]}"
-        )
+    settings = parsed_settings(chosen["settings"], BentKeys)
+    if settings and (curve is None or chosen["sheet"] is None):
+        raise InputError("--set changes the strip that is made of a CURVE: name one, and its --sheet")
+    strip = _strip(curve, chosen, settings)
+    rod = _rod(curve, chosen) if strip is None else strip.rod
+    held = Supports(chosen["hold_start"], chosen["hold_end"])
+    if curve is not None and held != rod.supports:
+        designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
+        now = f"here its start is {chosen['hold_start']}, its end {chosen['hold_end']}"
+        say(f"the strip is the one designed for {curve.name} {designed}; {now}")
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
     name = f"{curve.stem if curve is not None else 'straight'}-bent"
     moved = None
     verdicts: Sequence[Stability]
-    if chosen["max_width"] is None:
+    if strip is None:
         shapes = bend_path(rod, _steps(rod, chosen), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        strip = Strip(rod, asked_sheet(chosen), max_width=chosen["max_width"])
         moved = bend_strip(strip, _steps(rod, chosen), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
     _tell(rod, shapes, verdicts)
     if moved is not None:
         _tell_forces(moved)
     told = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
-    table = None if moved is None else moved.table()
-    answer({"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": table})
+    answered = {"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": None}
+    if moved is not None:
+        answered |= {"travel": moved.table(), "snaps_at": moved.snaps_at, "strained_at": moved.strained_at}
+    answer(answered)
     wrote(_write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]))
 
 
-def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
-    """The strip before it is moved."""
-    sheet = None if chosen["sheet"] is None else asked_sheet(chosen)
-    gravity = (
-        sheet.gravity(chosen["down"] or (0.0, -1.0)) if sheet is not None and chosen["gravity"] else None
-    )
-    widths = None if sheet is None else _widths_as_plate(sheet, chosen["max_width"])
+def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
+    """The strip before it is moved, where its material and its size are known."""
+    sized = chosen["sheet"] is not None and (settings or chosen["max_width"] is not None)
+    if not sized:
+        return None
     if curve is None:
-        return Rod.straight(chosen["straight"], gravity=gravity, section=widths)
+        sheet, widest = asked_sheet(chosen), chosen["max_width"]
+        rod = Rod.straight(
+            chosen["straight"], gravity=_gravity(chosen), section=_widths_as_plate(sheet, widest)
+        )
+        return Strip(rod, sheet, max_width=widest)
+    table = given_of(chosen, ("sheet", "thickness", "max_width", "smooth"))
+    table |= {"limits": {}} if chosen["nearest"] else {}
+    table |= {"gravity": list(chosen["down"] or (0.0, -1.0))} if chosen["gravity"] else {}
+    table = with_settings(table, settings)
     (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
-    heavy = None if gravity is None else widths  # a light rod is the same in any width
+    drawn = asked.curve if "limits" in table else asked.bendable(table.get("smooth"))
+    spec = spec_from_options(drawn, asked.name, table)
+    return spec.make(_solved(spec.rod_spec))
+
+
+def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
+    """The rod before it is moved, of a strip without a width."""
+    if curve is None:
+        return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
+    (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+    smooth, gravity = chosen["smooth"], _gravity(chosen)
     if chosen["nearest"]:
-        spec = RodSpec(asked.curve, gravity, smooth=chosen["smooth"], limits=Limits(), section=heavy)
-    else:
-        spec = RodSpec(asked.bendable(chosen["smooth"]), gravity, smooth=chosen["smooth"], section=heavy)
+        return accepted_rod(_solved(RodSpec(asked.curve, gravity, smooth=smooth, limits=Limits())))
+    return accepted_rod(_solved(RodSpec(asked.bendable(smooth), gravity, smooth=smooth)))
+
+
+def _gravity(chosen: dict[str, Any]) -> Gravity | None:
+    return asked_sheet(chosen).gravity(chosen["down"] or (0.0, -1.0)) if chosen["gravity"] else None
+
+
+def _solved(spec: RodSpec) -> Rod | NearestRod:
+    """The rod, with what is to be said of its curve."""
     for note in spec.smoothing.notes:
         say(note)
     found = spec.solve()
     if isinstance(found, NearestRod):
         say(f"the strip is {found.deviation:.2g} mm off the drawn curve at most")
-    rod = accepted_rod(found)
-    return rod if widths is None or rod.section is not None else replace(rod, section=widths)
+    return found
 
 
-def _widths_as_plate(sheet: Sheet, widest: float | None) -> WidthLaw | None:
-    """How the widths of a strip stiffen as it is bent, where the sheet's Poisson ratio is known."""
-    if widest is None or not (sheet.poisson_known and sheet.poisson_ratio > 0):
-        return None
-    return WidthLaw(sheet, 0.0, widest)
+def _widths_as_plate(sheet: Sheet, widest: float) -> WidthLaw | None:
+    """How the widths of a straight strip stiffen as it is bent, where the sheet's Poisson ratio is known."""
+    return WidthLaw(sheet, 0.0, widest) if sheet.poisson_known and sheet.poisson_ratio > 0 else None
 
 
 def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
@@ -240,11 +271,12 @@ def _tell_forces(moved: Travel) -> None:
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
         warn(f"Warning: at {moved.travel[k]:.4g} mm of travel, {moved.sideways[k]}")
-    if moved.safety.min() < 1:
-        k = int(np.argmin(moved.safety))
+    if moved.snaps_at is not None:
+        warn(f"Warning: at {moved.snaps_at:.4g} mm of travel it snaps out of its shape")
+    if moved.strained_at is not None:
         warn(
-            f"Warning: at {moved.travel[k]:.4g} mm of travel it is strained beyond what the sheet bears (safety "
-            f"{moved.safety[k]:.2g}): take a thinner sheet, a longer strip or less travel"
+            f"Warning: from {moved.strained_at:.4g} mm of travel on it is strained beyond what the sheet bears "
+            f"(safety {moved.safety.min():.2g}): take a thinner sheet, a longer strip or less travel"
         )
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import partial
-from itertools import groupby
+from itertools import groupby, product
 from math import ceil
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from elastica_cad.cli.asking.asked_curves import (
     which_options,
 )
 from elastica_cad.cli.asking.options import smooth_option
+from elastica_cad.cli.asking.strip_options import option_words
 from elastica_cad.cli.asking.support_options import natural_curvature_of, support_options
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
@@ -39,7 +40,7 @@ from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.material.sheets_for_curve import sheets_for_curve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, smoothing_of
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
@@ -135,27 +136,24 @@ def _suggestion(
     problem: ElasticaError | None = None,
 ) -> str:
     """The command `elastica strip` that makes a strip near a curve that none takes, of one of the usual sheets."""
-    if natural_curvature or Path("out").exists():
+    if natural_curvature or smooth is not None or Path("out").exists():
         return ""
     from elastica_cad.fabrication.strip_spec import StripSpec  # imports all that makes strips
 
     curve = asked.curve
     width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
-    changes = [Change("nearest", True)] if problem is None else problem.refusal.changes
-    change = next((one for one in changes if one.field in ("nearest", "smooth")), None)
-    if change is None:
-        return ""
-    added = ("--nearest",) if change.field == "nearest" else ("--smooth", typed_length(change.value))
+    changes = [*smoothing_of(curve), Change("nearest", True)] if problem is None else problem.refusal.changes
+    candidates = product(TRIED_SHEETS, (one for one in changes if one.field in ("nearest", "smooth")))
 
-    def requests(sheet: str) -> Sequence[StripSpec]:
-        spec = StripSpec(curve, sheet, max_width=width, supports=supports, smooth=smooth)
+    def requests(sheet: str, change: Change) -> Sequence[StripSpec]:
+        spec = StripSpec(curve, sheet, max_width=width, supports=supports)
         return changed_requests(spec, change)
 
-    def told(sheet: str) -> str:
-        words = ("--sheet", sheet, "--max-width", typed_length(width), *added, "-o", "out")
+    def told(sheet: str, change: Change) -> str:
+        words = ("--sheet", sheet, "--max-width", typed_length(width), *option_words(change), "-o", "out")
         return f"`{typed_line(*words, instead='strip')}`"
 
-    return first_that_holds((told(sheet), partial(requests, sheet)) for sheet in TRIED_SHEETS)
+    return first_that_holds((told(*one), partial(requests, *one)) for one in candidates)
 
 
 def _judged(

@@ -9,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._shell import MADE_BY, command_of_drawings
 from elastica_cad.cli.asking.options import UNITS, Length, option_name
 from elastica_cad.cli.running.suggestions import TYPED, suggestion_below
 from elastica_cad.cli.running.voice import echo, remake_on_change, voice, warn
@@ -128,6 +129,8 @@ class _Sentences(click.Group):
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
+        before = MADE_BY.set(command_of_drawings(ctx.meta[TYPED]))
+        ctx.call_on_close(lambda: MADE_BY.reset(before))
         try:
             return super().invoke(ctx)
         except ElasticaError as problem:
@@ -172,11 +175,12 @@ def _instead_of(problem: click.NoSuchOption) -> str:
             return f"{typed} is {'now ' if name in RENAMED else ''}called {typed_new}"
         name = new
     if context is not None and any(one.name == "settings" for one in context.command.params):
-        from elastica_cad.cli.asking.settings import DEEPEST, CommandKeys
+        from elastica_cad.cli.asking.settings import DEEPEST, KEYS_OF
         from elastica_cad.formats.design_files.key_paths import near_path, paths_of
 
-        listed = [path for path in paths_of(CommandKeys) if path.count(".") <= DEEPEST]
-        if path := GONE.get(typed) or near_path(name, listed):
+        keys = paths_of(KEYS_OF[str(context.command.name)])
+        listed = [path for path in keys if path.count(".") <= DEEPEST]
+        if path := GONE[typed] if GONE.get(typed) in keys else near_path(name, listed):
             example = GONE_VALUES.get(path, "VALUE")
             return f"{typed} is given by --set {path}={example} now: `elastica help {path}` explains it"
     return problem.format_message()

@@ -1,6 +1,5 @@
 """`elastica coupon`: a strip to cut, hang and measure, and what the measurement says of the sheet."""
 
-import shlex
 from dataclasses import replace
 from math import hypot
 from pathlib import Path
@@ -8,6 +7,7 @@ from typing import Any
 
 import click
 
+from elastica_cad._shell import quote_words
 from elastica_cad.cli.asking.options import LENGTH, POINT, output_options
 from elastica_cad.cli.running.suggestions import name_program
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
@@ -15,7 +15,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.write_files import write_text, write_together
-from elastica_cad.mechanics.material.section_limits import KINDS
+from elastica_cad.mechanics.material.section_limits import OUTCOMES
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import library_folders, plausible_number
 from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
@@ -50,7 +50,7 @@ SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
               help="Least radius that left no lasting bend [default: by the sheet's largest strain].")  # fmt: skip
 @click.option("--grain", type=click.Choice(["along", "across", "none"]),
               help="How the coupon lies to the grain [default: as the sheet's].")  # fmt: skip
-@click.option("--kind", type=click.Choice(KINDS),
+@click.option("--kind", type=click.Choice(list(OUTCOMES)),
               help="What it is made of, which says how it breaks [default: as the sheet's].")  # fmt: skip
 @click.option("--kerf", type=LENGTH, metavar="MM", help="Width of the cut, measured [default: the sheet's].")
 @click.option("--name", help="What to call the measured sheet [default: my-NAME].")
@@ -135,7 +135,7 @@ def coupon(
         "name": name if sheet else known.name,
     }
     typed = " ".join(
-        f"--{option} {shlex.quote(value) if isinstance(value, str) else f'{value:g}'}"
+        f"--{option} {quote_words([value]) if isinstance(value, str) else f'{value:g}'}"
         for option, value in given.items()
         if value is not None
     )
@@ -232,7 +232,8 @@ def _calibrate(
     _warn_of_contradiction(measured, result)
     if (least := min(abs(droop) for _, droop in measured)) < LEAST_DROOP_MM:
         warn(
-            f"a droop of {least:g} mm says little of the stiffness: hang more of it, until it droops {LEAST_DROOP_MM:g} mm"
+            f"a droop of {least:g} mm says little of the stiffness: hang more of it, so that it droops "
+            f"{LEAST_DROOP_MM:g} mm at least"
         )
     if listed and least_radius is None and found.grain != sheet.grain:
         warn(
@@ -250,7 +251,7 @@ def _calibrate(
     say(found.toml())
     wrote([output / file])
     known_as = name if output in library_folders() else output / file
-    say(f"every command takes it: --sheet {shlex.quote(str(known_as))}")
+    say(f"every command takes it: --sheet {quote_words([str(known_as)])}")
 
 
 def _as_readings_tell(sheet: Sheet) -> Sheet:

@@ -2,13 +2,13 @@
 
 import click
 
-from elastica_cad.cli.asking.settings import explained, listed
+from elastica_cad.cli.asking.settings import completed, explained, listed
 from elastica_cad.cli.asking.strip_options import typed_name
 from elastica_cad.cli.running.voice import answer, say
 
 
 @click.command("help")
-@click.argument("key", required=False)
+@click.argument("key", required=False, shell_complete=completed)
 def help_command(key: str | None) -> None:
     """Explain KEY of a strip or a design file, such as limits.ratio; without KEY list all.
 

@@ -2,13 +2,13 @@
 
 import json
 import os
-import shlex
 from importlib.resources import files
 from pathlib import Path
 
 import click
 import numpy as np
 
+from elastica_cad._shell import quote_words
 from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.running.suggestions import name_program
 from elastica_cad.cli.running.voice import answer, say, wrote
@@ -62,7 +62,7 @@ def new(kind: str, output: Path, force: bool) -> None:
         if kind == "sections":
             write_text(folder / "bowl.obj", _bowl())
     wrote([output / name for name in written])
-    typed = shlex.join(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
+    typed = quote_words(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
     following = f"{name_program()} {typed}"
     say(f"next: {following}")
     answer({"kind": kind, "next": following})

@@ -14,6 +14,8 @@ from elastica_cad.cli.asking.options import (
     output_options,
     sheet_options,
 )
+from elastica_cad.cli.asking.settings import PairKeys, parsed_settings, set_option
+from elastica_cad.cli.asking.strip_options import with_settings
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
@@ -21,9 +23,10 @@ from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.design_files.pair_table import read_pair
+from elastica_cad.formats.design_files.records import Reader
+from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import PairKit, write_pair
-from elastica_cad.mechanics.two_states.two_state_rod import PairLimits
 
 FILE = click.Path(path_type=Path)
 
@@ -49,6 +52,7 @@ _WISHES = (
     click.option("--name", help="What the files are called  [default: as FIRST]."),
     click.option("--kerf", type=LENGTH, default=DEFAULT_KERF_MM, metavar="MM",
                  help=f"Width of the cut  [default: {DEFAULT_KERF_MM:g}]."),
+    set_option(PairKeys),
     output_options,
 )  # fmt: skip
 
@@ -68,12 +72,13 @@ def pair(**chosen: Any) -> None:
     [pair], which says all this.
     """
     path: Path = chosen["first"]
+    settings = parsed_settings(chosen["settings"], PairKeys)
     if path.suffix == ".toml":
         if chosen["second"] is not None or chosen["sheet"] is not None:
             raise InputError("a design file names both curves and the sheet: give it alone")
-        spec = read_pair(path, read_curves)
+        spec = read_pair(path, read_curves, settings)
     else:
-        spec = _asked(chosen)
+        spec = _asked(chosen, settings)
     name = chosen["name"] or path.stem
     if matched := spec.matched:
         say(str(matched))
@@ -87,14 +92,13 @@ def pair(**chosen: Any) -> None:
     wrote(written)
 
 
-def _asked(chosen: dict[str, Any]) -> FlexureSpec:
+def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     if chosen["second"] is None or chosen["sheet"] is None:
         raise InputError("a part needs two curves and a sheet: elastica pair FIRST SECOND --sheet NAME")
-    limits = PairLimits(ratio=chosen["ratio"])
-    return FlexureSpec(
-        _curve(chosen, "first"), _curve(chosen, "second"), asked_sheet(chosen), limits=limits,
-        printed=chosen["printed"], ignore_limits=chosen["ignore_limits"], **given_of(chosen, _OF_SPEC),
-    )  # fmt: skip
+    table = given_of(chosen, _OF_SPEC) | {flag: True for flag in ("printed", "ignore_limits") if chosen[flag]}
+    table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
+    given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
+    return FlexureSpec(_curve(chosen, "first"), _curve(chosen, "second"), asked_sheet(chosen), **given)
 
 
 def _curve(chosen: dict[str, Any], which: str) -> PlaneCurve:

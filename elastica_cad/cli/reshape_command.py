@@ -123,7 +123,7 @@ def _verdict(curve: PlaneCurve) -> dict[str, Any]:
         "inflections": check.inflections,
         "realizable": check.realizable,
         "reasons": check.reasons,
-        "ratio": optimal_rod(curve).ratio if check.realizable else None,
+        "ratio": optimal_rod(curve, check=check).ratio if check.realizable else None,
     }
 
 

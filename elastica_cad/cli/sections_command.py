@@ -22,8 +22,8 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.design_files.sections_table import compose_section_design
 from elastica_cad.formats.design_files.toml_text import seen_from
-from elastica_cad.formats.design_files.write_sections_design import compose_section_design
 from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.file_access.write_files import write_text, write_together
 from elastica_cad.formats.surface_files.mesh_files import read_sized_surface
@@ -297,7 +297,7 @@ def _verdict(curve: SectionCurve) -> dict[str, Any]:
     try:
         check = check_equilibrium(curve.curve)
         if check.realizable:
-            return told | {"realizable": True, "ratio": optimal_rod(curve.curve).ratio}
+            return told | {"realizable": True, "ratio": optimal_rod(curve.curve, check=check).ratio}
     except (InputError, NotConvergedError) as problem:
         return told | {"problem": f"no strip: {problem}"}
     return told | {"problem": f"cannot be bent as it is: {check.reasons[0]}"}

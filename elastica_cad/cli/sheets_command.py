@@ -9,14 +9,9 @@ from elastica_cad.mechanics.material.sheet import (
     least_plywood_radius,
     library_sheets,
     sheet_names,
+    sheets_by_kind,
 )
 from elastica_cad.mechanics.material.sheet_library import library_folders
-
-GROUPS = {
-    "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
-    "board": "Fibre boards", "metal": "Metals", "composite": "Composites",
-}  # fmt: skip
-"""What the kinds of sheets are called in a list."""
 
 
 @click.command()
@@ -30,21 +25,21 @@ def sheets(name: str | None) -> None:
     """
     if name is None:
         answer({"sheets": [Sheet.named(known) for known in sheet_names()]})
-        every = [Sheet.named(known) for known in sheet_names()]
+        groups = sheets_by_kind()
+        every = [one for of_kind in groups.values() for one in of_kind]
         wide, broad = (max(len(getattr(one, text)) for one in every) for text in ("full_name", "name"))
         say(
             f"{'sheet':{wide}} {'name':{broad}} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} "
             f"{'radius mm':>9} {'kerf':>5}"
         )
-        for kind in dict.fromkeys(one.kind for one in every):
-            say(f"\n{GROUPS.get(kind, kind.capitalize() or 'Other')}")
-            for one in every:
-                if one.kind == kind:
-                    kerf = f"{one.kerf:.2f}" if one.kerf else "-"
-                    say(
-                        f"{one.full_name:{wide}} {one.name:{broad}} {one.youngs_modulus:8.0f} {one.density:6.0f} "
-                        f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {kerf:>5}"
-                    )
+        for title, of_kind in groups.items():
+            say(f"\n{title}")
+            for one in of_kind:
+                kerf = f"{one.kerf:.2f}" if one.kerf else "-"
+                say(
+                    f"{one.full_name:{wide}} {one.name:{broad}} {one.youngs_modulus:8.0f} {one.density:6.0f} "
+                    f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {kerf:>5}"
+                )
         say(
             "\nradius: the least advisable bending radius; kerf -: not known. All of one: elastica sheets NAME"
         )

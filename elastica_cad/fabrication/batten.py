@@ -7,19 +7,14 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._units import MM_PER_INCH
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
-from elastica_cad.fabrication.drawings.lettering import Text
-from elastica_cad.fabrication.solids.tapered_solids import side_view
+from elastica_cad.fabrication.bench import bench_table
 from elastica_cad.fabrication.strip.outline import Tab
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
@@ -34,7 +29,6 @@ MOST_CAMBER = 0.4  # of the chord: deeper ones are bows, not battens
 MOST_FULL = 0.8  # of the length: what is left must make the taper
 SETTLED = 1e-7  # of camber and place, in chords
 MOST_STEPS = 30
-LETTER_MM, TICK_MM = 4.0, 3.0
 
 
 @dataclass(frozen=True)
@@ -209,7 +203,7 @@ class Batten:
 
     @property
     def strip_spec(self) -> StripSpec:
-        """The same as a request for a strip: this curve between hinges, its stiffness made of the stock."""
+        """The batten as a request for a strip: its curve between hinges, its stiffness made of the stock."""
         stock = self.spec.stock
         return StripSpec(
             self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
@@ -227,7 +221,10 @@ class Batten:
         return camber_of(self.strip.rod)
 
     def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
-        """The same under its own weight, lying with its chord level, the ends pressed as near as before."""
+        """Return depth and place of the camber under the batten's own weight, as `camber_of` does.
+
+        The batten lies with its chord level, and its ends are pressed as near as before.
+        """
         rod, size = self.strip.rod, self.strip.layout.size
         assert size is not None
         side = float(np.sign(rod.position[rod.s.size // 2, 1] - rod.position[0, 1]))
@@ -242,7 +239,7 @@ class Batten:
 
     @property
     def end_force(self) -> float:
-        """With which the ends are pressed together, N."""
+        """Force by which the ends are pressed together, N."""
         return float(np.hypot(*self.strip.reactions().start_force))
 
     def of_leaves(self, leaves: int) -> LeafedRod:
@@ -262,41 +259,13 @@ class Batten:
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 
     def strip_of(self, leafed: LeafedRod) -> Strip:
-        """The strip of such leaves."""
+        """Return the strip that these leaves make."""
         spec = self.spec
         return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
-        """Columns (n,) by name at stations (n,), mm along the batten: size in mm and inch, strain, and safety.
-
-        Safety is what the material bears over the strain; infinite at the ends, which do not bend.
-        """
-        s = np.clip(np.asarray(stations, dtype=float), 0.0, self.strip.rod.length)
-        law, size = self.spec.stock, self.strip.layout.size
-        assert size is not None
-        sizes = size(s)
-        (layer,) = law.strains(np.abs(self.strip.rod.bend_at(s)), sizes)
-        strain = np.where(layer.strain < 1e-12, 0.0, layer.strain)
-        safety = np.divide(layer.limit, strain, out=np.full(s.size, np.inf), where=strain > 0)
-        return {
-            "s_mm": s, "s_inch": s / MM_PER_INCH, f"{law.quantity}_mm": sizes,
-            f"{law.quantity}_inch": sizes / MM_PER_INCH, "strain": strain, "safety": safety,
-        }  # fmt: skip
-
-    def drawing(self, stations: FloatArray | list[float]) -> Drawing:
-        """The side view at full size, with a tick and its size in mm at every station."""
-        table, quantity = self.table(stations), self.spec.stock.quantity
-        view = side_view(self.strip)
-        top = float(view.bounds[1, 1])
-        ticks = [
-            LayeredPath(MARK, Path((Line((s, top + 1.0), (s, top + 1.0 + TICK_MM)),)))
-            for s in table["s_mm"].tolist()
-        ]
-        sizes = zip(table["s_mm"].tolist(), table[f"{quantity}_mm"].tolist(), strict=True)
-        texts = tuple(
-            Text((s, top + 2.0 + TICK_MM), f"{size:.2f}", LETTER_MM, np.pi / 2) for s, size in sizes
-        )
-        return Drawing(self.spec.label, (*ticks, LayeredPath(CUT_OUTER, view)), texts)
+        """Columns (n,) by name at stations (n,), mm along the batten: see `bench_table`."""
+        return bench_table(self.strip, stations)
 
 
 def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:

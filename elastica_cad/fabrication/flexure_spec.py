@@ -93,7 +93,7 @@ class FlexureSpec:
     printed: Annotated[
         bool, Asked("For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts.", common=True)
     ] = False
-    label: Annotated[str, Asked("Engraved on the first pad.", common=True)] = ""
+    label: Annotated[str, Asked("Name of the part, engraved on its first pad.", common=True)] = ""
     ignore_limits: Annotated[
         bool, Asked("Make it although it is too thin or touches itself.", common=True)
     ] = False

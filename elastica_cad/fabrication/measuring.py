@@ -78,7 +78,7 @@ leave open
 
     @classmethod
     def of(cls, strip: Strip) -> "Measuring":
-        """Of a strip whose ends are held as designed.
+        """Return what to measure on a strip whose ends are held as designed.
 
         Raises
         ------

@@ -98,7 +98,9 @@ class StripSpec(EqualByValue):
         All places along the strip are counted from there. False: the whole curve is bent.
     slots : sequence of Slot
     label : str
-        Engraved on the strip; empty for none.
+        Its name in messages, files and assemblies; empty for none.
+    engrave : str, optional
+        Text engraved on the strip; empty for none. Unless given its label, in letters that can be engraved.
     smooth : float, optional
         How far the curve may be moved to make its curvature and the slope of that continuous, mm; 0: exactly as
         drawn. Unless given only curves of a pen tool whose curvature jumps, read from a drawing, are moved, by
@@ -223,9 +225,12 @@ class StripSpec(EqualByValue):
         ),
     ] = True
     slots: Annotated[tuple[Slot, ...], Asked("Slots from the edge.", group="ends")] = ()
-    label: Annotated[
-        str, Asked("Text engraved on the strip, and its name in messages.", group="ends", common=True)
-    ] = ""
+    label: Annotated[str, Asked("Name of the strip, which is engraved on it.", group="ends", common=True)] = (
+        ""
+    )
+    engrave: Annotated[
+        str | None, Asked("Text engraved in place of the label; empty for none.", group="ends")
+    ] = None
     smooth: Annotated[
         float | None,
         Asked(
@@ -330,7 +335,7 @@ class StripSpec(EqualByValue):
 
     @property
     def in_plane(self) -> "StripSpec":
-        """The same strip asked for in the plane of its curve alone, wherever that lies: without a frame."""
+        """The same request in the plane of the curve alone, without its frame in space."""
         return self if self.frame is None else self._without_frame
 
     @cached_property
@@ -525,6 +530,7 @@ class StripSpec(EqualByValue):
             ends=self.tabs,
             slots=self.slots,
             label=self.label,
+            engrave=self.engrave,
             creep=self.creep,
             tolerance=self.tolerance,
         )

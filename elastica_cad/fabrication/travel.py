@@ -1,7 +1,8 @@
 """A strip led through a travel: forces and moments at its ends, energy, strain and safety, step by step."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -9,10 +10,14 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.fabrication.strip.styles import Bends
-from elastica_cad.mechanics.bending.bend_forward import bend_path
+from elastica_cad.mechanics.bending.bend_forward import as_steps, bend, bend_path, has_snapped
 from elastica_cad.mechanics.rod.rod_record import Rod, csv_text
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+from elastica_cad.mechanics.studies.stability_limit import Course
+
+RESOLUTION_SHARE = 1e-4
+"""Of a step: how closely the place is found at which a shape snaps or is strained too much."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,6 +26,12 @@ class Travel:
 
     Attributes
     ----------
+    strip : Strip
+        As it is before its ends are moved.
+    path : tuple of dict
+        Keywords of `bend` for each step.
+    side : {+1, -1} or None
+        To which side a straight strip bulges.
     rods : tuple of Rod
         The rest shape at each step.
     end : (k, 2) array
@@ -45,6 +56,9 @@ class Travel:
         Out of it.
     """
 
+    strip: Strip
+    path: tuple[dict[str, Any], ...]
+    side: int | None
     rods: tuple[Rod, ...]
     end: FloatArray
     travel: FloatArray
@@ -69,6 +83,36 @@ class Travel:
     def margin(self) -> FloatArray:
         """Stability margins (k,)."""
         return np.array([verdict.margin for verdict in self.verdicts])
+
+    @cached_property
+    def strained_at(self) -> float | None:
+        """Travel from which the strain is more than the sheet bears, mm; None where it bears every step."""
+        return self._first(lambda rod: _most_strained(self.strip, rod)[2] < 1)
+
+    @cached_property
+    def snaps_at(self) -> float | None:
+        """Travel at which the strip snaps out of its shape, mm; None where every step is stable."""
+        return self._first(lambda rod: has_snapped(rod) or not stability(rod).stable)
+
+    def _first(self, fails: Callable[[Rod], bool]) -> float | None:
+        """The least travel at which a shape fails; between the steps the ends move in straight lines."""
+        rods = (self.strip.rod_to_bend, *self.rods)
+        k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
+        if not k:
+            return None if k is None else 0.0
+        step, good = dict(self.path[k - 1]), rods[k - 1]
+        held = {"supports": step.pop("supports", good.supports)}
+        way = Course.of(replace(good, **held), [step])
+        low, high = 0.0, 1.0
+        while high - low > RESOLUTION_SHARE:
+            middle = (low + high) / 2
+            rod = bend(good, **way.asked(middle), **held, side=self.side if k == 1 else None)
+            if fails(rod):
+                high = middle
+            else:
+                low, good = middle, rod
+        before, after = np.append(0.0, self.travel)[k - 1 : k + 1]
+        return float(before + high * (after - before))
 
     def table(self) -> dict[str, FloatArray | BoolArray]:
         """Columns (k,) by name with their unit, for a data frame or a file."""
@@ -131,6 +175,8 @@ def bend_strip(
     >>> moved = bend_strip(clip, [(95.0, 0.0), (90.0, 0.0)])
     >>> bool(moved.force_along[1] > 0), moved.travel.tolist()
     (True, [5.0, 10.0])
+    >>> round(moved.strained_at, 2), moved.snaps_at
+    (2.59, None)
     """
     rods = bend_path(strip.rod_to_bend, path, side=side)
     B = strip.bending_stiffness
@@ -143,7 +189,7 @@ def bend_strip(
     skins = [_most_strained(strip, rod) for rod in rods]
     end_force = -B * force[:, -1]
     return Travel(
-        rods=rods, end=end, travel=travel,
+        strip=strip, path=tuple(as_steps(path)), side=side, rods=rods, end=end, travel=travel,
         start_force=B * force[:, 0], end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
         force_along=np.sum(end_force * _directions(end, own), axis=1),

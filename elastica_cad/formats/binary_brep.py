@@ -70,17 +70,17 @@ class BinaryBrep:
 
     @property
     def for_bintools(self) -> bytes:
-        """What BinTools reads: orientation, number counted from the last, and place of the whole shape."""
+        """Return the bytes for BinTools, which end with orientation, number counted from the last, and place."""
         return self.tables + pack("<B2i", 0, 1, 0)
 
     @property
     def for_freecad(self) -> bytes:
-        """What `Part.Shape.importBinary` reads: number, place and orientation of the whole shape."""
+        """Return the bytes for `Part.Shape.importBinary`, which end with number, place, orientation."""
         return self.tables + pack("<3i", self.count, 0, 0)
 
 
 def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> BinaryBrep:
-    """A closed boundary as a solid, an open one as a shell; edges end within `gap` mm of their vertices."""
+    """Encode a closed boundary as a solid, an open one as a shell; edges end within `gap` mm of their vertices."""
     tables = _Tables()
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
@@ -125,7 +125,7 @@ def face_brep(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame
 
 
 def wire_brep(path: Path, frame: Frame) -> BinaryBrep:
-    """A path in the xy plane of a frame as a wire."""
+    """Encode a path, drawn in the xy plane of `frame`, as a wire."""
     corners, edges, (loop,) = _drawn([path], frame)
     tables = _Tables()
     numbers = tables.edges(Boundary(corners, edges, ()), [[] for _ in edges], _gap([path]))

@@ -11,6 +11,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import measured_points
 from elastica_cad.refusals import Length, note
 
 LARGEST_SMOOTH = 1000.0
@@ -21,6 +22,9 @@ LITTLE_BEND_SHARE = 0.05
 
 SEEN = 1e-3
 """Smallest move, mm, that is reported."""
+
+PLACES, SEEN_SHARE = 401, 0.1
+"""Places along a curve where curvature is compared, and the smallest change of it by noise that is reported."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +67,20 @@ class Smoothing:
             return None
 
     @property
+    def change_by_noise(self) -> float:
+        """Largest change of curvature when points that waver are smoothed, as a share of the largest; 0 for others.
+
+        So of a curve that is refused: the refusal tells of the noise.
+        """
+        points = measured_points(self.drawn)
+        if points is None or not _can_be_bent(self.drawn, self.supports):
+            return 0.0
+        drawn, smooth = (
+            one.sample(PLACES).curvature for one in (self.drawn, round_corners(self.drawn, points.reach)[0])
+        )
+        return float(np.abs(drawn - smooth).max() / np.abs(smooth).max())
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """Sentences about what was moved."""
         found = []
@@ -71,7 +89,26 @@ class Smoothing:
                 "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
                 far=Length(self.healed),
             ))  # fmt: skip
-        if self.fairing is not None:
+        points = measured_points(self.drawn)
+        if points is not None and self.fairing is not None:
+            return (*found, note(
+                "The points waver by about {waver}: smoothed, {far} from them at most.",
+                waver=points.shown, far=Length(self.moved), severity="warning",
+            ))  # fmt: skip
+        if points is not None and (change := self.change_by_noise) > SEEN_SHARE:
+            found.append(note(
+                "The curvature, and the widths with it, change by {percent:.0f} % when noise is taken out: "
+                "{points}.",
+                percent=100 * change, points=points.told, severity="warning",
+            ))  # fmt: skip
+        drawn = self.drawn.provenance
+        if self.fairing is not None and drawn is not None and drawn.drawn == "poles":
+            found.append(note(
+                "A spline of degree {degree} would give the strip kinks: made fair, {far:.2g} from the drawn curve "
+                "at most.",
+                degree=self.drawn.degree, far=Length(self.moved),
+            ))  # fmt: skip
+        elif self.fairing is not None:
             before = self.ratio_as_drawn
             ratio = (
                 note("as drawn no strip takes it")
@@ -175,6 +212,8 @@ def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fair
     """Fair within so many mm, slight corners rounded."""
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
+    if measured_points(curve) is not None:  # fitted anew, which is fair
+        return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)
 

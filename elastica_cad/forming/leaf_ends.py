@@ -63,7 +63,7 @@ class LeafedRod:
 
     @property
     def leaves(self) -> tuple[Leaf, ...]:
-        """Those that go all the way first, the others in the order of their numbers."""
+        """The leaves: those of full length first, the others by number."""
         return self.section.leaves
 
 

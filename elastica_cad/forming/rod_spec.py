@@ -27,6 +27,8 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import examine
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,6 +149,12 @@ class RodSpec(EqualByValue):
         """The drawn curve and the one that is bent instead."""
         return smooth_curve(self.curve, self.smooth, supports=self.supports)
 
+    @cached_property
+    def check(self) -> EquilibriumCheck:
+        """Theorem 1 on the curve that is bent; a strip that feels its weight needs no line."""
+        curve, heavy = self.smoothing.curve, self.gravity is not None
+        return examine(curve, self.supports, self.natural_curvature, heavy=heavy)
+
     def solve(self) -> "Rod | NearestRod":
         """The rod that rests in the curve, or where the curve may change the nearest one.
 
@@ -189,6 +197,7 @@ class RodSpec(EqualByValue):
             weight=self.weight,
             largest_stiffness=self.largest_stiffness,
             section=self.section,
+            check=self.check,
         )
 
 

@@ -8,6 +8,7 @@ from elastica_cad._types import ArrayLike
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.theorem1.verdict import measured_points
 from elastica_cad.refusals import Length, Refusal, note
 
 SHORTEST_RUN_IN_MM = 1.0
@@ -43,9 +44,11 @@ class StraightEnds:
     ) -> "StraightEnds":
         """The parts of an open curve; ends that may turn, and curves that are straight all along, are left.
 
-        So are curves of a strip whose natural curvature varies: that is counted from the start of the whole.
+        So are curves of a strip whose natural curvature varies: that is counted from the start of the whole; and
+        points that waver, between which nothing straight was drawn.
         """
-        if curve.is_closed or curve.is_straight or isinstance(natural_curvature, RestCurvature):
+        counted = isinstance(natural_curvature, RestCurvature)
+        if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:
             return cls(curve, curve)
         flats = [z for z in curve.curvature_zeros if z.kind == "flat"]
         start, end = (one.angle for one in supports.ends)

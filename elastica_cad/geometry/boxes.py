@@ -17,7 +17,7 @@ def box_about(points: FloatArray) -> FloatArray:
 
 
 def boxes_about(points: FloatArray) -> FloatArray:
-    """Those (k, 2, d) of many sets of points (k, n, d).
+    """Least and largest coordinates (k, 2, d) of each of many sets of points (k, n, d).
 
     Examples
     --------

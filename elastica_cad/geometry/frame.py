@@ -15,7 +15,7 @@ _PARTS = ("origin", "x_axis", "y_axis")
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """Where a plane lies in space.
+    """A plane in space with its axes.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ class Frame:
         return found
 
     def local(self, points: ArrayLike) -> FloatArray:
-        """Local coordinates (..., 3) of points in space (..., 3), mm."""
+        """Return local coordinates (..., 3) of points in space (..., 3), mm."""
         points = numbers(points, "points in space")
         if points.shape[-1:] != (3,):
             raise InputError(
@@ -101,7 +101,7 @@ class Frame:
         return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":
-        """This frame, given in the coordinates of `outer`, in space."""
+        """Return this frame, given in the coordinates of `outer`, in space."""
         require_record(outer, Frame, "the outer frame", "a Frame")
         return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
 

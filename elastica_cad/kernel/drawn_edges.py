@@ -82,7 +82,7 @@ def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
 
 
 def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
-    """All edges of a shape, a wrapper of one, or several of these, in order."""
+    """Return all edges, in order, of a shape, of a wrapper of one, or of several of these."""
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):

@@ -1,9 +1,10 @@
-"""A strip whose end slides along a line: its shapes, the place of its end, and an animation of its skin."""
+"""A strip whose end slides along a line or turns: its shapes, the place of its end, an animation of its skin."""
 
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
 from pathlib import Path as FilePath
+from typing import Any
 
 import numpy as np
 
@@ -22,11 +23,10 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.mesh_files import face_triangles
 from elastica_cad.kernel.occt import make_solid
-from elastica_cad.kernel.strip_body import Point, StripBody
+from elastica_cad.kernel.strip_body import Point, StripBody, end_angles
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.refusals import Length
 
 TURN_RAD = 2.5
 """Of the circle that a strip is bent into to be meshed: any that keeps the tabs apart."""
@@ -72,7 +72,7 @@ class SkinMesh:
 
 
 def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
-    """The skins of the sheets of a strip, the base first."""
+    """Return a mesh of the skin of each sheet of a strip, the base first."""
     radius = strip.rod.length / TURN_RAD
     circle = optimal_rod(PlaneCurve.arc((0.0, 0.0), radius, 0.0, TURN_RAD))
     half = centred_thickness(strip) / 2
@@ -128,20 +128,23 @@ STATIONS = 24
 
 @dataclass(frozen=True, eq=False)
 class Travel:
-    """The way of a strip's end from where it is to another point, straight, its direction held.
+    """The way of a strip's end from where it is: straight to another point with its direction held, or turning.
 
     Parameters
     ----------
     strip : Strip
     frame : Frame
         The plane of its curve.
-    end : (2,) array_like
+    end : (2,) array_like, optional
         Where the end goes, mm, in that plane.
+    angle : float, optional
+        The direction that the end turns to where it stands, rad, counted along the strip as in `bend`; in place of
+        `end`.
 
     Raises
     ------
     InputError
-        The end is there already, or the point is farther from the start than the strip is long.
+        Not one of both, the end is there already, or the point is farther from the start than the strip is long.
 
     Examples
     --------
@@ -154,26 +157,32 @@ class Travel:
 
     strip: Strip
     frame: Frame
-    end: ArrayLike
+    end: ArrayLike | None = None
+    angle: float | None = None
 
     def __post_init__(self) -> None:
-        point = np.asarray(self.end, dtype=float)
-        if point.shape != (2,) or not np.all(np.isfinite(point)):
+        if (self.end is None) == (self.angle is None):
             raise InputError(
-                "the end of a travel is {end!r}: give two numbers, mm, in the curve's plane", end=self.end
+                "give the point that the end goes to, or the angle that it turns to: one of both"
             )
-        object.__setattr__(self, "end", point)
+        if self.end is not None:
+            point = np.asarray(self.end, dtype=float)
+            if point.shape != (2,) or not np.all(np.isfinite(point)):
+                raise InputError(
+                    "the end of a travel is {end!r}: give two numbers, mm, in the curve's plane", end=self.end
+                )
+            object.__setattr__(self, "end", point)
+            apart = float(np.hypot(*(point - self._rod.position[0])))
+            if apart > self._rod.length:
+                far, long = told_apart(apart, self._rod.length, ".4g")
+                raise InputError(
+                    "the travel ends {far} mm from the start of a strip that is {long} mm long: give a "
+                    "nearer point",
+                    far=far,
+                    long=long,
+                )
         if self.length < 1e-6:
-            raise InputError("the end of the strip is there already: give another point for it to go to")
-        apart = float(np.hypot(*(point - self._rod.position[0])))
-        if apart > self._rod.length:
-            far, long = told_apart(apart, self._rod.length, ".4g")
-            raise InputError(
-                "the travel ends {far} mm from the start of a strip that is {long} mm long: give a "
-                "nearer point",
-                far=far,
-                long=long,
-            )
+            raise InputError("the end of the strip is there already: give it another place to go to")
 
     @property
     def _rod(self) -> Rod:
@@ -184,16 +193,35 @@ class Travel:
         return np.asarray(self.end - self._rod.position[-1])
 
     @property
+    def _turn(self) -> float:
+        return 0.0 if self.angle is None else float(self.angle - self._rod.angle[-1])
+
+    @property
     def length(self) -> float:
-        """How far the end goes, mm."""
-        return float(np.hypot(*self._way))
+        """How far the end goes, mm; how far it turns, degrees."""
+        if self.angle is None:
+            return float(np.hypot(*self._way))
+        return round(float(abs(np.degrees(self._turn))), 9)  # 30 degrees are within a joint's 30 degrees
+
+    @property
+    def unit(self) -> str:
+        """Of its length and of positions on it: "mm" or "degrees"."""
+        return "mm" if self.angle is None else "degrees"
 
     @property
     def place(self) -> Frame:
-        """Where the end is at first: x along the travel, z across the strip."""
-        x = self.frame.direction(self._way / self.length)
-        at = self.frame.point(self._rod.position[-1])
-        return Frame(at, x, np.cross(self.frame.z_axis, x))
+        """The frame of the end at its start, z across the strip: x along the travel; of one that turns, about z, x
+        along the strip."""
+        angle = self._rod.angle[-1]
+        along = self._way / self.length if self.angle is None else np.array([np.cos(angle), np.sin(angle)])
+        x, z = self.frame.direction(along), self.frame.z_axis * (-1.0 if self._turn < 0 else 1.0)
+        return Frame(self.frame.point(self._rod.position[-1]), x, np.cross(z, x))
+
+    def _ends(self, share: float) -> dict[str, Any]:
+        """Return the keywords of `bend` for a share of the way."""
+        if self.angle is None:
+            return {"end": self._rod.position[-1] + share * self._way}
+        return {"angles": (None, float(self._rod.angle[-1] + share * self._turn))}
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
@@ -201,26 +229,28 @@ class Travel:
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
-        """The shapes at even places of the way, both its ends among them, each found from the one before."""
+        """Return `frames` shapes at even places of the way, both its ends among them, each found from the one
+        before.
+        """
         if not isinstance(frames, int) or frames < 2:
             raise InputError(
                 "a travel of {frames} frames shows no motion: give a whole number, 2 or more", frames=frames
             )
-        shares = np.linspace(0.0, 1.0, frames)[1:, None]
-        return (self._rod, *bend_path(self.strip.rod_to_bend, self._rod.position[-1] + shares * self._way))
+        shares = np.linspace(0.0, 1.0, frames)[1:]
+        return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
 
     def rod(self, position: float) -> Rod:
-        """The shape with the end `position` mm along the way, found from the nearest station."""
+        """Return the shape with the end so far along the way, mm or degrees, found from the nearest station."""
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
             raise InputError(
-                "position is {told} mm: the travel goes from 0 to {length:.4g}",
+                "position is {told} {unit}: the travel goes from 0 to {length:.4g}",
                 told=told,
-                length=Length(self.length),
+                unit=self.unit,
+                length=self.length,
             )
-        near = self._stations[round(share * STATIONS)]
-        return bend(near, end=self._rod.position[-1] + share * self._way)
+        return bend(self._stations[round(share * STATIONS)], **self._ends(share))
 
     def write_glb(
         self,
@@ -266,8 +296,9 @@ class Travel:
         write_atomically(path, encode_animation(moving, seconds), force=force)
 
 
-def travel_of(rib: StripBody, end: Point) -> Travel:
-    """The travel of a bent body's end to a point in space, or to two numbers in the body's `frame`, mm.
+def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
+    """Compute how a bent body follows when its end travels to a point in space, or to two numbers in its `frame`,
+    mm; or turns to an angle in that frame, degrees.
 
     Raises
     ------
@@ -277,4 +308,5 @@ def travel_of(rib: StripBody, end: Point) -> Travel:
     require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:
         raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
-    return Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))
+    point = None if end is None else rib._in_plane(end, "end")
+    return Travel(rib.strip, rib.frame, point, end_angles((None, angle))[1])

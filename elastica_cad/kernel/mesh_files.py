@@ -17,7 +17,8 @@ from elastica_cad.kernel.step_files import NamedShape, make_document
 
 
 def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[FloatArray, IntArray]]:
-    """Of every face the points (n, 3) and the triangles (m, 3) of their numbers, anticlockwise from outside.
+    """Yield the points (n, 3), mm, of every face and its triangles (m, 3) as numbers of points, anticlockwise from
+    outside.
 
     Parameters
     ----------

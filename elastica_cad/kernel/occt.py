@@ -16,7 +16,7 @@ from elastica_cad.kernel.ocp_import import Shape, kernel
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Shape:
-    """A path as a TopoDS_Wire in the plane of `frame` (the xy plane unless told)."""
+    """Make a TopoDS_Wire of a path in the plane of `frame`, which is the xy plane unless given."""
     return kernel().as_wire(_read(wire_brep(path, frame or Frame())))
 
 
@@ -28,7 +28,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def make_boundary(boundary: Boundary) -> Shape:
-    """A closed boundary as a TopoDS_Solid, an open one as a TopoDS_Shell."""
+    """Make a TopoDS_Solid of a closed boundary, a TopoDS_Shell of an open one."""
     k = kernel()
     return (k.as_solid if boundary.is_closed else k.as_shell)(_read(boundary_brep(boundary)))
 
@@ -42,7 +42,7 @@ def _read(brep: BinaryBrep) -> Shape:
 
 
 def make_solid(record: BodyRecord | PrismSolid) -> Shape:
-    """A record as a TopoDS_Solid."""
+    """Make a TopoDS_Solid of a record."""
     k = kernel()
     if isinstance(record, PrismSolid):
         first, *rest = (make_solid(prism) for prism in record.added)
@@ -111,7 +111,7 @@ def _only_solid(shape: Shape) -> Shape:
 
 
 def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
-    """Sub-shapes of the first kind, in order, without those inside sub-shapes of the second kind."""
+    """Return sub-shapes of the first kind, in order, without those inside sub-shapes of the second kind."""
     explorer = kernel().TopExp_Explorer(shape, *kinds)
     found = []
     while explorer.More():
@@ -139,7 +139,7 @@ def moved_frame(frame: Frame, motion: Any) -> Frame:
 
 
 def plane_axes_of(frame: Frame) -> Any:
-    """The frame's origin, normal and x axis for the kernel."""
+    """Return the frame's origin, normal and x axis as the kernel's gp_Ax3."""
     k = kernel()
     origin, z, x = frame.origin.tolist(), frame.z_axis.tolist(), frame.x_axis.tolist()
     return k.gp_Ax3(k.gp_Pnt(*origin), k.gp_Dir(*z), k.gp_Dir(*x))

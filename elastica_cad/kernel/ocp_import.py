@@ -39,7 +39,8 @@ ARRAYS = {
 
 @lru_cache(maxsize=1)
 def kernel() -> SimpleNamespace:
-    """OCP's classes by their own names, and the array types of its two lines under one name each.
+    """Import OCP, and return its classes by name, with one name for array types that its two lines call
+    differently.
 
     Raises
     ------
@@ -90,7 +91,7 @@ def kernel_trouble() -> str:
 
 
 def library_trouble(library: str, error: ImportError) -> str:
-    """What to do where a library above OpenCASCADE is not imported: install it, or mend what it stands on."""
+    """Return what to do where a library above OpenCASCADE fails to import: install it, or repair what it needs."""
     if error.name == library:
         return how_to_install(library)
     return kernel_trouble() or note("it cannot be loaded ({error}); install what that names", error=error)

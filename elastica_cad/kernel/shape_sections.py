@@ -32,7 +32,7 @@ BETWEEN = 1e-3
 
 
 def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[PlaneSection, ...]:
-    """What planes cut out of a body or a surface of OpenCASCADE, as `mesh_sections` gives it for meshes.
+    """Cut a body or a surface of OpenCASCADE by planes, as `mesh_sections` cuts a mesh.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
 
 def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
-    """A body or surface of OpenCASCADE, all lengths times `scale`, ready to be cut."""
+    """Return a body or surface of OpenCASCADE, all lengths times `scale`, ready to be cut by planes."""
     from OCP.Bnd import Bnd_Box
     from OCP.BRepBndLib import BRepBndLib
     from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform

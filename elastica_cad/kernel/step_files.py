@@ -218,7 +218,7 @@ def write_step(
 
 
 def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
-    """OpenCASCADE's document of named and coloured parts, mm; several of them make one assembly called `name`."""
+    """Make OpenCASCADE's document of named, coloured parts, mm; several make one assembly called `name`."""
     k = kernel()
     document = k.TDocStd_Document(k.TCollection_ExtendedString("XmlOcaf"))
     shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
@@ -243,7 +243,7 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
 
 
 def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
-    """The STEP file of the parts; several of them make one assembly called `name`."""
+    """Return the bytes of a STEP file of the parts; several of them make one assembly called `name`."""
     k = kernel()
     shapes = {id(part.shape): bare(part.shape) for part in parts}
     holed = any(map(_has_many_wires, shapes.values()))

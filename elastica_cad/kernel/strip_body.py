@@ -42,7 +42,7 @@ class StripWarning(UserWarning):
 
 
 def warn_of_missing_slots(model: "Model") -> None:
-    """Tell of strips of a model that run through each other."""
+    """Warn of strips of a model that run through each other without a slot."""
     from elastica_cad.fabrication.interlocking.collisions import missing_slots
 
     for text in missing_slots(model.placed, model.joints):
@@ -95,10 +95,10 @@ OFF_PLANE_MM = 1e-4
 
 
 class TupleLike(Protocol):
-    """A vector of CadQuery."""
+    """Any vector with a method `toTuple`, as CadQuery's."""
 
     def toTuple(self) -> tuple[float, float, float]:
-        """Its coordinates."""
+        """Return the coordinates."""
 
 
 Point: TypeAlias = Iterable[float] | TupleLike
@@ -106,7 +106,7 @@ Point: TypeAlias = Iterable[float] | TupleLike
 
 
 def numbers_of(point: Point) -> tuple[float, ...]:
-    """The numbers of a sequence, or of a vector of either library.
+    """Return the numbers of a sequence, or of a vector of build123d or CadQuery.
 
     Raises
     ------
@@ -118,24 +118,32 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 class BendOptions(TypedDict, total=False):
-    """Where the ends of a strip are led, as in `mechanics.bend`.
-
-    `start` and `end` are points in space (three numbers, a vector of the library), or two numbers in the body's
-    `frame`, mm; `angles` are degrees in that frame, None where an end is to turn freely.
-    """
+    """The ends to which a strip is bent, as in `mechanics.bend`."""
 
     start: "Point | None"
+    """Where the start goes: a point in space, or two numbers in the body's `frame` (mm)."""
     end: "Point | None"
+    """Where the end goes, likewise (mm)."""
     angles: "tuple[float | None, float | None] | ArrayLike | None"
+    """Directions of start and end in that frame, counted along the strip; None keeps one (degrees)."""
     gravity: Any
+    """A `Gravity`, or None for no weight; the strip's own unless given."""
     supports: Supports | None
+    """What holds the ends from now on; the strip's own unless given."""
     force: ArrayLike | None
+    """Dead force on ends that are free to move, over the least bending stiffness (1/mm2)."""
     moment: float | tuple[float, float] | None
+    """Moment on ends that are free to turn, anticlockwise, over the least bending stiffness (1/mm)."""
     guess: Any
+    """A `Rod` to start from, or angles of its nodes (rad)."""
     side: int | None
+    """To which side a straight strip bulges: 1 for left, -1 for right."""
     mode: int
+    """Buckling mode in which a straight strip bulges, from 1."""
     samples: int | None
+    """Nodes of the rod."""
     settle: bool
+    """An unstable shape snaps to the stable one near it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,7 +170,7 @@ class MadeStrip:
         return self
 
     def mirrored(self) -> "MadeStrip":
-        """That of a body's image: across, the strip is the other way round."""
+        """Return the strip of a mirrored body, whose sides across the strip are exchanged."""
         return replace(self, strip=self.strip.mirrored())
 
     @property
@@ -173,7 +181,7 @@ class MadeStrip:
 
 
 class StripBody:
-    """What a body of a strip tells about it, in every kernel."""
+    """The properties that a body of a strip has in every CAD library."""
 
     _made: MadeStrip
 
@@ -209,7 +217,7 @@ class StripBody:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a maker should know before cutting."""
+        """Sentences that a maker should read before cutting."""
         return self.strip.warnings
 
     @property

@@ -39,9 +39,10 @@ SHORTEST_MM = 5.0
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
-OF_STYLES = {
+GIVEN_OTHERWISE = {
     "backing": "style=Laminated(width=..., backing=...)",
     "columns": "style=Perforated(width=..., columns=...)",
+    "number": "engrave=...",
     "rows": "style=Perforated(width=..., rows=...)",
     "width": "max_width=..., or style=Perforated(width=...)",
 }
@@ -55,16 +56,16 @@ NO_CURVES = {
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):
-    """The sizes of an end fixture too, mm; see `fabrication.EndFixture`."""
+    """The options of a strip, with the sizes of an end fixture, mm; see `fabrication.EndFixture`."""
 
 
 class BlockOptions(FixtureSizes, total=False):
-    """What the fixture of a strip that is made takes: its sizes, mm, the plane of any library that it stands on,
-    and the number engraved on it; see `fabrication.EndFixture`.
-    """
+    """What the fixture of a strip that is made takes; see `fabrication.EndFixture`."""
 
     floor: Any
-    number: str | None
+    """Plane of any library that the block stands on; square to the tab unless given."""
+    engrave: str | None
+    """Text engraved on the block; the strip's name and the number of the end unless given, empty for none."""
 
 
 def make_strip_on(
@@ -149,7 +150,7 @@ def make_fixture_on(
     *,
     end: StripEnd = "start",
     floor: Any = None,
-    number: str | None = None,
+    engrave: str | None = None,
     **asked: Any,
 ) -> "tuple[MadeStrip, EndFixture]":
     """The block that holds an end of the strip that `make_strip_on` makes, and that strip.
@@ -162,8 +163,8 @@ def make_fixture_on(
     _refuse_unknown(asked, FIXTURE_SIZES)
     made = make_strip_on(path, sheet, **asked)
     ground = None if floor is None else _frame_of(floor)
-    number = None if number is None else str(number)
-    return made, EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
+    engrave = None if engrave is None else str(engrave)
+    return made, EndFixture.of(made.strip, end, made.frame, floor=ground, engrave=engrave, **sizes)
 
 
 def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
@@ -198,7 +199,7 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
 def section_requests(
     body: Any, planes: Any, options: StripOptions, *, half: bool = False
 ) -> "list[tuple[PlaneCurve, StripOptions]]":
-    """The curves of `_curves_on_body`, each with its strip's options: their plane, and a label with a number."""
+    """Cut a body by planes; return each curve with the options of its strip: its plane, a numbered label."""
     called = options.get("label") or "strip"
     return [
         (one.curve, {**options, "plane": one.frame, "label": f"{called}-{number}"})
@@ -226,9 +227,9 @@ def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None
 
     known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
     for name in asked:
-        if name in OF_STYLES and name not in known:
+        if name in GIVEN_OTHERWISE and name not in known:
             raise UnknownOptionError(
-                "{name} is no option of a strip: give {of_styles}", name=name, of_styles=OF_STYLES[name]
+                "{name} is no option of a strip: give {otherwise}", name=name, otherwise=GIVEN_OTHERWISE[name]
             )
     refuse_unknown(asked, known, "a fixture" if sizes else "a strip")
 

@@ -20,13 +20,13 @@ if TYPE_CHECKING:
 
 
 class StripOptions(TypedDict, total=False):
-    """What every skin takes besides path, sheet and max_width; see `StripSpec`.
+    """What every function takes besides path, sheet and max_width; see `StripSpec`.
 
-    `plane` is the plane of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`.
     `gravity` may be a vector of the library too, a direction in space.
     """
 
     plane: Any
+    """Of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`."""
     min_width: "float | None"
     """Width of the narrowest place, or its limit (mm)."""
     style: "Style"
@@ -54,7 +54,9 @@ class StripOptions(TypedDict, total=False):
     slots: "Slot | Sequence[Slot]"
     """Slots from the edge."""
     label: "str"
-    """Text engraved on the strip, and its name in messages."""
+    """Name of the strip, which is engraved on it."""
+    engrave: "str | None"
+    """Text engraved in place of the label; empty for none."""
     smooth: "float | None"
     """How far the curve may be moved to become fair; 0 follows it exactly as drawn (mm)."""
     shop: "FabricationLimits"

@@ -37,7 +37,7 @@ Writer: TypeAlias = Callable[[Path], object]
 
 @dataclass(frozen=True, eq=False)
 class Kit:
-    """Everything that a model becomes."""
+    """All files of a model, computed but not yet written."""
 
     model: Model
     spec: KitSpec
@@ -61,7 +61,7 @@ class Kit:
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """All numbers, without the files."""
+        """The report as plain data for JSON, without the list of files."""
         told = report_model(
             self.model,
             cut_list=self.cut_list,
@@ -76,7 +76,7 @@ class Kit:
 def kit_of(
     model: Model, spec: KitSpec | None = None, *, entries: Sequence[StripEntry] = (), effects: bool = False
 ) -> Kit:
-    """Pieces, sheets, base and fixtures of a model.
+    """Compute the pieces, nested sheets, base and fixtures of a model.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ CUT_FROM = (".dxf", ".svg", ".stl")
 
 @dataclass(frozen=True)
 class SavedKit:
-    """What `save_model` wrote; as text, where it is and what was left out.
+    """The folder that `save_model` wrote; as text, where it is and what was left out.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class SavedKit:
 
 
 def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
-    """What of the bodies, the pictures and the print on paper cannot be written here, and which package would."""
+    """Return a sentence for each kind of file whose package is missing, with how to install it."""
     drawn = ((pictures, "pictures"), (paper, "PDF"))
     missing = find_spec("matplotlib") is None
     told = [f"no {kind}: {how_to_install('matplotlib')}" for asked, kind in drawn if asked and missing]
@@ -140,7 +140,8 @@ def save_model(
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> SavedKit:
-    """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
+    """Write a model's nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures into a
+    folder.
 
     Parameters
     ----------

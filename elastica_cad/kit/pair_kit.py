@@ -40,7 +40,7 @@ class PairKit:
 
     @cached_property
     def files(self) -> dict[str, Callable[[Path], object]]:
-        """What writes each file, by its name: all that the installed libraries allow."""
+        """The function that writes each file, by its name, for all files that the installed packages can write."""
         part, options = self.part, self.cutting.options(self.part.sheet)
 
         def cut(drawing: Drawing) -> Callable[[Path], object]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.bench import bench_csv, bench_drawing
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.holders.holding_template import holding_template
 from elastica_cad.fabrication.makeability.makeable_strip import spliced
@@ -17,7 +18,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.file_access.write_files import write_json, write_together
+from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
@@ -53,7 +54,7 @@ class StripFiles:
 
 @dataclass(frozen=True, eq=False)
 class StripKit:
-    """One strip, what it answers, and the files that tell of it.
+    """One strip with the answer it was made from, and the files that describe it.
 
     Attributes
     ----------
@@ -79,17 +80,17 @@ class StripKit:
 
     @property
     def near(self) -> NearestRod | None:
-        """The nearest rod, where the curve could change."""
+        """The nearest rod, or None where the curve was not allowed to change."""
         return self.found if isinstance(self.found, NearestRod) else None
 
     @cached_property
     def stability(self) -> Stability:
-        """The verdict on its rest shape."""
+        """Whether the rest shape is stable, and by how much."""
         return stability(self.strip.rod)
 
     @cached_property
     def files(self) -> dict[str, str]:
-        """The name of each file by its kind: all that the installed libraries allow."""
+        """The name of each file by its kind, for all kinds that the installed packages can write."""
         # R12 has no header for its unit, so the name says it
         dxf = f"{self.name}-mm.dxf" if self.asked.cutting.version == "R12" else f"{self.name}.dxf"
         names = {"dxf": dxf} | {kind: f"{self.name}.{kind}" for kind in ("svg", "json")}
@@ -102,6 +103,10 @@ class StripKit:
         if not self.strip.is_closed:
             held = {"holding dxf": f"{self.name}-holding.dxf", "holding svg": f"{self.name}-holding.svg"}
             names |= held | ({"holding pdf": f"{self.name}-holding.pdf"} if self.asked.paper else {})
+        if self.strip.layout.size is not None:
+            names["bench csv"] = f"{self.name}-bench.csv"
+            kinds = ("dxf", "svg", *(["pdf"] if self.asked.pictures and find_spec("matplotlib") else []))
+            names |= {f"side {kind}": f"{self.name}-side.{kind}" for kind in kinds}
         more = {
             "png": self.asked.pictures and find_spec("matplotlib"),
             "pdf": self.asked.paper,
@@ -125,7 +130,7 @@ class StripKit:
 
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
-        """What is cut of each layer, named as its files."""
+        """The drawing of each layer to be cut, named as its file."""
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 
@@ -160,7 +165,7 @@ def write_strip(
         )
     with write_together(folder, kit.files.values(), force=force) as workshop:
         for kind, file in kit.files.items():
-            _writer(kit, kind)(kit, workshop / file)
+            writer_of(kit, kind)(kit, workshop / file)
     return written
 
 
@@ -180,23 +185,26 @@ def _pattern(kit: StripKit, layer: int) -> tuple[Drawing, dict[str, Any]]:
     return kit.patterns[layer], kit.asked.cutting.options(sheet)
 
 
-def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
+def writer_of(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
     """What writes a kind of file; "backing dxf" and the like are of a layer that is glued on."""
     if kind in WRITERS:
         return WRITERS[kind]
     name, _, kind = kind.rpartition(" ")
     if name == "holding":
-        return partial(_write_holding, kind=kind)
+        return partial(_write_drawing, lambda kit: holding_template(kit.strip), kind=kind)
+    if name == "side":
+        return partial(_write_drawing, lambda kit: bench_drawing(kit.strip), kind=kind)
     number = [layer.name for layer in kit.strip.layers].index(name)
     return partial({"dxf": _write_dxf, "svg": _write_svg}[kind], layer=number)
 
 
-def _write_holding(kit: StripKit, path: Path, kind: str) -> None:
-    drawing = replace(holding_template(kit.strip), name=f"{kit.name}-holding")
+def _write_drawing(made: Callable[[StripKit], Drawing], kit: StripKit, path: Path, kind: str) -> None:
+    """One of the drawings that are written beside the cut pattern."""
+    drawing = replace(made(kit), name=path.stem)
     if kind == "pdf":
         from elastica_cad.plot.template_pages import save_template
 
-        save_template(drawing, path, paper=str(kit.asked.paper))
+        save_template(drawing, path, paper=kit.asked.paper or "A4")
     else:
         version = {"version": kit.asked.cutting.version} if kind == "dxf" else {}
         save(drawing, path, **version)
@@ -210,10 +218,9 @@ def _draw_picture(kit: StripKit, path: Path) -> None:
 
 
 def _draw_template(kit: StripKit, path: Path) -> None:
-    from elastica_cad.fabrication.leaf_stack import LeafStack
     from elastica_cad.plot.template_pages import save_template
 
-    drawing = LeafStack(kit.strip).drawing if kit.strip.layout.stack else _pattern(kit, 0)[0]
+    drawing = bench_drawing(kit.strip) if kit.strip.layout.stack else _pattern(kit, 0)[0]
     save_template(drawing, path, paper=str(kit.asked.paper))
 
 
@@ -241,6 +248,7 @@ WRITERS: Mapping[str, Callable[[StripKit, Path], None]] = {
     "pdf": _draw_template,
     "step": _write_step,
     "glb": _write_glb,
+    "bench csv": lambda kit, path: write_text(path, bench_csv(kit.strip)),
     "json": lambda kit, path: write_json(path, kit.report),
 }
 """How each kind of file is written."""

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from elastica_cad._shell import MADE_BY
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_path
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
@@ -89,7 +90,7 @@ def save_figure(
     if kind not in PICTURES:
         raise InputError("{path} has no ending of a picture: .png, .svg and .pdf are written", path=path)
     stream = BytesIO()
-    undated = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]
+    undated = {"png": {}, "svg": {"Date": None}, "pdf": _properties()}[kind]
     figure.savefig(stream, format=kind, dpi=resolution, metadata=undated)
     write_atomically(path, stream.getvalue(), force=force)
 
@@ -128,10 +129,15 @@ def write_pages(
     except ImportError as error:
         raise _needs_matplotlib(what) from error
     stream = BytesIO()
-    with PdfPages(stream, metadata={"CreationDate": None, "Title": title}) as pages:
+    with PdfPages(stream, metadata=_properties() | {"Title": title}) as pages:
         for figure in figures:
             pages.savefig(figure, dpi=resolution)
     write_atomically(path, stream.getvalue(), force=force)
+
+
+def _properties() -> dict[str, str | None]:
+    """Of a PDF: no time, and the command that runs."""
+    return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
 
 
 def _needs_matplotlib(what: str) -> MissingDependencyError:
@@ -160,7 +166,7 @@ def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: 
 
 
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
-    """A figure `WIDTH_INCHES` wide with axes one above the other.
+    """Make a figure `WIDTH_INCHES` wide with axes one above the other.
 
     The room of texts is reckoned: matplotlib's layouts measure every text first, which takes as long as drawing it.
     """

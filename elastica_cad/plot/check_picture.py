@@ -33,7 +33,7 @@ LETTERS = 96
 
 
 def check(check: EquilibriumCheck) -> Figure:
-    """The curve of a verdict with its curvature comb, inflections with their places, inflection line and faults.
+    """Draw the curve of a verdict: curvature comb, inflections with their places, inflection line and faults.
 
     Places are mm along the curve from its start, as in the reasons.
 

@@ -36,7 +36,7 @@ FEWEST, ROUND = 4, 96
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
-    """What lies inside an odd number of loops, cut along x at its corners and at `stations`.
+    """Return the area inside an odd number of loops as trapezoids, cut along x at corners and at `stations`.
 
     Parameters
     ----------
@@ -200,7 +200,7 @@ def model(
     azimuth: float = -60.0,
     flat: int = 0,
 ) -> Figure:
-    """The bent strips of a model in the colours of their sheets, seen from two angles in degrees.
+    """Draw the bent strips of a model in the colours of their sheets, from the side that two angles (degrees) give.
 
     Tabs, slots and holes are drawn; of a laminate its base. What holds the strips, besides the model's own plates,
     is drawn with its slots filled. So many different parts are shown as they are cut, in one scale of their own,
@@ -331,7 +331,7 @@ def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> Non
 
 
 def look_from(elevation: float, azimuth: float) -> FloatArray:
-    """Unit vector from the scene to the eye."""
+    """Return the unit vector (3,) from the scene to the eye; angles in degrees."""
     e, a = np.radians(
         [require_number(elevation, "elevation", "degrees"), require_number(azimuth, "azimuth", "degrees")]
     )
@@ -339,7 +339,7 @@ def look_from(elevation: float, azimuth: float) -> FloatArray:
 
 
 def screen_of(elevation: float, azimuth: float) -> FloatArray:
-    """Unit vectors to the right and upwards in the picture, as columns (3, 2)."""
+    """Return unit vectors to the right and upwards in the picture, as columns (3, 2); angles in degrees."""
     right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
     return np.column_stack([right, np.cross(look_from(elevation, azimuth), right)])
 
@@ -369,7 +369,7 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 def rule_strip(
     placed: Placed, rim_most: float = np.inf, faces: Sequence[Frame] = ()
 ) -> tuple[FloatArray, FloatArray]:
-    """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3).
+    """Return the strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3).
 
     Patches end where the strip goes through one of the `faces`.
     """

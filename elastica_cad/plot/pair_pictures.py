@@ -10,7 +10,7 @@ CHORD_SHARE = 1e-4  # of the length: how closely the picture follows splines
 
 
 def pair_sheet(part: Flexure) -> Figure:
-    """The part flat, in its states with the holes of the holder, and the push from one to the other."""
+    """Draw a two-state part flat, in both states with the holder's holes, and the push between them."""
     chord = CHORD_SHARE * part.pair.length
     lines = part.states
     drawn = [

@@ -48,7 +48,7 @@ SMOOTH_MM = 0.02
 
 
 def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
-    """The bent rod with its curvature comb and inflection line, and its stiffness along the strip.
+    """Draw the bent rod with its curvature comb and inflection line, and its stiffness along the strip.
 
     `wish` is drawn beside it where the rod is the nearest one to a curve that was asked for.
     """
@@ -60,7 +60,7 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
 
 
 def strip(strip: Strip) -> Figure:
-    """The flat strip with its dimensions."""
+    """Draw the flat strip with its dimensions."""
     require_record(strip, Strip, "what is drawn", "a Strip")
     figure, (axes,) = new_page([_flat_panel(strip)])
     _paint_dimensioned(axes, strip)
@@ -68,7 +68,7 @@ def strip(strip: Strip) -> Figure:
 
 
 def drawing(drawing: Drawing) -> Figure:
-    """A drawing in the colours of its layers."""
+    """Draw a drawing in the colours of its layers."""
     from matplotlib.collections import LineCollection
 
     require_record(drawing, Drawing, "what is drawn", "a Drawing")
@@ -130,7 +130,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
 
 
 def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
-    """The cut pattern in the colours of its sheets, a backing seen through, moved by `shift` mm."""
+    """Paint the cut pattern in the colours of its sheets, a backing translucent, moved by `shift` mm."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path as Outline
 
@@ -302,7 +302,7 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
 
 
 def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
-    """The part (2, 2) of a line inside a box, or None."""
+    """Return the part of a line inside a box, as end points (2, 2); None where it misses the box."""
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
     inside = np.all((direction != 0) | ((low <= point) & (point <= high)))
@@ -371,7 +371,8 @@ FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 
 def travel(moved: Travel) -> Figure:
-    """All shapes of a travel above, force along the way and bending energy below."""
+    """Draw all shapes of a travel above; below, force along the way and bending energy, and where the strip
+    snaps or is strained beyond what its sheet bears."""
     require_record(moved, Travel, "what is drawn", "a Travel")
     figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)
@@ -395,6 +396,13 @@ def travel(moved: Travel) -> Figure:
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
+    for at, color, told in ((moved.strained_at, INK, "strain limit"), (moved.snaps_at, UNSTABLE, "snaps")):
+        if at is not None:
+            beside.axvline(at, color=color, linewidth=1.0, linestyle=":")
+            beside.text(
+                at, 0.96, f"{told}, {at:.4g} mm", transform=beside.get_xaxis_transform(), rotation=90,
+                ha="center", va="top", fontsize=8, color=color, bbox={"facecolor": "white", "linewidth": 0},
+            )  # fmt: skip
     worst = int(np.argmin(moved.safety))
     below.set_title(
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.travel[worst]:.4g} mm of travel, "

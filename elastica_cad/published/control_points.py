@@ -258,7 +258,7 @@ class RouteStep:
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """Where the search ended: the nearest curve within the bounds, or the one that breaks them least.
+    """The end of a search: the nearest curve within the bounds, or the one that breaks them least.
 
     Attributes
     ----------

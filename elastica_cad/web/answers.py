@@ -33,15 +33,14 @@ from elastica_cad.forming.rod_spec import accepted_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.kit.kit_contents import count_strips, kit_of
+from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.kit.kit_files import write_kit
 from elastica_cad.kit.pair_kit import PairKit, write_pair
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 from elastica_cad.refusals import note
 from elastica_cad.web.saved_design import OF_MODELS, curve_table, open_design
 
@@ -76,7 +75,7 @@ PRESSED_SHARE = 0.4
 
 @dataclass(frozen=True)
 class Download:
-    """A file for the user."""
+    """A file that the page offers to save."""
 
     name: str
     content: bytes
@@ -132,7 +131,7 @@ def _design(request: Mapping[str, Any]) -> Design:
 
 
 def asked_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
-    """What a design asks of one of its strips.
+    """Return the request for strip number `k` of a design.
 
     Raises
     ------
@@ -153,11 +152,9 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 def _strip(request: Mapping[str, Any]) -> Record:
     """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
     spec = _spec(request)
-    check = check_equilibrium(spec.run_ins.bent, spec.supports, spec.natural_curvature)
+    check = spec.rod_spec.check
     told: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
-        if not (check.realizable or spec.may_change):
-            raise NotRealizable(check)
         found = spec.rod_spec.solve()
         made = spec.make(found)
     except ElasticaError as problem:
@@ -375,8 +372,14 @@ def _model(request: Mapping[str, Any]) -> Record:
             }
             for plate in solids
         ],
-        "text": f"{count_strips(kit.model)}, {listed.count} pieces on {len(kit.nests)} sheets, "
-        f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
+        "text": note(
+            "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g",
+            strips=len(places),
+            pieces=listed.count,
+            sheets=len(kit.nests),
+            cuts=listed.cut_length / 1000,
+            mass=listed.mass,
+        ),
         "warnings": list(dict.fromkeys((*kit.notes, *kit.model.reports))),
     }
 
@@ -440,7 +443,7 @@ def _edit(request: Mapping[str, Any]) -> Record:
 
 
 def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
-    """The same curve with a knot more where it passes a point, and so a control point more.
+    """Return the same curve with one more knot where it passes nearest to a point, and so one more control point.
 
     Examples
     --------
@@ -466,7 +469,7 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
 
 
 def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
-    """The curve with one control point less, and the inner knot beside it."""
+    """Return the curve without control point `k` and without the inner knot beside it."""
     count, degree = len(curve.control_points), curve.degree
     if not isinstance(k, int) or not 0 <= k < count:
         raise InputError("there is no control point {k!r} to take away", k=k)

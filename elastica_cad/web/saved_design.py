@@ -72,7 +72,7 @@ def _is_drawn(curve: object) -> bool:
 
 
 def curve_table(curve: PlaneCurve) -> Tables:
-    """A curve as a table of a design file, exactly.
+    """Return a curve as a table of a design file, exactly.
 
     Examples
     --------

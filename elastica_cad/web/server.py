@@ -46,23 +46,23 @@ NO_ENTRY = "This page is for the person who started it: open the address that `e
 
 @dataclass(frozen=True)
 class Entrance:
-    """Who may come in: whoever knows the token, from this computer's own name, not sent by another site."""
+    """Admits requests that carry the token, name this computer as host, and come from no other site."""
 
     port: int
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
 
     @property
     def address(self) -> str:
-        """To be opened in a browser."""
+        """The address of the page, with the token, to be opened in a browser."""
         return f"http://{HOST}:{self.port}/?token={self.token}"
 
     @property
     def cookie(self) -> str:
-        """Its name: ports share their cookies."""
+        """The cookie's name, which holds the port because ports of one host share their cookies."""
         return f"elastica-studio-{self.port}"
 
     def refusal(self, seen: HTTPConnection) -> str:
-        """Why a request is not answered; empty where it is."""
+        """Return why a request is not answered; empty where it is."""
         host = seen.headers.get("host", "")
         if host not in (f"{HOST}:{self.port}", f"localhost:{self.port}"):
             return "This server answers to its own name only.\n"
@@ -220,7 +220,7 @@ def _version() -> str:
 
 
 def bound_socket(port: int) -> socket.socket:
-    """A socket on this computer alone; on any free port for 0.
+    """Return a socket that only this computer reaches, on the port, or on any free one for 0.
 
     Raises
     ------
@@ -242,7 +242,7 @@ def bound_socket(port: int) -> socket.socket:
 
 
 def serve(studio: Studio, bound: socket.socket) -> None:
-    """Answer until Ctrl-C."""
+    """Answer requests until Ctrl-C."""
     import uvicorn
 
     settings = uvicorn.Config(

@@ -34,7 +34,7 @@ CHINESE_NAMES = ("最大宽度", "最小宽度", "车间", "忽略限制", "初�
 
 
 def reply(line: bytes) -> tuple[bytes, bytes]:
-    """Kind and content of the answer to one request; every fault becomes a sentence."""
+    """Return kind and content of the answer to one request; every error becomes a sentence."""
     request: Any = None
     try:
         request = json.loads(line)
@@ -49,7 +49,7 @@ def reply(line: bytes) -> tuple[bytes, bytes]:
         traceback.print_exc()
         found = _refused("this design cannot be read: its values are of the wrong kind")
     known = request if isinstance(request, dict) else {}
-    words = _words(str(known.get("language", "en")))
+    words = wording_of(str(known.get("language", "en")))
     head = {name: known[name] for name in ("id", "do", "kind") if name in known}
     if isinstance(found, Download):
         return b"file", json.dumps(head | {"name": found.name}).encode() + b"\n" + found.content
@@ -72,7 +72,8 @@ class _PageWords(Translated):
 
 
 @cache
-def _words(language: str) -> Wording:
+def wording_of(language: str) -> Wording:
+    """How the page speaks a language: "de", "zh", or else English."""
     match language:
         case "de":
             return _PageWords("de", dict(zip(FREECAD_NAMES, GERMAN_NAMES, strict=True)))
@@ -104,7 +105,7 @@ def _limit_memory() -> None:
 
 
 def main() -> None:
-    """Answer until the input ends."""
+    """Read requests line by line and answer them until the input ends."""
     _limit_memory()
     out = sys.stdout.buffer
     sys.stdout = sys.stderr  # what a library prints is no answer

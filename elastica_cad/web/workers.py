@@ -18,7 +18,7 @@ Send = Callable[[bytes, bytes], Awaitable[None]]
 
 
 class Workers:
-    """Two processes and the questions that wait for them, in the order in which pages began to ask."""
+    """Two worker processes, and a queue that answers pages in the order of their first requests."""
 
     def __init__(self, refused: Callable[[dict[str, Any], str], bytes]) -> None:
         self._refused = refused
@@ -31,7 +31,7 @@ class Workers:
         self._tasks = [asyncio.create_task(self._work()) for _ in range(WORKERS)]
 
     async def stop(self) -> None:
-        """End them."""
+        """Stop the processes."""
         for task in self._tasks:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)

@@ -39,7 +39,7 @@ class Translated(Wording):
         self._catalogue = catalogue("en") | catalogue(language)
 
     def template(self, text: str) -> str:
-        """From the catalogue."""
+        """Return the template in the catalogue's language."""
         return self._catalogue.get(text, text)
 
     def format_field(self, value: Any, spec: str) -> str:

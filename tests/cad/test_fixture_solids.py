@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import trimesh
 
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, engraved
@@ -40,13 +41,13 @@ def common(a, b):
 @pytest.mark.parametrize("end", ["start", "end"])
 @pytest.mark.parametrize("floor", [None, Frame((0, 0, -30.0))])
 def test_a_block_is_one_body_that_clears_the_strip(strip, measure, end, floor):
-    fixture = EndFixture.of(strip, end, UPRIGHT, floor=floor, number="")
+    fixture = EndFixture.of(strip, end, UPRIGHT, floor=floor, engrave="")
     body = occt.make_solid(fixture.solid)
     assert measure.is_valid(body)
     bent = occt.make_solid(BentSolid.of(strip, UPRIGHT))
     unleaned = occt.make_solid(replace(fixture, lean=(0.0, 0.0)).solid)
     assert abs(measure.volume(common(unleaned, bent), bent=False)) < 1e-6
-    tight = EndFixture.of(strip, end, UPRIGHT, floor=floor, number="", clearance=0.0)
+    tight = EndFixture.of(strip, end, UPRIGHT, floor=floor, engrave="", clearance=0.0)
     held = FlatSolid(
         Path.rectangle(fixture.tab.length, fixture.tab.width, corner=(0, -fixture.tab.width / 2)),
         thickness=1.0,
@@ -58,16 +59,42 @@ def test_a_block_is_one_body_that_clears_the_strip(strip, measure, end, floor):
 
 
 def test_letters_take_a_little_away(strip, measure):
-    plain, marked = (occt.make_solid(EndFixture.of(strip, number=number).solid) for number in ("", "A:1"))
+    plain, marked = (occt.make_solid(EndFixture.of(strip, engrave=number).solid) for number in ("", "A:1"))
     assert measure.is_valid(marked)
     gone = measure.volume(plain, bent=False) - measure.volume(marked, bent=False)
     assert 0.5 < gone < 12
 
 
+@pytest.mark.build123d
+def test_stl_of_build123d_is_closed(strip, tmp_path):
+    import build123d as bd
+
+    from elastica_cad.build123d import BentStrip
+
+    block = BentStrip(strip).fixture("end")
+    bd.export_stl(block, tmp_path / "block.stl")
+    printed = trimesh.load(tmp_path / "block.stl")
+    assert printed.is_watertight
+    assert printed.volume == pytest.approx(block.volume, rel=1e-3)
+
+
+@pytest.mark.cadquery
+def test_stl_of_cadquery_is_closed(strip, tmp_path):
+    import cadquery as cq
+
+    from elastica_cad.cadquery import bent_strip
+
+    block = bent_strip(strip).fixture("end")
+    cq.exporters.export(cq.Workplane(obj=block), str(tmp_path / "block.stl"))
+    printed = trimesh.load(tmp_path / "block.stl")
+    assert printed.is_watertight
+    assert printed.volume == pytest.approx(block.Volume(), rel=1e-3)
+
+
 def test_letters_stay_small_in_a_file(strip):
     sizes = {}
     for number in ("", "A:1", "PAVILION"):
-        body = occt.make_solid(EndFixture.of(strip, number=number).solid)
+        body = occt.make_solid(EndFixture.of(strip, engrave=number).solid)
         sizes[number] = len(step_bytes([NamedShape("block", body)], name="block"))
     assert sizes["A:1"] < 3 * sizes[""]
     assert sizes["PAVILION"] < 7 * sizes[""]
@@ -75,7 +102,7 @@ def test_letters_stay_small_in_a_file(strip):
 
 def test_a_file_of_plain_faces_has_each_edge_once(strip, tmp_path, measure):
     """Planes and cylinders need no second drawing of their edges; the sides of a bent strip keep theirs."""
-    block = occt.make_solid(EndFixture.of(strip, number="ARCH:1").solid)
+    block = occt.make_solid(EndFixture.of(strip, engrave="ARCH:1").solid)
     bent = occt.make_solid(BentSolid.of(strip, UPRIGHT))
     written = {"block": [NamedShape("block", block)]}
     written["both"] = [*written["block"], NamedShape("strip", bent)]
@@ -93,7 +120,7 @@ def test_a_file_of_plain_faces_has_each_edge_once(strip, tmp_path, measure):
 @pytest.mark.parametrize("number", ["", "A:1", "K2:2", "80O&g"])
 @pytest.mark.parametrize("floor", [None, Frame((0, 0, -30.0))])
 def test_a_slicer_finds_a_closed_body_that_stands_on_its_bed(strip, measure, tmp_path, number, floor):
-    fixture = EndFixture.of(strip, "end", UPRIGHT, floor=floor, number=number)
+    fixture = EndFixture.of(strip, "end", UPRIGHT, floor=floor, engrave=number)
     body = occt.make_solid(fixture.solid)
     file = tmp_path / "block.stl"
     write_stl(body, file, bed=fixture.ground)
@@ -117,7 +144,7 @@ def test_a_slicer_finds_a_closed_body_that_stands_on_its_bed(strip, measure, tmp
 @pytest.mark.campaign
 def test_a_long_number_is_engraved_whole(strip, measure):
     number = "STRIP 17 OF THE PAVILION, BENT BY HAND: " * 2
-    body = occt.make_solid(EndFixture.of(strip, number=number.strip()).solid)
+    body = occt.make_solid(EndFixture.of(strip, engrave=number.strip()).solid)
     assert measure.is_valid(body)
     assert len(occt.sub_shapes(body, ocp_import.kernel().TopAbs_ShapeEnum.TopAbs_FACE)) > 350
 

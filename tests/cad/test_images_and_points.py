@@ -47,7 +47,7 @@ class TestBuild123d:
             mirrored = bd.Vertex(*joint.location.position).mirror(plane)
             near(image.joints[key].location.position, mirrored.center())
             near(other.joints[key].location.position, mirrored.center())
-        block, its = rib.fixture("end", number=""), image.fixture("end", number="")
+        block, its = rib.fixture("end", engrave=""), image.fixture("end", engrave="")
         near(its.center(), bd.Vertex(*block.center()).mirror(plane).center())
         assert (its & image) is None or (its & image).volume < 1e-6
         lower = bd.Pos(0, -50, 0) * bd.Box(400, 100, 10)
@@ -91,8 +91,8 @@ class TestBuild123d:
             slider.bent(1)
 
     def test_a_fixture_may_be_numbered_by_a_number(self, rib):
-        one, other = (rib.fixture("end", number=number).volume for number in (7, "7"))
-        assert one == other < rib.fixture("end", number="").volume
+        one, other = (rib.fixture("end", engrave=number).volume for number in (7, "7"))
+        assert one == other < rib.fixture("end", engrave="").volume
 
     def test_an_animation_has_its_own_ending(self, rib, tmp_path):
         slider = rib.slider(end=(110, 0))
@@ -123,7 +123,7 @@ class TestCadQuery:
         placed = ec.Model([image.placed]).placed[0].strip
         assert [slot.side for slot in placed.slots] == ["lower"]
         near(image.mirror(plane).bent().Center().toTuple(), rib.Center().toTuple())
-        assert image.fixture("end", number="").intersect(image).Volume() < 1e-6
+        assert image.fixture("end", engrave="").intersect(image).Volume() < 1e-6
 
     def test_an_end_is_led_to_a_point_in_space(self):
         import cadquery as cq

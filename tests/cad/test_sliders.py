@@ -104,6 +104,12 @@ def test_shapes_on_the_way(arch_strip):
         (lambda strip: Travel(strip, Frame(), (1e4, 0)), "give a nearer point"),
         (lambda strip: Travel(strip, Frame(), strip.rod.position[-1]), "there already"),
         (lambda strip: Travel(strip, Frame(), 3.0), "two numbers"),
+        (lambda strip: Travel(strip, Frame()), "one of both"),
+        (lambda strip: Travel(strip, Frame(), angle=strip.rod.angle[-1]), "there already"),
+        (
+            lambda strip: Travel(strip, Frame(), angle=strip.rod.angle[-1] + 0.2).rod(20.0),
+            "20 degrees: the travel",
+        ),
         (lambda strip: Travel(strip, Frame(), END).rod(99.0), "the travel goes from 0 to"),
         (lambda strip: Travel(strip, Frame(), END).rods(1), "2 or more"),
     ],
@@ -111,6 +117,46 @@ def test_shapes_on_the_way(arch_strip):
 def test_one_sentence(arch_strip, ask, says):
     with pytest.raises(InputError, match=says):
         ask(arch_strip)
+
+
+TILTED = ((5, -7, 11), (20, 30, 40))
+
+
+@pytest.mark.build123d
+@pytest.mark.parametrize("turn", [-25.0, 30.0])
+def test_a_hub_turns_with_the_end_in_build123d(arch_strip, turn):
+    import build123d as bd
+
+    from elastica_cad.build123d import BentStrip
+
+    rib = bd.Location(*TILTED) * BentStrip(arch_strip, plane=bd.Plane.XZ)
+    slider = rib.slider(angle=np.degrees(arch_strip.rod.angle[-1]) + turn)
+    assert slider.angular_range == pytest.approx((0, abs(turn)))
+    hub = bd.Box(8, 30, 8)
+    bd.RigidJoint("axle", hub)
+    for angle in (0.0, 12.5, abs(turn)):
+        slider.connect_to(hub.joints["axle"], angle=angle)
+        end = slider.bent(angle).joints["end"].location
+        sits = hub.joints["axle"].location
+        assert (end.position - sits.position).length < 1e-6
+        assert bd.Plane(sits).x_dir.dot(bd.Plane(end).x_dir) == pytest.approx(1, abs=1e-9)
+        start = slider.bent(angle).joints["start"].location
+        assert (start.position - rib.joints["start"].location.position).length < 1e-6
+
+
+@pytest.mark.cadquery
+@pytest.mark.parametrize("turn", [-25.0, 30.0])
+def test_a_hub_turns_with_the_end_in_cadquery(arch_strip, turn):
+    import cadquery as cq
+
+    from elastica_cad.cadquery import bent_strip
+
+    rib = bent_strip(arch_strip, plane=cq.Plane.XZ()).rotate((0, 0, 0), (1, 1, 0), 50)
+    slider = rib.slider(angle=np.degrees(arch_strip.rod.angle[-1]) + turn)
+    for angle in (0.0, abs(turn)):
+        end, place = slider.bent(angle).joints["end"], slider.place(angle)
+        assert (cq.Vector(*place.toTuple()[0]) - cq.Vector(*end.toTuple()[0])).Length < 1e-6
+        assert cq.Plane(place).xDir.dot(cq.Plane(end).xDir) == pytest.approx(1, abs=1e-9)
 
 
 @pytest.mark.build123d

@@ -47,7 +47,7 @@ def test_freecad_sees_the_same(arch_strip, plain, tmp_path, measure):
         "arch flat": FlatSolid.of(arch_strip),
         "arch bent": BentSolid.of(arch_strip, Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))),
         "plain bent": BentSolid.of(plain),
-        "fixture": EndFixture.of(arch_strip, number="ARCH:1").solid,
+        "fixture": EndFixture.of(arch_strip, engrave="ARCH:1").solid,
     }
     paths = {}
     for name, record in bodies.items():

@@ -259,7 +259,7 @@ class TestCadQuery:
         rib = bent_strip(CURVE, SHEET, max_width=12, label="Träger ß")
         block = rib.fixture("end")
         assert block.isValid()
-        assert block.Volume() < rib.fixture("end", number="").Volume()
+        assert block.Volume() < rib.fixture("end", engrave="").Volume()
 
 
 @pytest.mark.campaign

@@ -25,13 +25,13 @@ DARK = """<FCParamGroup Name="MainWindow"><FCText Name="StyleSheet">{sheet}</FCT
 <FCUInt Name="BackgroundColor4" Value="555819519"/></FCParamGroup>"""
 
 
-def make_home(folder: Path, *, addon: bool = True) -> dict[str, str]:
-    """A home folder whose FreeCAD finds this checkout as an addon; the environment to start it in."""
+def make_home(folder: Path, *, addon: Path | None = ROOT) -> dict[str, str]:
+    """A home folder whose FreeCAD finds this checkout or another folder as addon, and the environment for it."""
     for version in ("", "v1-0/", "v1-1/"):
         mods = folder / f".local/share/FreeCAD/{version}Mod"
         mods.mkdir(parents=True, exist_ok=True)
-        if addon:
-            (mods / "elastica_cad").symlink_to(ROOT)
+        if addon is not None:
+            (mods / "elastica_cad").symlink_to(addon)
     inherited = {
         k: v for k, v in os.environ.items() if not k.startswith(("FREECAD_USER", "PYTHON", "VIRTUAL_ENV"))
     }
@@ -45,7 +45,7 @@ def program(name: str) -> str:
     return found
 
 
-def run_console(script: str, folder: Path, *, addon: bool = True, **variables: str) -> dict[str, Any]:
+def run_console(script: str, folder: Path, *, addon: Path | None = ROOT, **variables: str) -> dict[str, Any]:
     """Run a script in freecadcmd; its answers. FreeCAD ends with 0 whatever happens, so the answers decide."""
     return _run(
         [program("freecadcmd"), str(SCRIPTS / script)],
@@ -56,7 +56,13 @@ def run_console(script: str, folder: Path, *, addon: bool = True, **variables: s
 
 
 def run_window(
-    script: str, folder: Path, timeout: float = 1500, language: str = "", theme: str = "", **variables: str
+    script: str,
+    folder: Path,
+    timeout: float = 1500,
+    language: str = "",
+    theme: str = "",
+    addon: Path | None = ROOT,
+    **variables: str,
 ) -> dict[str, Any]:
     """Run a script in FreeCAD on a screen of its own; its answers. The limit is for what hangs."""
     config = folder / "user.cfg"
@@ -70,7 +76,7 @@ def run_window(
     )
     freecad = [program("freecad"), "-u", str(config), str(SCRIPTS / script)]
     start = ["xvfb-run", "-a", "-s", SCREEN, "sh", "-c", managed, *freecad]
-    return _run(start, folder, timeout, make_home(folder) | variables)
+    return _run(start, folder, timeout, make_home(folder, addon=addon) | variables)
 
 
 def _run(command: list[str], folder: Path, timeout: float, environment: dict[str, str]) -> dict[str, Any]:

@@ -6,7 +6,7 @@ release=$1
 here=$(cd "$(dirname "$0")/../.." && pwd)
 root=${ELASTICA_ROOTS:-$HOME/.cache/elastica-cad}/$release
 mirror=${ELASTICA_MIRROR:-}
-packages="freecad qt6-svg-plugins xvfb xauth xdotool openbox imagemagick python3-scipy python3-numpy python3-ezdxf python3-pytest"
+packages="make freecad qt6-svg-plugins xvfb xauth xdotool openbox imagemagick python3-scipy python3-numpy python3-ezdxf python3-pytest"
 
 [ "$(id -u)" = 0 ] || { echo "debootstrap needs root: sudo tests/freecad/release.sh $release"; exit 1; }
 command -v debootstrap >/dev/null || apt-get install -y -qq --no-install-recommends debootstrap >/dev/null

@@ -13,9 +13,12 @@ from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, mode
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.shapes.part_shapes import make_solid
+from freecad.elastica_wb.solving import strip_cache
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.interlocking import interlock
 from elastica_cad.fabrication.sheets.pieces import distinct
+from elastica_cad.fabrication.solids.strip_solids import PrismSolid
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
 
@@ -292,11 +295,82 @@ def test_fixtures_hold_every_end(document, standing):
     assert "tab" in single.getStatusString()
 
 
+@pytest.mark.campaign
+def test_blocks_and_bodies_are_kept_by_their_record(document, standing, drawn, monkeypatch):
+    """One strip of three changes: its two blocks and its body are made, nothing of the others."""
+    far = drawn(ARCH)
+    far.Placement = App.Placement(App.Vector(0, 160, 0), App.Rotation(App.Vector(1, 0, 0), 90))
+    made = model.create(document, [*standing, strip.create(document, far)])
+    fixtures.create(document, [made])
+    document.recompute()
+    blocks, bodies = [], []
+    monkeypatch.setattr(fixtures, "make_solid", lambda one: blocks.append(one) or make_solid(one))
+    monkeypatch.setattr(strip_cache, "make_solid", lambda one: bodies.append(one) or make_solid(one))
+    document.Fixtures.touch()
+    document.recompute()
+    assert not blocks
+    document.Strip002.MaxWidth = 15
+    document.recompute()
+    assert sum(bool(one.added) for one in blocks if isinstance(one, PrismSolid)) == 2
+    assert len(bodies) == 2, "the strip alone, and as it is called in the model"
+
+
+def test_only_joints_of_the_strip_that_changed_are_sought(document, crossing, drawn, monkeypatch):
+    third = drawn([(x + 30, y) for x, y in ACROSS])
+    crossing.append(strip.create(document, third))
+    crossing[-1].MaxWidth = 16
+    made = model.create(document, crossing)
+    document.recompute()
+    sought = []
+    search = interlock.strip_crossings
+    monkeypatch.setattr(interlock, "strip_crossings", lambda *both: sought.append(both) or search(*both))
+    before = {joint.members: joint for joint in model.model_of(made).joints}
+    crossing[-1].MaxWidth = 17
+    document.recompute()
+    after = {joint.members: joint for joint in model.model_of(made).joints}
+    assert before[0, 1] is after[0, 1]
+    assert before[0, 2] is not after[0, 2]
+    assert len(sought) <= 2
+
+
+@pytest.fixture
+def named(document, drawn):
+    """Two arches whose sketches have names, in a model called Lamp."""
+    strips = []
+    for y, name in ((0, "Träger"), (60, "\u808b")):
+        sketch = drawn(ARCH)
+        sketch.Label = name
+        sketch.Placement = App.Placement(App.Vector(0, y, 0), App.Rotation(App.Vector(1, 0, 0), 90))
+        strips.append(strip.create(document, sketch))
+    strips[1].Label = "\u808b\u9aa8"
+    made = model.create(document, strips)
+    made.Label = "Lamp"
+    document.recompute()
+    return made
+
+
+def test_parts_are_called_as_in_the_tree_whatever_can_be_engraved(named):
+    found = model.model_of(named)
+    assert [one.label for one in found.strips] == ["Träger strip", "\u808b\u9aa8"]
+    assert [text.text for one in found.strips for text in one.drawing().texts] == ["Trager strip", "Strip001"]
+
+
+@pytest.mark.campaign
+def test_blocks_are_in_the_step_file_under_the_name_of_the_model(document, named, tmp_path):
+    fixtures.create(document, [named])
+    document.recompute()
+    (file,) = write_cutting_files([named], tmp_path, kinds=["step"])
+    names = re.findall(r"PRODUCT\('([^']*)'", file.read_text(encoding="utf-8"))
+    assert names[0] == "Lamp"
+    assert "fixture Träger strip:2" in names
+    assert len(names) == 1 + 2 + 4
+
+
 def test_engraved_blocks_are_valid(document, standing):
     standing[0].EngravedText = "R8"
     document.recompute()
     for block in fixtures.source_model(standing[:1]).fixtures():
-        marked, plain = make_solid(block.solid), make_solid(replace(block, number="").solid)
+        marked, plain = make_solid(block.solid), make_solid(replace(block, engrave="").solid)
         assert marked.isValid()
         assert 0.5 < plain.Volume - marked.Volume < 8
         assert len(marked.Faces) < len(plain.Faces) + 50

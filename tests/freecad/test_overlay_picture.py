@@ -55,8 +55,23 @@ def test_inflections_off_the_line_say_how_far():
     assert picture.realizable is check.realizable is False
     off = {s: d for s, d in check.off_line if abs(d) > 1e-4 * check.length}
     assert len(picture.off_line) == len(off) >= 2
-    assert [far for _, far in picture.distances] == [abs(d) for d in off.values()]
+    assert [place for _, place in picture.labels] == pytest.approx(check.inflections), (
+        "as the sentence has them"
+    )
     assert picture.answer.sentence == check.reasons[0]
+
+
+def test_the_comb_has_another_colour_where_the_sheet_bears_no_more():
+    sharp = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 60), (160, -10), (200, 90)])
+    picture = curve_picture(sharp, asked(sharp))
+    bend = 1 / asked(sharp).material.least_radius
+    samples = sharp.sample(161)
+    teeth = [line for line in picture.strained if len(line) == 2]
+    beyond = np.abs(samples.curvature) > bend
+    assert 0 < beyond.sum() < 161
+    roots = [tuple(tooth[0]) for tooth in teeth if tuple(tooth[0]) in set(map(tuple, samples.position))]
+    assert len(roots) == beyond.sum()
+    assert curve_picture(ARCH.transformed(np.diag([2.0, 2.0, 1.0])), asked(ARCH)).strained == ()
 
 
 def test_the_width_lies_along_the_curve():

@@ -2,8 +2,10 @@
 
 import importlib.util
 import re
+import subprocess
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -32,9 +34,29 @@ def test_freecadcmd(tmp_path):
     assert "Traceback" in found["mistake"]
 
 
+def test_the_addon_that_users_install(tmp_path):
+    """`make addon`, alone in an empty profile: menu in German, panels, icons, a strip."""
+    subprocess.run(["make", "addon", f"OUT={tmp_path}"], cwd=launching.ROOT, capture_output=True, check=True)
+    addon, home = tmp_path / "addon/Elastica", tmp_path / "home"
+    assert {path.name for path in addon.iterdir()} == {"LICENSE", "package.xml", "freecad"}
+    assert [path.name for path in (addon / "freecad").iterdir()] == ["elastica_wb"]
+    assert sum(path.stat().st_size for path in addon.rglob("*")) < 5e6
+    for named in ElementTree.parse(addon / "package.xml").iter(
+        "{https://wiki.freecad.org/Package_Metadata}icon"
+    ):
+        assert (addon / named.text).is_file()
+    home.mkdir()
+    found = launching.run_window("installed.py", home, language="German", addon=addon)
+    assert {Path(place).is_relative_to(home) for place in found["places"]} == {True}
+    assert found["menu"] == "Streifen aus Skizze"
+    assert found["icon"]
+    assert found["boxes"]
+    assert found["volume"] > 1000
+
+
 def test_without_the_workbench(tmp_path):
     file = Path(__file__).parent / "data" / "strip-0.1.FCStd"
-    found = launching.run_console("bare.py", tmp_path, addon=False, ELASTICA_TEST_FILE=str(file))
+    found = launching.run_console("bare.py", tmp_path, addon=None, ELASTICA_TEST_FILE=str(file))
     assert found["workbench"] is False
     assert found["volumes"]["Strip"] == pytest.approx(3659.1, rel=1e-3)
     assert found["volumes"]["Flat"] == pytest.approx(3659.1, rel=1e-3)
@@ -97,7 +119,7 @@ def test_a_drag_and_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     check_drag(found, tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 18
+    assert len(found["known"]) == 20
     ours = {keys for name, keys in found["shortcuts"].items() if name.startswith("Elastica")}
     others = {keys for name, keys in found["shortcuts"].items() if not name.startswith("Elastica")}
     assert len(ours) == 9
@@ -159,6 +181,25 @@ def test_a_drag_and_every_command(tmp_path):
     assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])
     assert "stopped" in found["cancelled"]
     assert found["usable with nothing"] is False
+
+
+@pytest.mark.campaign
+def test_a_model_by_its_names(tmp_path):
+    found = launching.run_window("named.py", tmp_path)
+    first, second = "Träger strip", "Left rib strip"
+    named = {"Strip": first, "Strip001": second, "Flat": f"{first} flat", "Flat001": f"{second} flat"}
+    assert found["labels"] == found["undone"] == named
+    assert found["renamed"] == named | {"Strip001": "Right rib strip", "Flat001": "Right rib strip flat"}
+    assert found["told together"].startswith(f"{first}: A flat strip takes this curve.\n{second}: ")
+    assert found["edited"] == [[14, 14], [17, 17], [10, 10], [15, 15]], "of both, and Cancel takes back both"
+    refused, sentence, made, moved = found["held"]
+    assert refused == 0, "no block is made before the plate is refused"
+    assert "no tab" in sentence
+    assert moved - made == made / 2, "the blocks of one strip of two"
+    names, files = found["exported"]
+    assert names == ["Lamp", first, "Right rib strip", *(f"fixture {one}:{end}"
+                     for one in (first, "Right rib strip") for end in (1, 2))]  # fmt: skip
+    assert "Träger-strip_birch-plywood-0.8_0.8mm_x1.dxf" in files
 
 
 @pytest.mark.campaign
@@ -331,6 +372,24 @@ def test_first_use_in_german_and_in_the_dark(tmp_path):
     found = launching.run_window("first_use.py", tmp_path, language="German", theme="dark")
     check_first_use(found)
     assert found["verdict"] == "geht"
+
+
+@pytest.mark.campaign
+def test_the_card_over_an_open_sketch(tmp_path):
+    found = launching.run_window("card.py", tmp_path)
+    assert found["searching"][0]
+    assert found["found"] == ["Use the nearest curve", True]
+    for words in ("curvature", "inflection off it", "more than the sheet bears", "nearest curve"):
+        assert words.replace(" ", "&nbsp;") in found["legend"]
+    assert "laid&nbsp;flat" not in found["legend"], "what is not shown is not explained"
+    assert found["wheel goes through"]
+    assert found["kept off"]
+    assert found["folded"] == [True, False, False]
+    assert found["unfolded"] == [True, True]
+    poles, shown, verdict = found["drawn"]
+    assert shown == poles <= 24
+    assert verdict == "can"
+    assert f"Drawn with {poles} poles to drag" in found["cost"]
 
 
 @pytest.mark.campaign

@@ -38,7 +38,7 @@ def mesh_area(face):
 
 @pytest.mark.parametrize(
     ("points", "degree", "weights"),
-    [(WAVE, 3, None), (ARCH, 3, [1, 2, 0.5, 1, 1])],
+    [(WAVE, 3, None), (ARCH, 4, [1, 2, 0.5, 1, 1])],
 )
 def test_outline_and_volume_are_the_cores(document, drawn, points, degree, weights):
     feature = strip.create(document, drawn(points, degree, weights))

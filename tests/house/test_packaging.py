@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import venv
 import zipfile
 
 import pytest
@@ -17,6 +18,10 @@ DATA = (
     "mechanics/material/sheets.toml",
     "fabrication/drawings/glyphs.toml",
 )
+
+
+PLAIN = "-q --import-mode=importlib --strict-markers"
+"""Options of pytest without those of the everyday suite."""
 
 
 def run(*arguments, cwd, **environment):
@@ -32,8 +37,8 @@ def test_no_packages_in_tests_and_examples(project_root):
     assert found == []
 
 
-@pytest.mark.campaign
-def test_the_source_archive_holds_what_the_readme_names(project_root, tmp_path):
+def source_archive(project_root, tmp_path):
+    """What a checkout's tracked files become."""
     tracked = subprocess.run(
         ["git", "ls-files"], cwd=project_root, capture_output=True, text=True, check=True
     )
@@ -45,6 +50,12 @@ def test_the_source_archive_holds_what_the_readme_names(project_root, tmp_path):
     result = run("-c", code, cwd=tmp_path / "source")
     assert result.returncode == 0, result.stderr
     (archive,) = tmp_path.glob("*.tar.gz")
+    return archive
+
+
+@pytest.mark.campaign
+def test_the_source_archive_holds_what_the_readme_names(project_root, tmp_path):
+    archive = source_archive(project_root, tmp_path)
     with tarfile.open(archive) as packed:
         held = {name.partition("/")[2] for name in packed.getnames()}
     page = (project_root / "README.md").read_text(encoding="utf-8")
@@ -108,3 +119,37 @@ def test_wheel_is_built_without_a_compiler(project_root, tmp_path):
     wheel = built(project_root, tmp_path, CC="/no/compiler/here")
     assert wheel.name.endswith("-py3-none-any.whl")
     assert compiled_of(wheel, tmp_path / "installed") == ("False", "True")
+
+
+@pytest.mark.campaign
+def test_the_contract_holds_where_nothing_else_is_installed(project_root, tmp_path):
+    """Source archive, wheel of it, an empty environment with what the wheel asks for: the archive's own tests."""
+    archive = source_archive(project_root, tmp_path)
+    with tarfile.open(archive) as packed:
+        packed.extractall(tmp_path / "unpacked", filter="data")
+    (source,) = (tmp_path / "unpacked").iterdir()
+    made = run(
+        "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(tmp_path), str(source), cwd=tmp_path
+    )
+    assert made.returncode == 0, made.stderr
+    (wheel,) = tmp_path.glob("*.whl")
+    shutil.rmtree(source / "elastica_cad")
+    venv.create(tmp_path / "empty", with_pip=True)
+    (python,) = (tmp_path / "empty").glob("*/python")
+    asked = (
+        f"{wheel}[plot,build123d,cadquery]",
+        "build123d==0.12.0",
+        "cadquery==2.8.0",
+        "pytest",
+        "hypothesis",
+    )
+    for words in (
+        ("pip", "install", "--quiet", *asked),
+        ("pytest", "-o", f"addopts={PLAIN}", "tests/contract"),
+    ):
+        done = subprocess.run(
+            [python, "-m", *words], cwd=source, capture_output=True, text=True, check=False,
+            env={name: value for name, value in os.environ.items() if not name.startswith("PYTHON")},
+        )  # fmt: skip
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert " passed" in done.stdout

@@ -99,6 +99,29 @@ class Studio:
             self.mouse("mouseMoved", place)
         self.mouse("mouseReleased", places[-1] if places else at, clickCount=1)
 
+    def touch(self, *fingers):
+        """Lead fingers, each from its first place to its last, and lift them."""
+
+        def send(kind, places):
+            points = [{"x": float(x), "y": float(y), "id": k} for k, (x, y) in enumerate(places)]
+            self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+        steps = list(zip(*fingers, strict=True))
+        for k in range(len(fingers)):  # one comes down after the other
+            send("touchStart", steps[0][: k + 1])
+        for places in steps[1:]:
+            send("touchMove", places)
+        send("touchEnd", [])
+
+    def drop(self, path):
+        """Drop a file on the drawing, as from the desktop."""
+        x, y = self.center(".plane > svg").tolist()
+        data = {"items": [], "files": [str(path)], "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.browser.execute_cdp_cmd(
+                "Input.dispatchDragEvent", {"type": kind, "x": x, "y": y, "data": data}
+            )
+
     def box(self, selector):
         return self.browser.execute_script(
             "const r = document.querySelector(arguments[0]).getBoundingClientRect();"

@@ -1,6 +1,7 @@
 """The studio's server, started as a user starts it, and what a page of it says."""
 
 import json
+import re
 import socket
 import subprocess
 import sys
@@ -24,6 +25,11 @@ def design(points=ARCH, **keys):
         "strips": [strip],
         **keys,
     }
+
+
+def without_command(drawing):
+    """The bytes of a drawing but for the command that made it, which a page has none of."""
+    return re.sub(rb"\A999\n.*\n|<desc>.*</desc>\n", b"", drawing)
 
 
 class Server:

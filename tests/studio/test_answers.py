@@ -1,5 +1,9 @@
 """What the page is answered, without the server between."""
 
+import json
+from itertools import count
+from time import process_time
+
 import ezdxf
 import numpy as np
 import pytest
@@ -9,9 +13,12 @@ import elastica_cad as ec
 from elastica_cad.cli import main
 from elastica_cad.web.answers import Download, answer, with_point_near, without_point
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
-from tests.studio.conftest import ARCH, design
+from elastica_cad.web.vocabulary import page_words
+from elastica_cad.web.worker import reply
+from tests.studio.conftest import ARCH, design, without_command
 
 OFF_LINE = [(0, 0), (60, 80), (120, 100), (200, -60), (260, 50), (330, 0), (360, 50)]
+LAMP = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
 
 
 def asked(do, **more):
@@ -34,6 +41,15 @@ def test_a_curve_that_cannot_be_bent_is_shown_with_its_faults():
     assert told["refused"]["kind"] == "not realizable"
     assert len(told["theorem"]["off"]) >= 2
     assert len(told["drawn"]) > 100
+
+
+def test_a_strip_that_feels_its_weight_needs_no_line():
+    told = asked("strip")
+    heavy = answer({"do": "strip", "design": design(gravity=True)})
+    assert told["theorem"]["line"] is not None
+    assert "refused" not in heavy
+    assert heavy["theorem"]["line"] is None
+    assert heavy["theorem"]["at"] == told["theorem"]["at"]
 
 
 def test_straight_ends_are_tabs_on_the_page_too():
@@ -75,9 +91,8 @@ def test_a_strip_is_bent_from_flat_to_its_design_and_on():
 
 
 def test_copies_between_rings_stand_in_their_places():
-    points = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
     lamp = design(
-        points,
+        LAMP,
         sheet="polypropylene-0.8",
         max_width=30,
         patterns=[{"rotate": {"count": 12}}],
@@ -108,6 +123,13 @@ def test_a_curve_goes_through_a_design_file_exactly(curve, tmp_path):
     path.write_text(compose_design(design() | {"strips": [{"curve": curve_table(curve)}]}))
     table = open_design(path)["strips"][0]["curve"]
     assert table == curve_table(curve)
+
+
+@pytest.mark.parametrize("language", ["de", "zh"])
+@pytest.mark.parametrize("fields", ["fields", "pair_fields"])
+def test_fields_are_explained_in_the_language_of_the_page(language, fields):
+    told = page_words()
+    assert [one["name"] for one in told[fields] if one["help"] not in told["helps"][language]] == []
 
 
 def test_a_dropped_file_brings_its_curves():
@@ -156,7 +178,7 @@ def test_the_cutting_file_is_that_of_the_command_line(tmp_path, capsys):
     for kind in ("dxf", "svg"):
         given = asked("file", kind=kind)
         assert isinstance(given, Download)
-        assert given.content == (tmp_path / "out" / given.name).read_bytes()
+        assert given.content == without_command((tmp_path / "out" / given.name).read_bytes())
     assert len(ezdxf.readfile(tmp_path / "out" / "arch.dxf").modelspace()) > 0
 
 
@@ -195,4 +217,31 @@ def test_two_curves_become_one_part(tmp_path):
     given = answer({"do": "file", "kind": "dxf", "design": pair})
     with pytest.raises(SystemExit, match=r"^0$"):
         main(["pair", str(path), "-o", str(tmp_path / "out"), "-q"])
-    assert given.content == (tmp_path / "out" / "clip.dxf").read_bytes()
+    assert given.content == without_command((tmp_path / "out" / "clip.dxf").read_bytes())
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("points", [ARCH, LAMP], ids=["arch", "lamp"])
+def test_an_answer_costs_little_more_than_its_strip(points):
+    """While a curve is dragged: at most 1.5 of `make_strip`, in time of the processor."""
+    moved = count()
+
+    def another():
+        (x, y), *others = points
+        return [(x, y + 1e-3 * next(moved)), *others]
+
+    def made():
+        ec.make_strip(ec.PlaneCurve.spline(another()), "birch-plywood-0.8", max_width=40, label="A1")
+
+    def told():
+        asked = {"do": "strip", "live": True, "design": design(another())}
+        assert b"refused" not in reply(json.dumps(asked).encode())[1]
+
+    def cost(once):
+        began = process_time()
+        once()
+        return process_time() - began
+
+    ratio = min(cost(told) for _ in range(40)) / min(cost(made) for _ in range(40))
+    print(f"\n{ratio:.2f} of make_strip")
+    assert ratio <= 1.5

@@ -28,7 +28,7 @@ CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
 
 
 def curve_argument(*, required: bool = True) -> Callable[[F], F]:
-    """The CURVE argument: a file, or - for standard input."""
+    """Return a decorator that adds the argument CURVE: a file, or - for standard input."""
     return click.argument(
         "curve",
         type=click.Path(path_type=Path, allow_dash=True),
@@ -131,7 +131,7 @@ class AskedCurve:
 
     @property
     def curve(self) -> PlaneCurve:
-        """As drawn: a strip that may leave it takes any curve.
+        """The curve as drawn, corners and all.
 
         Raises
         ------
@@ -142,7 +142,8 @@ class AskedCurve:
             return self.drawn.curve
 
     def bendable(self, smooth: float | None) -> PlaneCurve:
-        """As drawn, without corners but those that `smooth` mm take out.
+        """Return the curve as drawn, and refuse it where it has corners that rounding by `smooth` mm would not
+        remove.
 
         Raises
         ------
@@ -176,7 +177,7 @@ def asked_curves(
     every: bool = False,
     split: bool = False,
 ) -> tuple[AskedCurve, ...]:
-    """The one curve that number, id or layer choose, or every one so chosen; with `split` their pieces.
+    """Return the one curve that number, id or layer select, or every one so selected; with `split` their pieces.
 
     Raises
     ------
@@ -204,7 +205,7 @@ def asked_curves(
 
 
 def drawn_curves(path: Path, unit: str | None, number: str | None, layer: str | None) -> DrawnFile:
-    """What a file draws, told where it leaves something out; at least one curve is as chosen.
+    """Read a file, print a note where something was left out, and return what number, id or layer may select from.
 
     Raises
     ------

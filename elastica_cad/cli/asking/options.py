@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from elastica_cad._units import MILLIMETRES, MM_PER_INCH
+from elastica_cad._units import MILLIMETRES, MM_PER_INCH, read_number
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.material.sheet import Sheet
@@ -45,7 +45,7 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         found = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
         number, scale = (value, plain) if found is None else (found[1], _NAMED.get(found[2], 0.0))
         try:
-            length = scale * _number(number)
+            length = scale * read_number(number)
         except ValueError:
             scale = 0.0
         if not scale:
@@ -60,12 +60,6 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         return length
 
 
-def _number(text: str) -> float:
-    """Of digits, or of a fraction as on a folding rule: "5/16", "1 3/8", "1-3/8"."""
-    parts = re.fullmatch(r"\s*(?:(\d+)[ -])?(\d+)/([1-9]\d*)\s*", text)
-    return float(text) if parts is None else int(parts[1] or 0) + int(parts[2]) / int(parts[3])
-
-
 LENGTH = Length()
 IDLE_DOWN = "--down says how weight pulls, which is left out: add --gravity"
 POINT, SPACE_POINT = (LENGTH, LENGTH), (LENGTH, LENGTH, LENGTH)
@@ -75,17 +69,17 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def option_name(name: str) -> str:
-    """How the option that sets a parameter is typed."""
+    """Return the option that sets a parameter, as it is typed: `--max-width`."""
     return f"--{name.replace('_', '-')}"
 
 
 def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
-    """Those of the parameters that were given."""
+    """Return those of the named parameters that the user gave."""
     return {name: chosen[name] for name in names if chosen[name] is not None}
 
 
 def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
-    """Several options as one decorator; help lists them in this order."""
+    """Return one decorator that adds several options; help lists them in this order."""
 
     def add(function: F) -> F:
         for option in reversed(options):
@@ -123,7 +117,9 @@ output_options = join_options(
 
 
 def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
-    """The material, by name or from a file, and another thickness of it."""
+    """Return a decorator that adds options for the material, by name or from a file, and for another thickness of
+    it.
+    """
 
     return join_options(
         click.option("--sheet", required=required, metavar="NAME|FILE",
@@ -134,7 +130,7 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
 
 
 def asked_sheet(chosen: Mapping[str, Any]) -> "Sheet":
-    """The sheet that `sheet_options` name.
+    """Return the sheet that the options of `sheet_options` select.
 
     Raises
     ------

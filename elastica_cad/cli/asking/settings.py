@@ -9,6 +9,7 @@ import click
 
 from elastica_cad.declared import REQUIRED, Asked, Kind, Record
 from elastica_cad.errors import InputError, quoted
+from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.formats.design_files.design_schema import told
 from elastica_cad.formats.design_files.key_paths import paths_of, put, require_path_of
 from elastica_cad.formats.design_files.kit_spec import Cutting
@@ -24,7 +25,7 @@ GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
 
 @dataclass(frozen=True)
 class CurveKeys:
-    """Which curve of the file, and in which pieces."""
+    """Which curve of the file is taken, and whether it is split into pieces."""
 
     layer: Annotated[str | None, Asked("Only curves on this layer of the drawing.", group="curve")] = None
     split_corners: Annotated[
@@ -56,7 +57,7 @@ _CUTTING = Cutting()
 
 @dataclass(frozen=True)
 class CommandKeys(StripKeys):
-    """What `elastica strip` is asked for: the keys of a strip in a design file, and which files it writes."""
+    """All keys of `elastica strip`: those of a strip in a design file, and which files are written."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
     curve: Annotated[CurveKeys, Asked("Which curve of the file.", group="curve")] = CurveKeys()
@@ -64,8 +65,31 @@ class CommandKeys(StripKeys):
     files: Annotated[FileKeys, Asked("Which files are written.", group="files")] = FileKeys()
 
 
+@dataclass(frozen=True)
+class BentKeys(StripKeys):
+    """What `elastica bend` is asked for of the strip that it bends."""
+
+    WITHOUT: ClassVar[tuple[str, ...]] = (
+        "count", "let", "sections", "curve", "origin", "x_axis", "y_axis", "label", "engrave",
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class PairKeys:
+    """What `elastica pair` is asked for of its part."""
+
+    BESIDE: ClassVar[Record] = FlexureSpec
+    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
+
+
+KEYS_OF: Mapping[str, Record] = {
+    "strip": CommandKeys, "bend": BentKeys, "model": DesignKeys, "pair": PairKeys,
+}  # fmt: skip
+"""Keys that `--set` of each command knows."""
+
+
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
-    """The table that `KEY=VALUE` texts give: values are TOML, a bare word is a text.
+    """Return the table that `KEY=VALUE` texts make: values are TOML, a bare word is a text.
 
     Raises
     ------
@@ -104,7 +128,7 @@ def _value(text: str) -> Any:
 
 
 def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") -> Iterator[str]:
-    """Paths that two tables give different values; true is what any table or list says more exactly."""
+    """Yield paths to which two tables give different values; `true` agrees with any table or list."""
     for key in table.keys() & others.keys():
         mine, theirs = table[key], others[key]
         if isinstance(mine, dict) and isinstance(theirs, dict):
@@ -113,8 +137,14 @@ def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") ->
             yield f"{way}{key}"
 
 
+def completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
+    """Keys of a strip and of a design file that begin as typed, for shells."""
+    known = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
+    return [one for one in known if one.startswith(typed)]
+
+
 def set_option(record: Record) -> Callable[[F], F]:
-    """`--set KEY=VALUE` for the keys of a record, which shells complete."""
+    """Return a decorator that adds `--set KEY=VALUE` for the keys of a record, which shells complete."""
 
     def complete(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
         from click.shell_completion import CompletionItem
@@ -165,7 +195,7 @@ def _in_words(kind: Kind) -> str:
 
 
 def explained(path: str, option: str) -> str:
-    """What `elastica help KEY` says of a key.
+    """Return the text of `elastica help KEY`.
 
     Raises
     ------
@@ -201,7 +231,7 @@ DEEPEST = 1
 
 
 def listed() -> str:
-    """All keys in their groups, each with what it says: `elastica help`."""
+    """Return the text of `elastica help`: all keys in their groups, each with its help."""
     known = paths_of(CommandKeys)
     lines = []
     for group in GROUPS:

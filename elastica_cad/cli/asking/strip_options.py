@@ -229,17 +229,27 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
         table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
     if chosen["natural_curvature"] is not None:
         table["natural_curvature"] = chosen["natural_curvature"]
-    settings = parsed_settings(chosen["settings"], CommandKeys)
-    for path in twice(table, settings):
-        raise InputError(
-            "{option} and --set {path} say the same: leave one of them out",
-            option=typed_name(path),
-            path=path,
-        )
-    table = merged(table, settings)
+    table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
     if "keep" in table and "limits" not in table:
         raise InputError("what a curve keeps is asked of one that may change: add --nearest")
     return table
+
+
+def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
+    """The table of options with that of `--set`.
+
+    Raises
+    ------
+    InputError
+        Both say the same.
+    """
+    for path in twice(table, settings):
+        raise InputError(
+            "{option} and --set {path} say the same: leave one of them out",
+            option=typed_name(path) or option_name(path),
+            path=path,
+        )
+    return merged(table, settings)
 
 
 def spec_from_options(curve: PlaneCurve, name: str, table: Mapping[str, Any]) -> StripSpec:

@@ -26,7 +26,7 @@ def read_curves_told(path: Path, *, unit: str | None = None) -> list[PlaneCurve]
 
 
 def natural_curvature_of(value: Any) -> NaturalCurvature:
-    """What the option gives, as a record where it is no number."""
+    """Return the value of the option as a number (1/mm) or a record."""
     if isinstance(value, float):
         return value
     kind, table = kind_of(NaturalCurvature), Table({"natural_curvature": value}, "", {})
@@ -35,12 +35,12 @@ def natural_curvature_of(value: Any) -> NaturalCurvature:
 
 
 class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """A curvature, a table of curvatures along the strip, or a drawing of the strip before it is bent."""
+    """A parameter type for `natural_curvature`: a number (1/mm), a table, or a drawing of the unloaded strip."""
 
     name = "blank"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """The value of the key `natural_curvature` of a design file."""
+        """Return the value as the key `natural_curvature` of a design file takes it."""
         try:
             return float(value)
         except ValueError:

@@ -1,7 +1,6 @@
 """The command that was typed, and suggestions of one that would work."""
 
 import re
-import shlex
 import shutil
 import sys
 import threading
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import click
 import numpy as np
 
+from elastica_cad._shell import quote_words
 from elastica_cad.cli.running.voice import voice
 from elastica_cad.errors import Change, ElasticaError
 
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
 
 def name_program() -> str:
-    """Its name, its path where the name alone would find another, or the interpreter with the module."""
+    """Return how to call this program: by name, by path where the name finds another, or as a module."""
     called = Path(sys.argv[0])
     if called.parts[-2:] == ("elastica_cad", "__main__.py"):
-        return f"{shlex.quote(sys.executable)} -m elastica_cad"
+        return f"{quote_words([sys.executable])} -m elastica_cad"
     found = shutil.which("elastica")
     if called.stem == "elastica" and called.exists() and not (found and called.samefile(found)):
-        return shlex.quote(sys.argv[0])
+        return quote_words([sys.argv[0]])
     return "elastica"
 
 
@@ -42,7 +42,7 @@ MOST_REFUSALS = 7
 
 def _command_line(*words: str) -> str:
     """A command as it is typed."""
-    return f"{name_program()} {shlex.join(words)}"
+    return f"{name_program()} {quote_words(words)}"
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:
@@ -58,14 +58,14 @@ def typed_line(*added: str, instead: str | None = None) -> str:
 
 
 def typed_length(mm: float) -> str:
-    """A length, mm, as it is typed behind the words of the running command: with its unit where it has others."""
+    """Return a length (mm) as the running command takes it, with its unit where the command uses another."""
     context = click.get_current_context(silent=True)
     units = "mm" if context is None else context.find_root().params.get("units", "mm")
     return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
 
 
 def first_told(refused: int) -> str:
-    """Which of so many refusals of curves are printed, behind how many there are."""
+    """Return which of many refused curves are printed, behind how many there are."""
     if refused <= MOST_REFUSALS:
         return ""
     return f", of which the first {MOST_REFUSALS} are told: -v tells all"
@@ -98,7 +98,7 @@ class _OutOfTimeError(BaseException):
 
 
 def suggest_later(look: Callable[[ElasticaError], str]) -> None:
-    """Have a suggestion looked for where the running command is refused, once that is said."""
+    """Register a function that looks for a suggestion after a refusal of the running command was printed."""
     context = click.get_current_context()
 
     def look_here(problem: ElasticaError) -> str:
@@ -109,13 +109,13 @@ def suggest_later(look: Callable[[ElasticaError], str]) -> None:
 
 
 def suggestion_below(problem: ElasticaError) -> str:
-    """A sentence with what would work; empty where nothing was found."""
+    """Return a sentence with a request that would work; empty where none was found."""
     look = click.get_current_context().meta.get(SUGGEST)
     return "" if look is None else look(problem)
 
 
 def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]":
-    """The request with a change; none where the change says nothing new of it."""
+    """Return the requests that a change makes of this one; none where it changes nothing."""
     changed = spec.with_change(change)
     return [] if changed is None else [changed]
 

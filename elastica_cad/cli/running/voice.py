@@ -44,16 +44,16 @@ class Voice:
 
     @property
     def schema(self) -> str:
-        """Of its record."""
+        """The name of the JSON record's schema."""
         return f"elastica-{self.command}/1"
 
     def begin(self) -> None:
-        """Nothing is said yet."""
+        """Forget all that an earlier run of the command said."""
         self.record, self.notes, self.files = {}, [], []
         self.since = time.perf_counter()
 
     def conclude(self) -> None:
-        """Print the record, where one is asked for."""
+        """Print the JSON record, where `--json` asks for one."""
         _clear_step()
         if not self.as_json:
             return
@@ -64,7 +64,7 @@ class Voice:
             _print_json({"schema": self.schema, **self.record, **told})
 
     def refuse(self, said: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
-        """Say why there is no answer, then what a search comes to that would help, until Ctrl-C."""
+        """Print why there is no answer, then a suggestion, which is searched for until Ctrl-C."""
         _clear_step()
         advice = suggestion = ""
         with suppress(KeyboardInterrupt):
@@ -90,26 +90,26 @@ class Voice:
 
 
 def voice() -> Voice:
-    """That of the running command."""
+    """Return the output of the running command."""
     ctx = click.get_current_context()
     found: Voice = ctx.meta.setdefault(_KEY, Voice(ctx.info_name or "elastica"))
     return found
 
 
 def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
-    """Write a line: all that a command writes goes through here, so no foreign text steers a terminal."""
+    """Write a line with control codes made visible, so that no text from a file steers a terminal."""
     click.echo(printable(text), nl=nl, err=err)
 
 
 def say(text: str = "") -> None:
-    """A line of the answer, for people."""
+    """Print a line of the answer, for people."""
     if not (voice().as_json or voice().quiet):
         _clear_step()
         echo(text)
 
 
 def warn(text: str, *, told: bool = True) -> None:
-    """What people should know besides, on the other stream; programs find it among the notes.
+    """Print a warning to stderr, and add it to the notes of the JSON record.
 
     Where it is not `told`, people read it with -v only.
     """
@@ -120,19 +120,19 @@ def warn(text: str, *, told: bool = True) -> None:
 
 
 def wrote(paths: Iterable[PurePath]) -> None:
-    """Files that are there now."""
+    """Report files as written."""
     for path in paths:
         voice().files.append(str(path))
         say(f"wrote {path}")
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
-    """The answer for programs: records, arrays and paths become plain JSON."""
+    """Print the answer for programs: records, arrays and paths become plain JSON."""
     voice().record = _simplify(record)
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
-    """What is being done, on the other stream: on a terminal one line that passes, with -v a line each."""
+    """Report a step in progress to stderr: on a terminal one line that is overwritten, with -v one line each."""
     speaker = voice()
     counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:

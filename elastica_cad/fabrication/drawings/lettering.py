@@ -51,8 +51,6 @@ class Text:
     layer: str = "ENGRAVE"
 
     def __post_init__(self) -> None:
-        if not isinstance(self.text, str):
-            raise InputError("the text to engrave is {typed}: give a text", typed=quoted(self.text))
         place = tuple(self.position) if is_series(self.position) else ()
         sizes = (*place, self.height, self.angle)
         if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
@@ -61,20 +59,26 @@ class Text:
                 typed=self.text,
             )
         object.__setattr__(self, "position", tuple(map(float, place)))
-        missing = sorted(set(self.text) - _glyphs().keys())
-        if missing:
-            raise InputError(
-                "text {typed!r}: the engraving alphabet has no {names}; use A-Z, a-z, 0-9 and common "
-                "punctuation",
-                typed=self.text,
-                names=", ".join(map(repr, missing)),
-            )
+        require_engravable(self.text)
 
     @property
     def length(self) -> float:
         """Along the base line, mm."""
         widths = [_glyphs()[c][0] for c in self.text]
         return (sum(widths) + _GAP * max(0, len(widths) - 1)) * self.height / CAP_HEIGHT
+
+
+def require_engravable(text: object) -> None:
+    """Refuse what is no text, or holds letters that cannot be engraved."""
+    if not isinstance(text, str):
+        raise InputError("the text to engrave is {typed}: give a text", typed=quoted(text))
+    missing = sorted(set(text) - _glyphs().keys())
+    if missing:
+        raise InputError(
+            "text {typed!r}: the engraving alphabet has no {names}; use A-Z, a-z, 0-9 and common punctuation",
+            typed=text,
+            names=", ".join(map(repr, missing)),
+        )
 
 
 def engravable(text: str) -> str:
@@ -128,7 +132,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
 
 
 def strokes_of(texts: Sequence[Text]) -> list[tuple[Path, ...]]:
-    """The same of many texts."""
+    """Return the strokes of many texts, as `strokes` does for one."""
     return [tuple(_placed_strokes(text)) for text in texts]
 
 
@@ -168,13 +172,15 @@ def fit_label(text: str, center: tuple[float, float], *, angle: float, room: flo
 def centred_text(
     text: str, center: Sequence[float] | FloatArray, height: float, room: float, *, angle: float = 0.0
 ) -> Text:
-    """A text about a point (2,), so high, or lower where it would be longer than the room, mm.
+    """A text in letters that can be engraved, about a point (2,), so high, or lower where it would be longer than
+    the room, mm.
 
     Examples
     --------
     >>> centred_text("H", (10.0, 0.0), 6.0, 2.0).position
     (9.0, -1.5)
     """
+    text = engravable(text)
     long = text_width(text, height)
     height *= min(1.0, room / long) if long > 0 else 1.0
     along, up = text_width(text, height) / 2, height / 2

@@ -9,11 +9,12 @@ from typing import Annotated, Any
 import numpy as np
 
 from elastica_cad._counts import and_more
+from elastica_cad._equality import EqualByValue
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_one_of, require_record
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refuse_unknown
-from elastica_cad.fabrication.drawings.lettering import centred_text, engravable, text_strokes
+from elastica_cad.fabrication.drawings.lettering import centred_text, text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -44,7 +45,7 @@ BEYOND_MM = 1.0
 
 
 @dataclass(frozen=True, eq=False)
-class EndFixture:
+class EndFixture(EqualByValue):
     """A block with a pocket for one tab, and a foot with two screw holes.
 
     Parameters
@@ -65,8 +66,8 @@ class EndFixture:
     screw : float
         Diameter of the screw holes in the foot, mm; 0 for none. Holes of the tab go through the block too, to clamp
         it with screws.
-    number : str, optional
-        Engraved part number; the tab's name unless given, empty for none.
+    engrave : str, optional
+        Text engraved on the block; the tab's name unless given, empty for none.
     lean : (float, float)
         How the pocket is shifted to the left of the curve, mm, and turned to the left, rad: see `of`.
 
@@ -81,7 +82,7 @@ class EndFixture:
     >>> from elastica_cad.mechanics.material.sheet import Sheet
     >>> strip = Strip(Rod.straight(100), Sheet.named("birch-plywood-0.8"), max_width=20, label="A")
     >>> fixture = EndFixture.of(strip, "end")
-    >>> fixture.number, len(fixture.solid.added)
+    >>> fixture.engrave, len(fixture.solid.added)
     ('A:2', 2)
     """
 
@@ -94,7 +95,7 @@ class EndFixture:
     screw: Annotated[float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0)] = (
         4.3
     )
-    number: str | None = None
+    engrave: str | None = None
     lean: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
@@ -127,8 +128,8 @@ class EndFixture:
                 foot=self.foot,
                 across=Length(self.across),
             )
-        if self.number is None:
-            object.__setattr__(self, "number", engravable(self.tab.name))
+        if self.engrave is None:
+            object.__setattr__(self, "engrave", self.tab.name)
         if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
             lean = np.degrees(np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis)))))
             raise InputError(
@@ -152,7 +153,7 @@ class EndFixture:
         frame: Frame | None = None,
         *,
         floor: Frame | None = None,
-        number: str | None = None,
+        engrave: str | None = None,
         **sizes: Any,
     ) -> "EndFixture":
         """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told).
@@ -162,7 +163,7 @@ class EndFixture:
         """
         _require_end(strip, end)
         require_holdable(strip)
-        return cls(PlacedTab.of(strip, end, frame), floor, number=number, **sizes).leaning(strip, end)
+        return cls(PlacedTab.of(strip, end, frame), floor, engrave=engrave, **sizes).leaning(strip, end)
 
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """The fixture with its pocket leaned against what an end of the strip does to it.
@@ -179,7 +180,7 @@ class EndFixture:
     @property
     def label(self) -> str:
         """Name in assemblies."""
-        return f"fixture {self.number or self.tab.name}"
+        return f"fixture {self.engrave or self.tab.name}"
 
     @property
     def across(self) -> float:
@@ -235,7 +236,9 @@ class EndFixture:
 
     @cached_property
     def solid(self) -> PrismSolid:
-        """The block, as prisms put together and taken away; its joint "tab" is where the strip ends."""
+        """The block, as prisms put together and taken away, the pocket first; its joint "tab" is where the strip
+        ends.
+        """
         up, along, height = self._up
         core = self._core
         grounded = core - np.outer(core @ up - height, up)
@@ -299,13 +302,13 @@ class EndFixture:
         return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
 
     def _letters(self) -> list[FlatSolid]:
-        """The part number as grooves in the side, along the tab."""
-        if not self.number:
+        """The engraved text as grooves in the side, along the tab."""
+        if not self.engrave:
             return []
         (_, low), (long, high) = self._core[0], self._core[2]
         tab = self.tab.frame
         side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
-        text = centred_text(self.number, (long / 2, 0.0), min(LABEL_MM, 0.7 * (high - low)), 0.85 * long)
+        text = centred_text(self.engrave, (long / 2, 0.0), min(LABEL_MM, 0.7 * (high - low)), 0.85 * long)
         return engraved(text_strokes(text), text.height, side)
 
 
@@ -341,7 +344,7 @@ def end_fixtures(
     Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
     them; the others stand square to their tabs.
     """
-    refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "number"}, "a fixture")
+    refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "engrave"}, "a fixture")
     placed = require_placed(placed)
     tabs = tabs_to_hold(placed, ends)
     of_tabs = [(one.strip, end) for one in placed for end in ends]
@@ -350,12 +353,12 @@ def end_fixtures(
         grounds: list[Frame | None] = [floor] * len(held)
     else:
         upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab, _, _ in held]
-        trial = [EndFixture(tab, None, number=None, **sizes) for tab, _, _ in held]
+        trial = [EndFixture(tab, None, engrave=None, **sizes) for tab, _, _ in held]
         corners = [one.lowest_height for one, stands in zip(trial, upright, strict=True) if stands]
         ground = Frame((0.0, 0.0, min(corners))) if corners else None
         grounds = [ground if stands else None for stands in upright]
     return tuple(
-        EndFixture(tab, ground, number=None, **sizes).leaning(strip, end)
+        EndFixture(tab, ground, engrave=None, **sizes).leaning(strip, end)
         for (tab, strip, end), ground in zip(held, grounds, strict=True)
     )
 

@@ -31,7 +31,8 @@ def _seat_between(walls: FloatArray, tab: PlacedTab, plate: Slotted) -> TabSeat:
 
 
 def slot_walls(plate: Slotted) -> list[tuple[int, PlacedTab, FloatArray]]:
-    """Where each slot that a tab goes through is among the slots, its tab, and its walls, the first corners' first.
+    """Return for each slot with a tab its number among the plate's slots, the tab, and its walls, the first
+    corners' first.
 
     Walls are places (2, n, 2) into the tab and to its left, where lines down them meet the plane of the curve.
     """

@@ -12,7 +12,7 @@ from elastica_cad._values import is_number, is_one_of, several
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_width
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
@@ -141,8 +141,8 @@ class BasePlate:
         along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
             along, off = -along, -off
-        height = min(LABEL_MM, 0.2 * slot.size[0])
-        long, far = text_width(slot.name, height) / 2, slot.size[1] / 2 + 0.5 * height
+        height, name = min(LABEL_MM, 0.2 * slot.size[0]), engravable(slot.name)
+        long, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
         others = np.array([other.corners for other in self.slots if other is not slot])
         bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
         boxes = np.array([[p - long * along, p + long * along] for p in bases])
@@ -152,7 +152,7 @@ class BasePlate:
             room = _gaps(labels[:, None], others).min(axis=1).tolist()
         start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
         angle = float(np.arctan2(along[1], along[0]))
-        return Text((float(start[0]), float(start[1])), slot.name, height, angle, ENGRAVE)
+        return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
 
 
 BASE_PLAY_MM, BASE_BORDER_MM = 0.5, 12.0
@@ -472,7 +472,7 @@ class Ring:
 
     @cached_property
     def outline(self) -> Path:
-        """Its rim, in the frame."""
+        """The rim of the ring, in its frame, mm."""
         return Path.circle((0.0, 0.0), self.radii[1])
 
     @cached_property

@@ -63,7 +63,7 @@ Places = tuple[float, float]
 
 @dataclass(frozen=True, eq=False)
 class Collision:
-    """Where two strips share material.
+    """A place where two strips share material.
 
     Attributes
     ----------
@@ -154,7 +154,7 @@ def _steps(low: float, high: float, pitch: float) -> FloatArray:
 
 
 def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision | None:
-    """Where two slotted strips reach deepest into each other, `room` mm and more beside all slots.
+    """Return the place where two slotted strips reach deepest into each other, `room` mm and more beside all slots.
 
     None where no deeper than `SHARED_MM`.
     """
@@ -267,7 +267,7 @@ def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tup
 
 
 def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
-    """The same in one sentence, on the first two strips; none where all are slotted or apart.
+    """Return a sentence on the first two strips that lack a slot; empty where all are slotted or apart.
 
     Examples
     --------

@@ -120,7 +120,7 @@ class Ruling:
 
     @property
     def nodes(self) -> FloatArray:
-        """From one end of the ruling to the other."""
+        """The points along the ruling, from one end to the other."""
         return np.linspace(-self.reach, self.reach, 9)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
@@ -412,7 +412,7 @@ class Crossing:
 
     @property
     def length(self) -> float:
-        """mm."""
+        """Length of the crossing, mm."""
         return float(self.course[1][-1])
 
     @cached_property

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
 from typing import Annotated, Literal, TypeVar
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -204,19 +205,33 @@ def interlock(
     meeting = strips_may_meet(ruled)
     for i, j in _checked_pairs(len(placed), pairs):
         if meeting[i, j]:
-            crossings = strip_crossings(ruled[i], ruled[j])
-            cutter.refuse_touching((i, j), (ruled[i], ruled[j]), crossings)
-            joints += [cutter.joint((i, j), crossing) for crossing in crossings]
+            joints += cutter.joints((i, j), (placed[i], placed[j]), (ruled[i], ruled[j]))
     slots: list[list[Slot]] = [[] for _ in placed]
     for joint in joints:
         for member, slot in zip(joint.members, joint.slots, strict=True):
             slots[member].append(slot)
-    slotted: list[Placed] = []
-    for one, new, name in zip(placed, slots, strip_names(placed), strict=True):
-        strip = replace(one.strip, slots=(*one.strip.slots, *new)) if new else one.strip
-        _refuse_faults(strip, name)
-        slotted.append(one.with_strip(strip) if new else one)
+    slotted = (
+        _with_slots(*each) for each in zip(placed, map(tuple, slots), strip_names(placed), strict=True)
+    )
     return InterlockedStrips(tuple(slotted), tuple(joints), _reports(names, joints))
+
+
+_joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
+_joined = WeakKeyDictionary()
+"""The last joints of two placed strips, and what was asked: where one of many changes, only its own are new."""
+
+_slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
+"""Placed strips with their last slots: one whose slots are as before is the same, with all that is known of it."""
+
+
+def _with_slots(one: Placed, slots: tuple[Slot, ...], name: str) -> Placed:
+    """The placed strip with more slots; messages call it by `name`."""
+    known, made = _slotted.get(one, (None, one))
+    if known != slots:
+        made = one.with_strip(replace(one.strip, slots=(*one.strip.slots, *slots))) if slots else one
+        _refuse_faults(made.strip, name)
+        _slotted[one] = slots, made
+    return made
 
 
 def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
@@ -252,6 +267,21 @@ class _Cutter:
     fit: Fit
     relief: Relief
     above: FloatArray | None
+
+    def joints(
+        self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
+    ) -> tuple[Joint, ...]:
+        """All joints of two strips."""
+        above = None if self.above is None else tuple(self.above.tolist())
+        asked = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
+        known = _joined.setdefault(placed[0], WeakKeyDictionary())
+        before, found = known.get(placed[1], (None, ()))
+        if before != asked:
+            crossings = strip_crossings(*ruled)
+            self.refuse_touching(members, ruled, crossings)
+            found = tuple(self.joint(members, crossing) for crossing in crossings)
+            known[placed[1]] = asked, found
+        return found
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
         """Both slots of one crossing, each from the half way point to where its strip ends."""

@@ -44,7 +44,7 @@ class RuledStrip:
 
     @property
     def length(self) -> float:
-        """mm."""
+        """Length of the strip, mm."""
         return self.width.length
 
     @property

@@ -85,7 +85,7 @@ class Splice:
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
-        """Of each layer one with all its pieces and plates, one above the other."""
+        """One drawing for each layer, with all its pieces and plates, one above the other."""
         drawn = []
         for name, pieces in self.layer_pieces.items():
             placed, y = [], 0.0
@@ -177,7 +177,9 @@ class Splice:
         if isinstance(self.strip.style, Perforated) and not plate:
             span = self._clear_of_holes(whole, low, high)
         cuts = Cuts(holes, marks, outline=outline)
-        label = label_off_cuts(name, whole.width, cuts, span)
+        called = self.strip.label or "strip"
+        text = f"{called if self.strip.engrave is None else self.strip.engrave}{name.removeprefix(called)}"
+        label = label_off_cuts(text.lstrip("-"), whole.width, cuts, span)
         ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
         mates = mating_marks(slots, whole.width, holes, (*marks, *ends), (label,))
         known = whole.ends[0] if low <= 0.0 else "", whole.ends[1] if high >= self.strip.rod.length else ""

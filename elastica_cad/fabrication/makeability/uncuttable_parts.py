@@ -26,6 +26,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
+COARSE = 4  # the same for a first look, which finds nothing in most parts
 FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
@@ -59,6 +60,9 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     [1.0]
     """
     chords = _Chords.of(outlines, holes, FLAT_SHARE * least)
+    points, chord = chords.middles(least / COARSE)
+    if not _near_opposite_pairs(points, chords.inward[chord], (1 + 1 / COARSE) * least)[0].size:
+        return ()
     points, chord = chords.middles(least / SAMPLES_PER_WIDTH)
     i, j, width = _widths_across(points, chords.inward[chord], least)
     if not width.size:
@@ -84,10 +88,10 @@ def _widths_across(
     i, j = _near_opposite_pairs(points, normals, least)
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
-    i, j, across, width = (each[width < least * (1 - 1e-9)] for each in (i, j, across, width))
     with np.errstate(invalid="ignore", divide="ignore"):
         across = across / width[:, None]
     facing = (np.sum(across * normals[i], axis=1) > FACING) & (np.sum(across * normals[j], axis=1) < -FACING)
+    facing &= width < least * (1 - 1e-9)
     i, j, width = i[facing], j[facing], width[facing]
     narrowest = np.unique(np.concatenate([_narrowest(i, width), _narrowest(j, width)]))
     return i[narrowest], j[narrowest], width[narrowest]
@@ -211,7 +215,7 @@ def _tell_faults(faults: Iterable[Fault]) -> str:
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
-    """Nothing for a part without faults; with `ignore_limits` what its report says of them.
+    """Refuse a part with faults; with `ignore_limits` return its warnings instead.
 
     Raises
     ------
@@ -319,7 +323,9 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
 
 
 def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
-    """Strips wider than their tabs that run into the plate: (tab, depth, thickness of the strip) of each, mm."""
+    """Find strips wider than their tabs that run into the plate, from (tab, depth, thickness of the strip) of each,
+    mm.
+    """
     return tuple(
         Fault(
             name,

@@ -99,7 +99,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
 def shape_parts(
     parts: Iterable[AssemblyPart], make: Callable[[AssemblyPart], Shape]
 ) -> Iterator[tuple[AssemblyPart, Shape]]:
-    """Each part with what `make` makes of it, made once for all parts that share their solids."""
+    """Yield each part with the shape that `make` makes of it, made once for all parts that share their solids."""
     made: dict[int, Shape] = {}
     for part in parts:
         if id(part.solids) not in made:
@@ -248,4 +248,4 @@ def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
             if isinstance(holder, Ring):
                 yield from ((name, f"on {holder.name}") for name in holder.seated)
         elif isinstance(holder, EndFixture):
-            yield holder.tab.name, f"block {holder.number or holder.tab.name}"
+            yield holder.tab.name, f"block {holder.engrave or holder.tab.name}"

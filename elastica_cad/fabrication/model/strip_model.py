@@ -164,7 +164,7 @@ class Model:
         return strip_names(self.placed)[self._place(index)]
 
     def single_name_of(self, index: int) -> str:
-        """Its name, with its place where other strips have the same label."""
+        """Return the name of strip `index`, with its place where other strips have the same label."""
         return distinct_names(self.placed)[self._place(index)]
 
     def _place(self, index: int) -> int:
@@ -256,7 +256,7 @@ class Model:
         return nest_pieces((*self.pieces, *more), **{"name": f"{self.name}-nest", **options})
 
     def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
-        """The list of all pieces, equal ones once with their count."""
+        """Return the list of all pieces, equal ones once with their count."""
         return cut_list((*self.pieces, *several("other pieces", others, Piece, "Piece")))
 
     def held(self, *holders: object) -> tuple[HeldShape, ...]:

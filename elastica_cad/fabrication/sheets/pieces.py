@@ -48,7 +48,7 @@ def cut_key(strip: Strip) -> Hashable:
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
         for slot in strip.slots
     ]
-    own = [getattr(strip, one.name) for one in fields(Strip) if one.name not in ("label", "slots")]
+    own = [getattr(strip, one.name) for one in fields(Strip) if one.name not in ("label", "engrave", "slots")]
     key: Hashable = value_key((own, slots))
     return key
 
@@ -123,7 +123,7 @@ def count_shapes(parts: Sequence[EqualStrips]) -> int:
 def _same_marks(a: Strip, b: Strip) -> bool:
     """Whether the same is engraved on both."""
     mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
-    return a.label == b.label and mates[0] == mates[1]
+    return (a.label, a.engraved) == (b.label, b.engraved) and mates[0] == mates[1]
 
 
 def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
@@ -147,7 +147,7 @@ class FlatShape:
 
     @classmethod
     def of(cls, strip: Strip) -> "FlatShape":
-        """That of a strip."""
+        """Return the flat shape of a strip."""
         rod, size = strip.rod, strip.layout.worked_size
         s = np.linspace(0.0, rod.length, SIZE_STATIONS)
         bent = rod.length * rod.rest_at(s) if np.any(rod.natural_curvature) else None
@@ -333,7 +333,7 @@ def distinct(names: Iterable[str]) -> list[str]:
 
 
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
-    """Each group of equal strips as a piece with its count; each layer of a laminate is one.
+    """Return each group of equal strips as a piece with its count; each layer of a laminate is a piece.
 
     Different parts with the same label get a number behind it, on the part and in its name. With `numbered` ends
     are engraved 1 and 2, as the slots that hold them are.

@@ -12,6 +12,7 @@ from elastica_cad.fabrication.drawings.lettering import (
     LABEL_MM,
     LABEL_SHARE,
     Text,
+    engravable,
     fit_label,
     text_span,
     text_width,
@@ -227,13 +228,13 @@ def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()
     inside = np.abs(cut[:, 1]) < float(width(np.clip(slot.at, 0.0, width.length))) / 2
     low, high = cut[inside, 0].min(), cut[inside, 0].max()
-    middle = points[:, 1].mean()
+    middle, mate = points[:, 1].mean(), engravable(slot.mate)
     for height in LETTER_HEIGHTS_MM:
-        long, room = text_width(slot.mate, height), TEXT_DISTANCE_MM + height / 2
+        long, room = text_width(mate, height), TEXT_DISTANCE_MM + height / 2
         for x, y in (
             (points[0, 0], end + inward * 1.5 * room),
             (high + TEXT_DISTANCE_MM + 0.6 * long, middle),
             (low - TEXT_DISTANCE_MM - 0.6 * long, middle),
         ):
             corner = (float(x - long / 2), float(y - height / 2))
-            yield Text(position=corner, text=slot.mate, height=height, layer=MARK)
+            yield Text(position=corner, text=mate, height=height, layer=MARK)

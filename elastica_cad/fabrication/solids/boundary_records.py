@@ -45,7 +45,7 @@ class SpaceSurface:
     degree: tuple[int, int]
 
     def turned(self) -> "SpaceSurface":
-        """The same surface, seen from the same side, by the parameters (-v, u)."""
+        """Return the same surface, seen from the same side, by the parameters (-v, u)."""
         u, v = self.knots
         points = self.control_points[:, ::-1].swapaxes(0, 1)
         return SpaceSurface((-v[::-1], u), points, self.degree[::-1])

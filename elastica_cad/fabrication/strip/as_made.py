@@ -437,7 +437,7 @@ class StripAsMade:
 
     @cached_property
     def loaded(self) -> Rod:
-        """Its shape with both ends held as designed, with what it does to its holders; the design where none.
+        """The rest shape with both ends held as designed; the design itself where nothing changes it.
 
         As `rest` has it: stiffness and law are those of the strip before it is bent.
         """
@@ -447,7 +447,9 @@ class StripAsMade:
             return self.design
 
     def held(self, seats: Seats, asked: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
-        """The same with what each cause does alone to the strip as it was asked for, before any correction."""
+        """Return the shape as held, with what each cause does alone to the strip as requested, before any
+        correction.
+        """
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
         parts = asked.parts(seats, poses)
         return HeldShape(

@@ -83,7 +83,7 @@ class LapPlates:
     backing_joints: tuple[float, ...] = ()
 
     def clear_holes(self, holes: Sequence[Path]) -> tuple[Path, ...]:
-        """Those of a base's holes that no plate comes to lie on: the others are not cut."""
+        """Return those of a base's holes that no plate covers; the others are not cut."""
         half = self.lap / 2
         spans = [(hole, hole.bounds[:, 0]) for hole in holes]
         return tuple(

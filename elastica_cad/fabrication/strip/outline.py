@@ -381,7 +381,7 @@ def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
 
 
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
-    """The spline function with these coefficients (m,) as a curve over x, from its start or from its end."""
+    """Return the spline function with coefficients (m,) as a curve over x, run from its start or from its end."""
     return graphs(knots, values[None], degree, backward=backward)[0]
 
 

@@ -93,7 +93,7 @@ class DiamondPattern:
 
     @property
     def row_length(self) -> float:
-        """mm."""
+        """Length of a row along the strip, mm."""
         return self.width.length / self.rows
 
     @property

@@ -71,7 +71,7 @@ class Layer:
         return self.low + self.sheet.thickness
 
     def called(self, strip: str) -> str:
-        """Its name in files: that of the strip, and what it is of it."""
+        """Return the layer's name in files: the strip's, and which layer it is."""
         return f"{strip}-{self.name.replace(' ', '-')}" if self.name else strip
 
     @cached_property
@@ -174,12 +174,12 @@ def draw_layers(
     layers: Sequence[Layer],
     ends: Ends,
     slots: Sequence[Slot],
-    label: str,
+    engraved: str,
     name: str,
     *,
     lap: float = 0.0,
 ) -> tuple[Drawing, ...]:
-    """The cut pattern of each layer, called by `name`: label, marks, inner cuts, outer cut.
+    """The cut pattern of each layer, called by `name`: engraved text, marks, inner cuts, outer cut.
 
     `lap` mm from the start a mark is drawn where the lap of a closed strip ends.
     """
@@ -195,7 +195,7 @@ def draw_layers(
             *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
             LayeredPath(CUT_OUTER, layer.outline),
         )
-        texts = _label_texts(label, layout, width, ends, layer, slotted=bool(slots)) if label else ()
+        texts = _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
         if layout.stack is not None:
             texts = (_leaf_text(name, layer),)
         elif i == 0:

@@ -10,6 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.drawings.lettering import require_engravable
 from elastica_cad.fabrication.holding.expected_error import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.fabrication.holding.held_shape import Reactions, closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -112,7 +113,9 @@ class Strip:
     slots : tuple of Slot
         Cuts for other strips; they become part of the outline.
     label : str
-        Engraved on the strip; empty for none.
+        Its name in messages, files and assemblies; empty for none.
+    engrave : str, optional
+        Text engraved on the strip; empty for none. Unless given its label, in letters that can be engraved.
     creep : float
         Creep factor phi of the sheet in the long run, 0 for none: see `crept`.
     correction : Profile, optional
@@ -150,6 +153,7 @@ class Strip:
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
     slots: tuple[Slot, ...] = ()
     label: str = ""
+    engrave: str | None = None
     creep: float = 0.0
     correction: Profile | None = None
     plates: "LapPlates | None" = None
@@ -169,6 +173,8 @@ class Strip:
             if value is not None:
                 require_positive(value, name)
         require_printable(self.label, "the label")
+        if self.engrave is not None:
+            require_engravable(self.engrave)
         require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")
         if self.correction is not None:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
@@ -257,7 +263,7 @@ class Strip:
 
     @property
     def mass_told(self) -> str:
-        """Its mass as people say it: grams, from a thousand of them on kilograms."""
+        """The mass in words: in grams, from a thousand of them on in kilograms."""
         return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
 
     @property
@@ -433,7 +439,7 @@ class Strip:
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 
     def whole(self) -> tuple[Layer, ...]:
-        """Its layers without slots."""
+        """Return the layers without slots."""
         return cut_layers(self.layout, self.ends, (), name="strip") if self.slots else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
@@ -470,7 +476,7 @@ class Strip:
         return Reactions(B * force[0], float(-B * moment[0]), -B * force[-1], float(B * moment[-1]))
 
     def drawing(self) -> Drawing:
-        """The cut pattern on its layers: label, marks, inner cuts, outer cut; of a laminate that of the base."""
+        """The cut pattern on its layers: text, marks, inner cuts, outer cut; of a laminate that of the base."""
         return self.drawings()[0]
 
     def drawings(self) -> tuple[Drawing, ...]:
@@ -480,12 +486,17 @@ class Strip:
         their engraved faces are on.
         """
         lap = self.ends[1].length if self.is_closed else 0.0
-        label = f"{self.label} {self._backing_mark}".strip()
-        return draw_layers(self.layout, self.layers, self.ends, self.slots, label, self.label, lap=lap)
+        engraved = f"{self.engraved} {self._backing_mark}".strip()
+        return draw_layers(self.layout, self.layers, self.ends, self.slots, engraved, self.label, lap=lap)
+
+    @property
+    def engraved(self) -> str:
+        """The text that is engraved on the strip."""
+        return self.label if self.engrave is None else self.engrave
 
     @property
     def backing_side(self) -> str:
-        """On which side of the bend the backing of a laminate lies, in a sentence; empty of other strips."""
+        """A sentence on which side of the bend the backing of a laminate lies; empty of other strips."""
         return tell_backing(self._backing_mark)
 
     @property

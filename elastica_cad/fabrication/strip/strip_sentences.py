@@ -52,7 +52,7 @@ def backing_mark(curvature: FloatArray) -> str:
 
 
 def tell_backing(mark: str) -> str:
-    """On which side of the bend the backing lies, in a sentence; empty of a straight strip."""
+    """Return a sentence on which side of the bend the backing lies; empty of a straight strip."""
     if not mark:
         return ""
     said = {

@@ -8,13 +8,15 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.curve_files.edges import Edge, Run, reverse_run
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_size, check_tolerance
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
 from elastica_cad.geometry.polynomials.splines import bezier_spans, interpolation_sites
+from elastica_cad.geometry.running_sums import lengths_along
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
@@ -54,7 +56,15 @@ def join_runs(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE)
 
 
 def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
-    """The chains without circles that lie on straight first or last edges of others, and for each its circles."""
+    """Tell drawn holes, circles whose centre lies on a straight first or last edge of an open chain, from curves.
+
+    Returns
+    -------
+    chains : list of runs
+        All that are no such circle.
+    holes : list of lists of runs
+        The circles on each of these.
+    """
     ended = [
         i
         for i, run in enumerate(chains)
@@ -105,7 +115,8 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Ends of two chains of a layer that were not joined and yet nearly meet: distance, both chains, the place.
+    """Find ends of two chains on one layer that were not joined and yet nearly meet: distance (mm), both chains,
+    the place.
 
     That is within 1 mm and a hundredth of the smaller chain; the nearest first, one for each end.
     """
@@ -222,7 +233,7 @@ def curve_from_run(
     shown: Provenance | None = None,
     holes: Sequence[Run] = (),
 ) -> PlaneCurve:
-    """One curve from edges (in the plane) that follow each other.
+    """Make one curve from edges in the plane that follow each other.
 
     A run of straight pieces only is a polyline: its vertices are fitted. True curves stay exact; of several,
     each keeps its own form, brought to a common degree, and starts where the one before it ends: gaps up to
@@ -258,8 +269,8 @@ def curve_from_run(
         holes=tuple((float(x), float(y), size) for (x, y), size in filter(None, map(_circle, holes))),
     )
     if all(edge.degree == 1 for edge in run):
-        whole = curve_from_points(np.concatenate([edge.points for edge in run]), tolerance=fit_tolerance)
-        return whole.drawn_as(drawn)
+        vertices = np.concatenate([edge.points for edge in run])
+        return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn)
     dust = 1e-9 * sum(edge.size for edge in run)
     exact = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
     one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
@@ -273,11 +284,14 @@ def curve_from_run(
     )
 
 
-def curve_from_points(points: FloatArray, *, tolerance: float = FIT_TOLERANCE) -> PlaneCurve:
+def curve_from_points(
+    points: FloatArray, *, tolerance: float = FIT_TOLERANCE, drawn: Provenance | None = None
+) -> PlaneCurve:
     """The curve through measured points (n, 2): a line if in line, else fitted within `tolerance` mm.
 
     Corners stay corners (`PlaneCurve.tangent_breaks` tells them): a turn by more than 50 degrees between two
-    straight pieces that are long beside the tolerance was drawn, not measured.
+    straight pieces that are long beside the tolerance, and beside noise, was drawn, not measured. The noise of
+    points that waver is in the curve's record, and those that no smooth curve follows are its corners.
 
     Raises
     ------
@@ -289,12 +303,27 @@ def curve_from_points(points: FloatArray, *, tolerance: float = FIT_TOLERANCE) -
         raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number")
-    cuts = [0, *_corners(points, tolerance), len(points) - 1]
+    drawn, measured = drawn or Provenance(), MeasuredPoints.of(points)
+    noise = 0.0 if measured is None else measured.waver
+    cuts = [0, *_corners(points, max(tolerance, noise)), len(points) - 1]
+    if len(cuts) == 2 and measured is not None:
+        try:
+            curve = _smooth(points, tolerance)
+        except NotConvergedError:
+            curve = _polyline(points)
+        return curve.drawn_as(replace(drawn, measured=measured))
     if len(cuts) == 2:
-        return _smooth(points, tolerance)
+        return _smooth(points, tolerance).drawn_as(drawn)
     pieces = [_smooth(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    return PlaneCurve(whole.knots, whole.points, whole.degree)
+    return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
+
+
+def _polyline(points: FloatArray) -> PlaneCurve:
+    """The straight pieces between points (n, 2)."""
+    knots = np.repeat(lengths_along(points), 2)
+    control = np.insert(points, slice(1, None), (points[:-1] + points[1:]) / 2, axis=0)
+    return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
 
 
 def _corners(points: FloatArray, tolerance: float) -> list[int]:

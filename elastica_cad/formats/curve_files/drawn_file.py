@@ -64,13 +64,13 @@ class DrawnCurve:
 
     @property
     def called(self) -> str:
-        """Number, and id and layer where there are some: "curve 2 (path12, layer CUT)"."""
+        """How messages call the curve: number, id and layer, as in "curve 2 (path12, layer CUT)"."""
         known = [*([self.name] if self.name else []), *([f"layer {self.layer}"] if self.layer else [])]
         part = f"piece {self.piece} of " if self.pieces > 1 else ""
         return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
 
     def split_at_corners(self) -> tuple["DrawnCurve", ...]:
-        """Its pieces between corners; itself where it has none, or makes no curve."""
+        """Return the pieces between corners, or the curve itself where it has no corner or is not valid."""
         cut = () if self.problem else split_at_corners(self.curve)
         if len(cut) < 2:
             return (self,)
@@ -90,7 +90,7 @@ class DrawnCurve:
 
 @dataclass(frozen=True, eq=False)
 class DrawnFile:
-    """What a file draws.
+    """The curves of a file, and what was left out.
 
     Attributes
     ----------
@@ -127,7 +127,7 @@ class DrawnFile:
 
     @property
     def left_out(self) -> str:
-        """What was skipped, as one sentence; empty when nothing was."""
+        """One sentence on what was skipped; empty when nothing was."""
         return (
             note("left out, for they are no curves: {things}", things=list_things(self.skipped))
             if self.skipped
@@ -136,7 +136,7 @@ class DrawnFile:
 
     @property
     def bad(self) -> tuple[DrawnCurve, ...]:
-        """The curves whose numbers make none."""
+        """The curves whose numbers describe no valid curve, such as one without length."""
         return tuple(one for one in self.curves if one.problem)
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
@@ -149,7 +149,9 @@ class DrawnFile:
         return tuple(found)
 
     def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
-        """The one curve that is chosen; `how` says what to choose it by, with {count} for how many there are.
+        """Return the one curve that `which` and `layer` choose.
+
+        `how` is what the refusal says about choosing; {count} in it becomes the number of curves that matched.
 
         Raises
         ------
@@ -182,7 +184,7 @@ class DrawnFile:
         return found[0]
 
     def read(self) -> "CurveList":
-        """All curves that can be made.
+        """Return all valid curves of the file.
 
         Raises
         ------
@@ -211,7 +213,7 @@ class CurveList(list[PlaneCurve]):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the reader left out, one sentence each."""
+        """One sentence for each kind of thing in the file that the reader left out."""
         bad = [
             note("{called} is left out: {problem}", called=one.called, problem=one.problem)
             for one in self.file.bad
@@ -230,7 +232,7 @@ def collect_curves(
     shown: Provenance | None = None,
     flat: Callable[[Run, float], Run] | None = None,
 ) -> DrawnFile:
-    """The curves of a file that draws runs of edges, joined where their ends meet.
+    """Join runs of edges whose ends meet, and return the curves of the file that draws them.
 
     Parameters
     ----------
@@ -292,7 +294,7 @@ def _parts(name: str) -> tuple[str, ...]:
 
 
 def list_things(counted: Mapping[str, int]) -> str:
-    """For example "2 text, 1 image"; the first where there are many kinds.
+    """Return a list in words, such as "2 text, 1 image"; only the first kinds where there are many.
 
     Examples
     --------

@@ -105,7 +105,7 @@ _INSUNITS = {
 
 
 def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """The curves of a DXF file one by one, with handles and layers, in mm; arguments as in `read_curves`.
+    """Read the curves of a DXF file with their handles and layers, in mm; the arguments are those of `read_curves`.
 
     LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, those inside of blocks too. True
     curves stay exact, a polyline without arcs is fitted. The unit is the file's $INSUNITS; without one it is mm.

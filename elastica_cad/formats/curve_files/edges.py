@@ -13,7 +13,7 @@ from elastica_cad.geometry.polynomials.splines import Spans, bezier_spans, knot_
 
 @dataclass(frozen=True)
 class Source:
-    """What a file says of a shape that edges are drawn by.
+    """The shape of a file that edges belong to: its name, layer and digits.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class Source:
 
 @dataclass(frozen=True, eq=False)
 class Edge:
-    """One drawn piece.
+    """One line, polyline, arc or spline of a drawing, as a B-spline.
 
     Parameters
     ----------
@@ -99,21 +99,21 @@ class Edge:
 
     @classmethod
     def polyline(cls, vertices: ArrayLike) -> "Edge":
-        """Vertices joined by straight lines; two of them make a line."""
+        """Make a polyline through vertices (n, d), mm; two of them make a line."""
         vertices = np.asarray(vertices, dtype=float)
         inner = np.arange(len(vertices), dtype=float)
         return cls(np.concatenate([inner[:1], inner, inner[-1:]]), vertices, 1)
 
     @classmethod
     def bezier(cls, points: ArrayLike) -> "Edge":
-        """One polynomial Bezier piece."""
+        """Make an edge of one polynomial Bezier piece from its control points (degree + 1, d), mm."""
         points = np.asarray(points, dtype=float)
         degree = len(points) - 1
         return cls(np.repeat([0.0, 1.0], degree + 1), points, degree)
 
     @classmethod
     def arc(cls, center: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike, start: float, end: float) -> "Edge":
-        """The exact rational arc center + x_axis cos(t) + y_axis sin(t), t from `start` to `end` (rad)."""
+        """Make the exact rational arc center + x_axis cos(t) + y_axis sin(t), t from `start` to `end` (rad)."""
         knots, unit, weights = unit_circle_arc(start, end)
         return cls(
             knots,
@@ -124,7 +124,7 @@ class Edge:
 
     @cached_property
     def spans(self) -> Spans:
-        """Its Bezier extraction."""
+        """The edge as Bezier pieces."""
         return bezier_spans(self.knots, self.degree)
 
     @cached_property
@@ -134,7 +134,7 @@ class Edge:
         return np.column_stack([self.points * weights[:, None], weights])
 
     def at(self, t: ArrayLike) -> FloatArray:
-        """Points (n, d) at parameters (n,)."""
+        """Return the points (n, d), mm, at parameters (n,) of the edge's knots."""
         values = self.spans.basis(np.atleast_1d(np.asarray(t, dtype=float))) @ self.homogeneous
         return np.asarray(values[:, :-1] / values[:, -1:], dtype=float)
 
@@ -164,7 +164,7 @@ class Edge:
         return knot_runs(np.sort(places, axis=None))[0]  # `np.unique` loads all of numpy.ma
 
     def reversed(self) -> "Edge":
-        """The edge run the other way."""
+        """Return the same edge run from its end to its start."""
         weights = None if self.weights is None else self.weights[::-1]
         return Edge(
             self.knots[0] + self.knots[-1] - self.knots[::-1],
@@ -175,12 +175,14 @@ class Edge:
         )
 
     def drawn_by(self, source: Source) -> "Edge":
-        """The same edge as part of a shape of a file."""
+        """Return the same edge, noted as a part of the file's shape `source`."""
         return replace(self, source=source)
 
     @property
     def is_pen_drawn(self) -> bool:
-        """Is it made of polynomial pieces of degree 2 or 3 that only share their tangents?"""
+        """Tell whether the edge is made of polynomial pieces of degree 2 or 3 that share tangents but not
+        curvature.
+        """
         if self.weights is not None or self.degree not in (2, 3):
             return False
         first, last = self.knots[self.degree], self.knots[-self.degree - 1]
@@ -188,7 +190,7 @@ class Edge:
         return bool(np.all(counts >= self.degree - 1))
 
     def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":
-        """The edge with every point p at matrix @ p + offset; the matrix may drop a dimension."""
+        """Return the edge with every point p moved to matrix @ p + offset; the matrix may drop a dimension."""
         points = self.points @ np.asarray(matrix, dtype=float).T + np.asarray(offset, dtype=float)
         source = source or self.source
         if not np.isfinite(points).all():
@@ -204,5 +206,5 @@ Run = tuple[Edge, ...]
 
 
 def reverse_run(run: Sequence[Edge]) -> Run:
-    """The run travelled the other way."""
+    """Return the run in the other direction: edges in reverse order, each reversed."""
     return tuple(edge.reversed() for edge in reversed(run))

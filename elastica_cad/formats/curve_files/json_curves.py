@@ -19,7 +19,7 @@ CURVES_SCHEMA = "elastica-curves/1"
 
 
 def curve_record(curve: PlaneCurve) -> dict[str, Any]:
-    """The curve as plain data for JSON, without any rounding; `weights` is None for a polynomial spline."""
+    """Return the curve as plain data for JSON, without any rounding; `weights` is None for a polynomial spline."""
     require_record(curve, PlaneCurve, "a curve to write", "a PlaneCurve")
     return {
         "degree": curve.degree,
@@ -40,7 +40,7 @@ def curves_json(curves: Sequence[PlaneCurve]) -> str:
 
 
 def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
-    """The curves of a JSON file one by one: one written by `curves_json`, or the report of a strip.
+    """Read the curves of a JSON file, which `curves_json` wrote or which is the report of a strip.
 
     Raises
     ------

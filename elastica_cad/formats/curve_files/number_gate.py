@@ -40,7 +40,7 @@ _EVIDENCE = 2  # of the largest numbers that, not being round, would show all de
 
 
 def check_places(points: FloatArray) -> FloatArray:
-    """Coordinates in mm that are finite and not too far away.
+    """Return coordinates in mm, and refuse those that are not finite or too far away.
 
     Raises
     ------
@@ -74,7 +74,9 @@ def check_size(points: FloatArray) -> None:
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
-    """A count that is no larger than is worked on."""
+    """Return a count, and refuse it where it is above `most`; the message says `what` it counts and what to do
+    `instead`.
+    """
     if count > most:
         raise InputError(
             "has {whole} {what}, and at most {most} are read: {instead}",
@@ -87,7 +89,7 @@ def check_count(count: int, most: int, what: str, instead: str) -> int:
 
 
 def check_degree(degree: int) -> int:
-    """The degree of a spline, 1 or more."""
+    """Return the degree of a spline, and refuse it unless it is 1 or more."""
     if not 1 <= degree <= MOST_DEGREE:
         raise InputError(
             "a spline has degree {whole}; 1 to {most_degree} are read: export it with degree 3",
@@ -98,7 +100,7 @@ def check_degree(degree: int) -> int:
 
 
 def check_tolerance(value: float, name: str = "tolerance") -> float:
-    """The tolerance of a reader, mm: how far ends that it joins, or points that it fits, may lie off.
+    """Return the tolerance of a reader, mm: how far ends that it joins, or points that it fits, may lie off.
 
     Parameters
     ----------
@@ -127,7 +129,7 @@ def _whole(number: int) -> str:
 
 
 def half_last_place(numbers: Iterable[str]) -> float:
-    """Half a unit of the last digit that the coordinates were written to: the most that rounding moved one.
+    """Return half a unit of the last digit to which coordinates were written: the most that rounding moved one.
 
     Some programs write a fixed number of decimals, without closing zeros, others so many significant digits; the
     coarsest number of either decides. No number: 0.

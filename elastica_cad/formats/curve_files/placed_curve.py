@@ -16,7 +16,7 @@ from elastica_cad.refusals import Length, Point, note
 
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
-    """The run of edges (m, 3) in the coordinates of its own plane (m, 2).
+    """Return the run of edges (m, 3) in the coordinates of its own plane (m, 2).
 
     In a plane z = const x and y are kept as drawn. Any other plane is looked at from the side from which its
     horizontal direction runs towards positive x (or y), with y up: x along the plane's horizontal line, y
@@ -70,7 +70,7 @@ AS_DRAWN = np.eye(3)
 def placed_curve(
     edges: Sequence[Edge], *, plane: Frame | None = None, turned: ArrayLike | None = None
 ) -> tuple[PlaneCurve, Frame]:
-    """The one curve that edges (m, 3) make end to end, and its plane in space.
+    """Join edges (m, 3) end to end, and return the one curve they make with its plane in space.
 
     The curve runs the way the first edge does; a closed one begins there. Where the plane is parallel to xy the
     frame's axes are the world's. In every other plane the frame's y axis points up, towards z, as far as it can,
@@ -105,7 +105,7 @@ def placed_curve(
 
 
 def edge_chains(edges: Sequence[Edge]) -> list[Run]:
-    """Every chain that the edges make end to end; `place_chain` makes a curve of one."""
+    """Join edges end to end, and return every chain; `place_chain` makes a curve of one."""
     return join_runs([(edge,) for edge in edges], JOIN)
 
 
@@ -115,7 +115,7 @@ def place_chain(
     turned: FloatArray = AS_DRAWN,
     holes: Sequence[Run] = (),
 ) -> tuple[PlaneCurve, Frame]:
-    """The curve of one chain and its plane, as in `placed_curve`."""
+    """Return the curve of one chain of edges and its plane, as `placed_curve` does."""
     # of a closed wire the last edge goes on in the first
     closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= JOIN
     for before, after in pairwise((*run, *run[:1]) if closed else run):

@@ -7,7 +7,14 @@ from pathlib import Path
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._units import MILLIMETRES, look_up_unit
+from elastica_cad._units import (
+    MILLIMETRES,
+    MM_PER_INCH,
+    is_in_inches,
+    look_up_unit,
+    read_number,
+    read_offset,
+)
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.chains import curve_from_points
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
@@ -22,10 +29,17 @@ from elastica_cad.formats.curve_files.number_gate import (
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.refusals import Length, note
 
 _UNIT = "|".join(MILLIMETRES)
-_HEAD = re.compile(rf"([xyz])(?:[\s_]*[\[(]\s*({_UNIT})\s*[\])]|[\s_]+({_UNIT}))?", re.IGNORECASE)
-"""A cell of a heading: a coordinate, and its unit."""
+_HEAD = re.compile(rf"(.+?)(?:[\s_]*[\[(]\s*({_UNIT})\s*[\])]|[\s_]+({_UNIT}))?", re.IGNORECASE)
+"""A cell of a heading: the name of a column, and its unit."""
+
+ALONG = ("distance", "station")
+"""Columns of a table of offsets from which all others are curves: the first of these names that its heading has."""
+
+NOTHING = ("", "-", "\u2013", "\u2014")
+"""Cells of a table of offsets where a curve does not reach."""
 
 _MINUS = "\u2212"
 """The minus of typesetters, which spreadsheets in Nordic languages write."""
@@ -34,12 +48,15 @@ _DIGITS = 20_000  # numbers whose digits are looked at
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Curves fitted to measured points, one "x, y" a row; blank rows part one curve from the next.
+    """Fit curves to measured points, one "x, y" a row; blank rows part one curve from the next.
 
     Columns are parted by commas, semicolons, tabs or blanks; rows that start with # are remarks, and the
     first row may be a heading. With semicolons, or with tabs, decimals may have commas. A third column is
     taken when it is constant: points of a plane z = const. A heading that names x and y among its columns says
-    which they are, and their unit, "x (in)", "y [mm]" or "x_mm", unless `unit` does.
+    which they are, and their unit, "x (in)", "y [mm]" or "x_mm", unless `unit` does. One that names a column
+    "distance" or "station" is of a table of offsets: every other column is a curve over that one, called as the
+    column is. Cells may be fractions, "3 1/2", or feet, inches and eighths, "3-4-5"; where no unit is named those
+    tell that it is inches.
 
     Raises
     ------
@@ -48,24 +65,31 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     text = _text(file)
-    rows, named = _rows(text)
-    headed = _one_unit(named)
-    scale = look_up_unit(unit or headed or "mm")
-    blocks = [scale * block for block in _blocks(rows)]
-    digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
-    makers = [partial(_fitted, block, fit_tolerance, digits) for block in blocks]
-    curves = [DrawnCurve(number, make) for number, make in enumerate(makers, start=1)]
-    return DrawnFile(file, curves)
+    columns, named = _columns(text)
+    rows = [row for _, column in columns for row in column]
+    inches = any(is_in_inches(cell) for _, cells in rows for cell in cells)
+    headed = unit or _one_unit(named)
+    scale = look_up_unit(headed or ("in" if inches else "mm"))
+    rounded = MM_PER_INCH / 16 if inches else scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS])
+    blocks = [(name, block) for name, column in columns for block in _blocks(column, scale)]
+    makers = [
+        DrawnCurve(
+            number, partial(_fitted, block, fit_tolerance, Provenance(rounding=rounded, name=name)), name
+        )
+        for number, (name, block) in enumerate(blocks, start=1)
+    ]
+    told = note("its numbers were taken as inches, as it has fractions: give the unit if they are none")
+    return DrawnFile(file, makers, size=told if inches and headed is None else "")
 
 
 def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
     check_size(points)
     check_count(len(points), 4 * MOST_PIECES, "points in one curve", "leave some out")
-    return curve_from_points(points, tolerance=tolerance).drawn_as(digits)
+    return curve_from_points(points, tolerance=tolerance, drawn=digits)
 
 
 def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
-    """The curve of a control point file: first line "degree count", then `count` lines "x y".
+    """Read a control point file: its first line is "degree count", then come `count` lines "x y".
 
     Its knots are the whole numbers from -degree to count: a uniform spline, not clamped at its ends.
 
@@ -102,11 +126,11 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
             count=count,
             given=len(rows) - 1,
         )
-    points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
-    check_size(scale * points)
+    points = np.array([_numbers(row, n, 2, scale) for n, row in rows[1:]]).reshape(-1, 2)
+    check_size(points)
     digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
     knots = np.arange(-degree, count + 1, dtype=float)
-    curve = PlaneCurve(knots, scale * points, degree, provenance=digits)
+    curve = PlaneCurve(knots, points, degree, provenance=digits)
     return DrawnFile(file, [DrawnCurve(1, lambda: curve)])
 
 
@@ -123,26 +147,41 @@ def _text(path: Path) -> str:
 _Rows = list[tuple[int, list[str]]]
 
 
-def _rows(text: str) -> tuple[_Rows, tuple[str, ...]]:
-    """Number and cells of each row, none of them in one that parts blocks, and the heading's units of x, y, z."""
+def _columns(text: str) -> tuple[list[tuple[str, _Rows]], tuple[str, ...]]:
+    """Name of each curve, number and coordinates of its rows (none where they part blocks); a heading's units."""
     lines = [line.strip() for line in text.splitlines()]
     rows = [(n, _cells(line)) for n, line in enumerate(lines, 1) if not line.startswith("#")]
     first = next((k for k, (_, cells) in enumerate(rows) if any(cells)), 0)
     if not rows or any(_is_number(cell) for cell in rows[first][1]):
-        return rows, ()
+        return [("", rows)], ()
     head = _cells(re.sub(r"\s+(?=[\[(])", "", lines[rows[first][0] - 1]))  # where blanks part columns
     heads = {
-        found[1].lower(): (k, found[2] or found[3])
+        found[1].lower(): (k, found[2] or found[3], found[1])
         for k, cell in enumerate(head)
         if (found := _HEAD.fullmatch(cell))
     }
     rows = rows[first + 1 :]
-    if not {"x", "y"} <= heads.keys():
-        return rows, ()
-    taken = [heads[name] for name in ("x", "y", "z") if name in heads]
-    last = max(k for k, _ in taken)
-    rows = [(n, [cells[k] for k, _ in taken] if len(cells) > last else cells) for n, cells in rows]
-    return rows, tuple(unit.lower() for _, unit in taken if unit)
+    along = next((heads[name] for name in ALONG if name in heads), None)
+    if {"x", "y"} <= heads.keys():
+        taken = [heads[name] for name in ("x", "y", "z") if name in heads]
+        last = max(k for k, *_ in taken)
+        rows = [(n, [cells[k] for k, *_ in taken] if len(cells) > last else cells) for n, cells in rows]
+        columns = [("", rows)]
+    elif along is not None:
+        taken = [one for name, one in heads.items() if name not in ALONG]
+        tried = [(name, _offsets(rows, along[0], k)) for k, _, name in taken]
+        columns = [(name, column) for name, column in tried if any(_is_number(y) for _, (_, y) in column)]
+        taken = [along, *taken]
+    else:
+        return [("", rows)], ()
+    return columns, tuple(unit.lower() for _, unit, _ in taken if unit)
+
+
+def _offsets(rows: _Rows, along: int, column: int) -> _Rows:
+    """The rows of two columns in which a curve has a place."""
+    far = max(along, column)
+    return [(n, [cells[along], cells[column]]) for n, cells in rows
+            if len(cells) > far and cells[column] not in NOTHING]  # fmt: skip
 
 
 def _one_unit(named: tuple[str, ...]) -> str | None:
@@ -154,15 +193,15 @@ def _one_unit(named: tuple[str, ...]) -> str | None:
     return named[0] if named else None
 
 
-def _blocks(rows: _Rows) -> list[FloatArray]:
-    """The points (n, 2) of each block of rows."""
+def _blocks(rows: _Rows, scale: float) -> list[FloatArray]:
+    """The points (n, 2) of each block of rows, mm."""
     blocks: list[list[FloatArray]] = [[]]
     for n, cells in rows:
         if not any(cells):
             if blocks[-1]:
                 blocks.append([])
             continue
-        blocks[-1].append(_numbers(cells, n, 3))
+        blocks[-1].append(_numbers(cells, n, 3, scale))
     filled = [np.array(block) for block in blocks if block]
     if not filled:
         raise InputError("there are no points in it: write one 'x, y' a row")
@@ -172,7 +211,7 @@ def _blocks(rows: _Rows) -> list[FloatArray]:
             raise InputError(
                 "the third column runs over {height:.4g}: only curves in a plane z = const are read; "
                 "turn the points into the xy plane",
-                height=height,
+                height=Length(height),
             )
     return [block[:, :2] for block in filled]
 
@@ -193,16 +232,22 @@ def _cells(line: str) -> list[str]:
     return cells
 
 
+def _in_mm(cell: str, scale: float) -> float:
+    """A cell, mm, whose unit is `scale` mm unless it is of feet, inches and eighths."""
+    inches = read_offset(cell)
+    return scale * read_number(cell) if inches is None else MM_PER_INCH * inches
+
+
 def _is_number(cell: str) -> bool:
     try:
-        float(cell)
+        _in_mm(cell, 1.0)
     except ValueError:
         return False
     return True
 
 
-def _numbers(cells: list[str], row: int, most: int) -> FloatArray:
-    """x, y (and z, 0 where there is none, when `most` is 3) of one row."""
+def _numbers(cells: list[str], row: int, most: int, scale: float) -> FloatArray:
+    """x, y (and z, 0 where there is none, when `most` is 3) of one row, mm."""
     if not 2 <= len(cells) <= most:
         raise InputError(
             "row {row} has {count} columns; it needs x and y{given}",
@@ -218,7 +263,7 @@ def _numbers(cells: list[str], row: int, most: int) -> FloatArray:
                 row=row,
                 cell=cell,
             )
-    values = np.array([float(cell) for cell in cells])
+    values = np.array([_in_mm(cell, scale) for cell in cells])
     if not np.all(np.isfinite(values)):
         raise InputError(
             "row {row} is not finite ({cells}): leave it out or mend it", row=row, cells=", ".join(cells)

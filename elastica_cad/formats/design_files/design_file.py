@@ -80,7 +80,7 @@ class Design:
     revolution: RevolutionEntry | None = None
 
     def with_limits_ignored(self) -> "Design":
-        """The design with `ignore_limits` everywhere: parts that cannot be cut or handled are made, and told."""
+        """Return the design with `ignore_limits`: parts that cannot be cut or handled are made, with a warning."""
         return replace(
             self,
             entries=tuple(replace(one, spec=one.spec.changed(ignore_limits=True)) for one in self.entries),
@@ -89,7 +89,7 @@ class Design:
         )
 
     def nearest(self) -> "Design":
-        """The design with strips that may leave their curves, as little as they must."""
+        """Return the design with strips that may leave their curves, as little as they must."""
         freed = (
             one if one.spec.may_change else replace(one, spec=one.spec.changed(limits=Limits(), keep=Keep()))
             for one in self.entries
@@ -122,7 +122,7 @@ class Design:
                 except (NotRealizable, NotConvergedError, InputError) as problem:
                     (failed if entry.section else refused).append(problem)
                     continue
-            strip = replace(made[key], label=entry.label, slots=entry.spec.slots)
+            strip = replace(made[key], label=entry.label, engrave=entry.spec.engrave, slots=entry.spec.slots)
             placed.append(Placed(strip, entry.frame.origin, entry.frame.x_axis, entry.frame.y_axis))
             if done is not None:
                 done(entry.label)
@@ -159,7 +159,7 @@ def read_design(
     below: Sequence[str | Path] = (),
     changes: Mapping[str, Any] = MappingProxyType({}),
 ) -> Design:
-    """A design file, every formula computed and every curve file read.
+    """Read a design file: compute its formulae, read its curve files, and check every value.
 
     Parameters
     ----------
@@ -193,7 +193,7 @@ def design_of(
     read_curves: CurveReader,
     read_surface: "SurfaceReader | None" = None,
 ) -> Design:
-    """The design that tables tell of, as `read_design` makes it of a file at `path` that holds them.
+    """Make a design from parsed tables, as `read_design` does from a file at `path`.
 
     Raises
     ------
@@ -242,7 +242,7 @@ def design_of(
 
 
 def parse_design(path: Path) -> dict[str, Any]:
-    """The tables of a TOML file.
+    """Return the tables of a TOML file, parsed but not checked.
 
     Raises
     ------
@@ -293,7 +293,7 @@ class _Sheets(dict[str, Sheet]):
 
 
 def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
-    """Sheets that the design brings along."""
+    """Return the sheets that a design defines itself, by name."""
     sheets = _Sheets()
     sheets.folder = path.parent
     if top.has("sheets_file"):
@@ -403,7 +403,7 @@ def _likeness(entry: StripEntry) -> Any:
     numbers += [] if curve.weights is None else [curve.weights]
     numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
     digits = np.round(np.concatenate(numbers) / curve.length, SAME_DIGITS) + 0.0
-    placed = ("curve", "frame", "gravity", "slots", "label")
+    placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
     asked = [getattr(spec, one.name) for one in fields(spec) if one.name not in placed]
     return digits.tobytes(), value_key(asked)
 

@@ -24,7 +24,7 @@ _PLAIN: dict[str, Fragment] = {
 
 @cache
 def tables() -> dict[str, Keys]:
-    """The keys of every table by its name; the file itself is "design".
+    """Return the keys of every table by its name; the file itself is "design".
 
     Examples
     --------
@@ -62,12 +62,12 @@ def _entry(field: Field) -> tuple[Fragment, str]:
 
 
 def told(help: str, unit: str) -> str:
-    """What a field says, with its unit."""
+    """Return the help of a field followed by its unit."""
     return f"{help.rstrip('.')} ({unit})." if unit else help
 
 
 def fragment(kind: Kind) -> Fragment:
-    """A kind of value as JSON schema."""
+    """Return the JSON schema of a kind of value."""
     if kind.name in _PLAIN:
         return _PLAIN[kind.name]
     if kind.name == "choice":
@@ -97,7 +97,7 @@ def _table(keys: Keys) -> Fragment:
 
 
 def design_schema() -> dict[str, Any]:
-    """The JSON schema (draft 4, which TOML editors know best) of design files.
+    """Return the JSON schema of design files, in draft 4, which TOML editors know best.
 
     Examples
     --------

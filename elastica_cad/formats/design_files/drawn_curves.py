@@ -24,7 +24,7 @@ class _Curve:
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfFile(_Curve):
-    """One of the curves of a file."""
+    """The table of a curve that is read from a file; `number` or `layer` choose one of several."""
 
     file: Annotated[str, Asked("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
     number: Annotated[int | None, Asked("Which curve of the file.", least=1)] = None
@@ -33,7 +33,7 @@ class CurveOfFile(_Curve):
     unit: Annotated[str | None, Asked("Unit of the file, where it does not say.")] = None
 
     def drawn(self, reader: Reader, where: str, _: Table) -> PlaneCurve:
-        """The curve, read from its file."""
+        """Read the file, and return the curve that the table chooses."""
         path = reader.folder / self.file
         if not path.is_file():
             raise InputError(
@@ -60,7 +60,7 @@ class CurveOfFile(_Curve):
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfFormulae(_Curve):
-    """The curve that two formulae in t draw."""
+    """The table of a curve that is given by two formulae, x and y in mm as functions of t."""
 
     x: Annotated[Formula, Asked("Formula in t.", "mm")]
     y: Annotated[Formula, Asked("Formula in t.", "mm")]
@@ -70,7 +70,7 @@ class CurveOfFormulae(_Curve):
     ] = ()
 
     def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
-        """The curve, fitted."""
+        """Return a spline fitted to points that the formulae give."""
         start, end = self.t
         if not start < end:
             raise InputError(
@@ -90,7 +90,7 @@ class CurveOfFormulae(_Curve):
 
 @dataclass(frozen=True)
 class EllipseArc:
-    """An arc of an ellipse, between two parameters or above a height."""
+    """An arc of an ellipse: what lies between two parameters, or above a height."""
 
     semi_axes: Annotated[Point, Asked("Both semi-axes.", "mm", least=0)]
     center: Annotated[Point, Asked("Its centre.", "mm")] = (0.0, 0.0)
@@ -102,7 +102,7 @@ class EllipseArc:
     )
 
     def drawn(self, where: str) -> PlaneCurve:
-        """The exact curve."""
+        """Return the arc as an exact rational curve."""
         center, axes, rotation = self.center, self.semi_axes, self.rotation
         if self.above is None:
             end = 2 * np.pi if self.end is None else self.end
@@ -136,7 +136,7 @@ class CurveOfEllipse(_Curve):
     ellipse: Annotated[EllipseArc, Asked("An exact arc of an ellipse.")]
 
     def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
-        """The exact curve."""
+        """Return the arc as an exact rational curve."""
         return self.ellipse.drawn(f"{where}: ellipse")
 
 
@@ -158,7 +158,7 @@ class CurveOfSpline(_Curve):
     ] = None
 
     def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
-        """The exact curve."""
+        """Return the B-spline exactly as it is given."""
         if self.knots is None:
             if self.weights is not None:
                 raise InputError("{place} needs knots beside it: give both", place=f"{where}: weights")
@@ -172,7 +172,7 @@ CURVES = {"file": CurveOfFile, "x": CurveOfFormulae, "ellipse": CurveOfEllipse, 
 
 
 def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneCurve:
-    """The curve that a key tells of: the name of a file, or a table.
+    """Return the curve that a key describes, by the name of a file or by a table.
 
     Raises
     ------

@@ -11,7 +11,7 @@ from elastica_cad.formats.design_files.records import fields_of, word_of, writte
 
 @cache
 def paths_of(record: Record) -> Mapping[str, Field]:
-    """All keys below a record by their paths; those of tables in a list follow the name of the list.
+    """Return all keys below a record by their dotted paths; keys of a table in a list follow the name of the list.
 
     Examples
     --------
@@ -52,7 +52,7 @@ def _words(kind: Kind) -> tuple[str, ...]:
 
 
 def put(table: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value at a path of nested tables.
+    """Set the value at a dotted path of nested tables, and make the tables on the way.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
 
 
 def require_path_of(path: str, record: Record) -> Field:
-    """The field at a path.
+    """Return the field at a dotted path.
 
     Raises
     ------
@@ -92,7 +92,7 @@ def require_path_of(path: str, record: Record) -> Field:
 
 
 def near_path(path: str, known: Iterable[str]) -> str:
-    """The known path that one may have been meant for: with the same last name, or the nearest; empty for none."""
+    """Return the known path that was probably meant: one with the same last name, else the nearest, else ""."""
     ends = {one.rpartition(".")[2]: one for one in reversed(list(known))}
     last = path.rpartition(".")[2]
     near = near_names(path, known) or near_names(last, ends)

@@ -69,7 +69,7 @@ class Cutting:
     ] = None
 
     def options(self, sheet: Sheet) -> dict[str, Any]:
-        """Options of `save` for what is cut of a sheet.
+        """Return the options of `save` for pieces that are cut from this sheet.
 
         Raises
         ------
@@ -90,7 +90,7 @@ HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
 
 @dataclass(frozen=True, eq=False)
 class HolderSpec:
-    """What is asked to hold strips.
+    """Which kind of holder is requested, and for which strips.
 
     Attributes
     ----------
@@ -117,13 +117,13 @@ class HolderSpec:
 
     @property
     def name(self) -> str:
-        """Its own, or its kind."""
+        """The holder's own name, or its kind where it has none."""
         return str(self.options.get("name", self.kind))
 
     def made(
         self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
-        """Plates, ribs and blocks, and a sentence on what was chosen, or an empty one.
+        """Make the plates, ribs and blocks, with a sentence on what was chosen, or an empty one.
 
         Raises
         ------
@@ -170,7 +170,7 @@ class HolderSpec:
 
 @dataclass(frozen=True, eq=False)
 class KitSpec:
-    """What is asked of a kit beside its strips.
+    """What is requested of a kit beside its strips.
 
     Attributes
     ----------
@@ -200,7 +200,7 @@ class KitSpec:
     ignore_limits: bool = False
 
     def extras(self, model: "Model") -> "tuple[Piece, ...]":
-        """Coupons of the model's sheets and the reference bar, where they are asked for."""
+        """Return coupons of the model's sheets and the reference bar, where they are requested."""
         from elastica_cad.fabrication.sheets.coupon import coupon_drawing, reference_bar
         from elastica_cad.fabrication.sheets.pieces import Piece
 

@@ -27,7 +27,7 @@ Names: TypeAlias = str | tuple[str, ...]
 
 @dataclass(frozen=True)
 class OwnSheet:
-    """A sheet that a design brings along: the fields of `Sheet`, by keys that say their unit."""
+    """A sheet that a design defines: the fields of `Sheet`, by keys that name their unit."""
 
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(sheet_keys)
 
@@ -90,7 +90,7 @@ class FrameOfPlates(_Plates):
 
 @dataclass(frozen=True, kw_only=True)
 class Fixtures(_Holder):
-    """Printed blocks."""
+    """Printed blocks that hold the ends of strips."""
 
     BESIDE: ClassVar[Record] = EndFixture
     floor: Annotated[float | None, Asked("Height that the blocks stand on.", "mm")] = None
@@ -147,7 +147,7 @@ class Extras:
 
 @dataclass(frozen=True, kw_only=True)
 class DesignKeys(SharedKeys):
-    """All keys of a design file."""
+    """All keys at the top of a design file."""
 
     schema: Annotated[Literal[1], Asked("1: which version of these keys the file is written for.")]
     name: Annotated[str | None, Asked("Name of the model, and of its files.")] = None
@@ -179,7 +179,7 @@ class DesignKeys(SharedKeys):
 
 
 def read_kit(top: Table, reader: Reader) -> KitSpec:
-    """All that goes with the strips, from the whole design."""
+    """Read from a whole design what is made beside the strips: holders, nesting, cutting, coupons."""
     known = {one.name: one for one in fields_of(DesignKeys)}
 
     def given(key: str) -> dict[str, Any]:

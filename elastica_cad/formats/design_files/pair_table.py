@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from elastica_cad.errors import InputError
@@ -9,12 +10,14 @@ from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.formats.design_files.design_file import own_sheets, parse_design
 from elastica_cad.formats.design_files.model_tables import DesignKeys
 from elastica_cad.formats.design_files.records import CurveReader, Reader, names_of
-from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.formats.design_files.tables import Table, merged
 from elastica_cad.formats.file_access.source_file import require_file
 
 
-def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
-    """The part that the table [pair] of a design file asks for.
+def read_pair(
+    path: Path, read_curves: CurveReader, changes: Mapping[str, Any] = MappingProxyType({})
+) -> FlexureSpec:
+    """Read the part that the table [pair] of a design file requests, with `changes` of its keys.
 
     Raises
     ------
@@ -22,11 +25,13 @@ def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
         No such table, an unknown key, a value of the wrong kind, a curve that cannot be read; the place is named.
     """
     path = require_file(path)
-    return pair_of(parse_design(path), path, read_curves)
+    asked = parse_design(path)
+    changed = merged(asked, {"pair": changes}) if changes else asked
+    return pair_of(changed, path, read_curves)
 
 
 def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:
-    """The part that tables tell of, as `read_pair` makes it of a file at `path` that holds them.
+    """Make the request of a two-state part from parsed tables, as `read_pair` does from a file at `path`.
 
     Raises
     ------

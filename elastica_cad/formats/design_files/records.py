@@ -110,7 +110,7 @@ WRITTEN: dict[Record, Kind] = {
 
 
 def written(kind: Kind) -> Kind:
-    """The kind as it stands in a file, with all that a record may be written as."""
+    """Return the kind as a file writes it, with every form that a record may be written in."""
     if kind.name == "either":
         found = [one for inner in kind.of for one in written(inner).alternatives]
         return Kind("either", tuple(dict.fromkeys(found)))
@@ -122,7 +122,7 @@ def written(kind: Kind) -> Kind:
 
 
 def fields_of(record: Record) -> tuple[Field, ...]:
-    """The fields of a table: those that are declared, with those of a record that the table takes too.
+    """Return the fields of a table: those that are declared, with those of a record that the table also takes.
 
     A class of keys names that record as `BESIDE`, and its fields that have no place there as `WITHOUT`; one whose
     keys are called otherwise than its fields has them of its function `FIELDS`.
@@ -135,12 +135,12 @@ def fields_of(record: Record) -> tuple[Field, ...]:
 
 
 def word_of(record: Record) -> str | None:
-    """The word of the key `kind` that asks for a record; None where it needs none."""
+    """Return the value of the key `kind` that selects a record; None where the record needs none."""
     return next((word for kinds in BY_KIND.values() for word, one in kinds.items() if one is record), None)
 
 
 def names_of(record: Record) -> list[str]:
-    """All keys of the table of a record."""
+    """Return the names of all keys of a record's table."""
     return [*(["kind"] if word_of(record) else []), *(one.name for one in fields_of(record))]
 
 
@@ -166,11 +166,11 @@ class Reader:
     sheet: Sheet | None = None
 
     def of_sheet(self, sheet: Sheet) -> "Reader":
-        """The same for a strip of that sheet."""
+        """Return the same reader for a strip of that sheet."""
         return replace(self, sheet=sheet)
 
     def record(self, record: Record, table: Table) -> Any:
-        """The record that a table asks for; a `BY_KIND` one is chosen by the key `kind`.
+        """Make the record that a table describes; where the record is a `BY_KIND` one the key `kind` selects it.
 
         Raises
         ------
@@ -189,7 +189,7 @@ class Reader:
             return make(**given)
 
     def given(self, record: Record, table: Table) -> dict[str, Any]:
-        """The values of the fields that a table gives, by name; unknown and missing keys are refused."""
+        """Return the values of the fields that a table gives, by name; unknown and missing keys are refused."""
         table.only(*names_of(record))
         values = {}
         for one in fields_of(record):
@@ -204,7 +204,7 @@ class Reader:
         return values
 
     def value(self, kind: Kind, table: Table, key: str) -> Any:
-        """The value of a key, of that kind."""
+        """Return the value of a key, checked to be of that kind."""
         if kind.name == "table" and kind.record in _SPECIAL:
             return _SPECIAL[kind.record](self, table, key)
         match kind.name:
@@ -315,12 +315,12 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
-    """Let values of a class be written as that kind, and read by that function."""
+    """Register that values of a class are written as `kind` in a file, and read by the function `read`."""
     WRITTEN[record], _SPECIAL[record] = kind, read
 
 
 def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
-    """The table that is written in one line, as `read_line` reads it.
+    """Return the table that is written in one line, as `read_line` reads it.
 
     Raises
     ------
@@ -344,7 +344,7 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
 def read_line(
     line: str, where: str, record: Record, reader: Reader | None = None, *, example: str = ""
 ) -> Any:
-    """The record that one line asks for, written as the inside of a table: `at = 40, width = 1.2`.
+    """Make a record from one line that is written as the inside of a table: `at = 40, width = 1.2`.
 
     Parameters
     ----------
@@ -373,7 +373,8 @@ def read_line(
 
 
 def title(record: Record) -> str:
-    """Name of a record's table in the manual and in the JSON schema; its word and family where `kind` chooses it.
+    """Return the name of a record's table in the manual and in the schema, behind its family where `kind` selects
+    it.
 
     Examples
     --------
@@ -386,7 +387,7 @@ def title(record: Record) -> str:
 
 
 def described(record: Record) -> list[dict[str, Any]]:
-    """The fields of a table as plain JSON: what a form or an editor needs to ask for them.
+    """Return the fields of a table as plain JSON: what a form or an editor needs to ask for them.
 
     Each has its name, help, unit, least, most, group, common, required, its default where that is plain, and what
     it is made of: `kind` with `choices`, `size`, `of` (elements or alternatives) or `fields` of a table, whose key

@@ -29,7 +29,8 @@ def _box_around_curves(curves: Sequence[PlaneCurve]) -> FloatArray:
 
 
 def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
-    """The projective map that takes corners of the box around curves to `places`, mm; other corners stay.
+    """Return the projective map (3, 3) that takes corners of the box around curves to `places`, mm; other corners
+    stay.
 
     Raises
     ------
@@ -89,11 +90,11 @@ class Reshape:
 
     @property
     def corners(self) -> dict[str, Point]:
-        """New places of the corners that are named."""
+        """The new places of the corners that are named, mm."""
         return {name: place for name in CORNERS if (place := getattr(self, name)) is not None}
 
     def of(self, curve: PlaneCurve) -> PlaneCurve:
-        """The curve as it is pulled.
+        """Return the curve with the handles pulled to their new places.
 
         Raises
         ------

@@ -24,7 +24,7 @@ NEAR_MM = 1e-3
 
 @dataclass(frozen=True)
 class RevolutionKeys:
-    """All keys of the table of a surface of revolution."""
+    """All keys of the table `revolution`."""
 
     sheet: Annotated[Sheet, Asked("Sheet of the strips.")]
     points: Annotated[
@@ -56,7 +56,7 @@ class RevolutionKeys:
 
     @property
     def meridian(self) -> Meridian:
-        """The meridian, by the one way in which it is told.
+        """Return the meridian, which the table gives in exactly one of several forms.
 
         Raises
         ------
@@ -87,7 +87,7 @@ INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
 
 @dataclass(frozen=True, eq=False)
 class RevolutionEntry:
-    """A surface of revolution to be made.
+    """A surface of revolution that a design requests.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ class RevolutionEntry:
     ignore_limits: bool = False
 
     def model(self, name: str) -> Model:
-        """All strips, and the rings.
+        """Make all strips, and the rings.
 
         Raises
         ------
@@ -150,7 +150,7 @@ class RevolutionEntry:
 
 
 def read_revolution(table: Table, reader: Reader) -> RevolutionEntry:
-    """What the table `revolution` asks for.
+    """Read the surface of revolution that the table `revolution` requests.
 
     Raises
     ------

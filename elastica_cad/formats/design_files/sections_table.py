@@ -1,13 +1,17 @@
-"""What a design file says about sections of a surface: which file, which planes cut it, how it is divided."""
+"""The table of a design file for sections of a surface, read and written: the file, its planes, its divisions."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, TypeAlias
+
+import numpy as np
 
 from elastica_cad._values import require_positive
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.formats.design_files.toml_text import toml_text
 from elastica_cad.formats.surface_files.mesh_files import SurfaceReader, mesh_surface, read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.forming.plane_sections.section_spec import (
@@ -18,14 +22,15 @@ from elastica_cad.forming.plane_sections.section_spec import (
     PointSplit,
     RadialCuts,
     SectionSpec,
+    Split,
 )
 
-Split: TypeAlias = PlaneSplit | PointSplit | CornerSplit
+WrittenSplit: TypeAlias = PlaneSplit | PointSplit | CornerSplit
 
 
 @dataclass(frozen=True)
 class SectionsTable:
-    """The sections of a surface, as a file asks for them."""
+    """The table `sections`: a surface, and how planes cut it into curves."""
 
     mesh: Annotated[str, Asked("Surface beside the design: OBJ, STL, PLY or STEP.")]
     radial: Annotated[RadialCuts | None, Asked("Half planes about an axis.")] = None
@@ -35,7 +40,7 @@ class SectionsTable:
     scale: Annotated[float | None, Asked("Factor on the mesh.", least=0)] = None
     half: Annotated[bool | None, Asked("Only what lies at x >= 0 of each plane.")] = None
     longest: Annotated[bool, Asked("Only the longest line of each section.")] = False
-    split: Annotated[Split | tuple[Split, ...], Asked("Where lines are divided.")] = ()
+    split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Asked("Where lines are divided.")] = ()
     tolerance: Annotated[float, Asked("Largest distance from the section.", "mm", least=0)] = 0.3
     wavelength: Annotated[float, Asked("Shorter waves are smoothed away.", "mm", least=0)] = 0.0
 
@@ -53,7 +58,7 @@ class SectionsTable:
 
     @property
     def spec(self) -> SectionSpec:
-        """Without the surface."""
+        """Return the request for sections, without the surface."""
         splits = self.split if isinstance(self.split, tuple) else (self.split,)
         (cuts,) = self._cuts
         return SectionSpec(cuts, self.half, self.longest, splits, self.tolerance, self.wavelength)
@@ -66,7 +71,7 @@ IN_PLACE = {"radial": "angles", "parallel": "offsets"}
 def read_sections(
     table: Table, reader: Reader, read_surface: SurfaceReader | None
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-    """Curves of the sections that a table asks for, each in the plane of its own, and what is worth knowing.
+    """Return the curves of the sections that a table requests, each with its plane, and sentences worth knowing.
 
     Raises
     ------
@@ -94,3 +99,78 @@ def read_sections(
     with table.naming():
         surface = read_sized_surface(read_surface or mesh_surface, path, unit=asked.unit, scale=asked.scale)
         return asked.spec.curves(surface)
+
+
+def compose_section_design(
+    name: str, mesh: Mapping[str, Any], sections: SectionSpec, strips: Mapping[str, Any]
+) -> str:
+    """Return the text of a design file whose strips follow sections of a surface.
+
+    Parameters
+    ----------
+    name : str
+        Of the model.
+    mesh : mapping
+        The file as `mesh`, with its unit and scale where they were told.
+    sections : SectionSpec
+    strips : mapping
+        Keys for all strips: sheet, max_width, limits and so on.
+
+    Examples
+    --------
+    >>> print(compose_section_design("pot", {"mesh": "pot.obj"}, SectionSpec(RadialCuts()), {"sheet": "pom-1"}))
+    schema = 1
+    name = "pot"
+    sheet = "pom-1"
+    <BLANKLINE>
+    [[strips]]
+    label = "S{i}"
+    <BLANKLINE>
+    [strips.sections]
+    mesh = "pot.obj"
+    tolerance = 0.3
+    radial = { point = [0.0, 0.0, 0.0], axis = [0.0, 0.0, 1.0], zero = [1.0, 0.0, 0.0], count = 8 }
+    <BLANKLINE>
+    """
+    head = {"schema": 1, "name": name, **strips}
+    sections_of = {**mesh, **_section_keys(sections)}
+    return toml_text({**head, "strips": [{"label": "S{i}", "sections": sections_of}]})
+
+
+def _section_keys(spec: SectionSpec) -> dict[str, Any]:
+    """The keys of the table `sections`; what is usual is left out, but for the tolerance and the planes."""
+    keys: dict[str, Any] = {"tolerance": spec.tolerance}
+    keys |= {"wavelength": spec.wavelength} if spec.wavelength else {}
+    keys |= {} if spec.half is None else {"half": spec.half}
+    keys |= {"longest": True} if spec.longest else {}
+    keys |= {"split": [_split_keys(split) for split in spec.splits]} if spec.splits else {}
+    match spec.cuts:
+        case RadialCuts() as cuts:
+            where: dict[str, Any] = {"point": cuts.point, "axis": cuts.axis, "zero": cuts.zero}
+            turned = None if cuts.angles is None else [_degrees(angle) for angle in cuts.angles]
+            planes: dict[str, Any] = {"count": cuts.count} if turned is None else {"angles": turned}
+            return keys | {"radial": where | planes}
+        case ParallelCuts() as cuts:
+            where = {"point": cuts.point, "normal": cuts.normal, "up": cuts.up}
+            planes = {"count": cuts.count} if cuts.offsets is None else {"offsets": list(cuts.offsets)}
+            return keys | {"parallel": where | planes}
+        case AlongPath() as cuts:
+            path = np.asarray(cuts.path).tolist()
+            return keys | {"along": {"path": path, "count": cuts.count, "ends": cuts.ends, "up": cuts.up}}
+    raise InputError("{cuts!r} is no family of planes that a design file knows", cuts=spec.cuts)
+
+
+def _split_keys(split: Split) -> dict[str, Any]:
+    match split:
+        case CornerSplit():
+            return {"corners": _degrees(split.corners)}
+        case PointSplit():
+            return {"points": np.asarray(split.points).tolist()}
+        case PlaneSplit():
+            return {"point": split.point, "normal": split.normal}
+    raise InputError("{split!r} is no split that a design file knows", split=split)
+
+
+def _degrees(angle: float) -> str:
+    """An angle, rad, as people write it: without the rounding of pi."""
+    return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"  # what was typed comes back

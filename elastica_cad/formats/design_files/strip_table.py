@@ -42,7 +42,7 @@ class SharedKeys:
 
 @dataclass(frozen=True)
 class StripKeys(SharedKeys):
-    """All keys of a table of strips."""
+    """All keys of a table in [[strips]]."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ()
     count: Annotated[int, Asked("So many strips, i = 1, 2, ...", least=1)] = 1
@@ -89,17 +89,17 @@ class StripEntry:
 
     @property
     def label(self) -> str:
-        """Engraved on the strip, and its name in messages."""
+        """The label that is engraved on the strip and names it in messages."""
         return self.spec.label
 
     @property
     def curve(self) -> PlaneCurve:
-        """As drawn."""
+        """The curve as drawn, mm."""
         return self.spec.curve
 
     @property
     def sheet(self) -> Sheet:
-        """What the strip is cut from."""
+        """The sheet that the strip is cut from."""
         return self.spec.material
 
     @property
@@ -109,12 +109,12 @@ class StripEntry:
 
     @property
     def called(self) -> str:
-        """Label, and section where there is one."""
+        """How messages call the strip: its label, and its section where it has one."""
         return f"{self.label} ({self.section})" if self.section else self.label
 
 
 def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve | None" = None) -> StripEntry:
-    """The strip that one table of strips asks for, its formulae computed; a `section` brings curve and plane.
+    """Read the strip that one table in [[strips]] requests; a `section` brings curve and plane.
 
     Raises
     ------
@@ -131,7 +131,7 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
 
 
 def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
-    """The fields of `StripSpec` that a table gives, but for its curve and plane.
+    """Return the fields of `StripSpec` that a table gives, but for its curve and plane.
 
     Raises
     ------
@@ -152,7 +152,7 @@ def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
 
 
 def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame | None = None) -> StripSpec:
-    """The strip that a table asks for, of a curve that is at hand; its plane is read unless it is given.
+    """Make the request for a strip from a table and a curve; the plane is read from the table unless it is given.
 
     Without a plane in space, weight falls along -y of the drawing.
 

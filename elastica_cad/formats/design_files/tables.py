@@ -58,7 +58,7 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
 
 
 def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
-    """A table with the values of another in it, tables inside each other too."""
+    """Return a table with the values of another put over its own, tables inside each other too."""
     found = dict(table)
     for key, value in others.items():
         inner = found.get(key)
@@ -67,18 +67,18 @@ def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any
 
 
 class Slips:
-    """What is wrong with a file, gathered from its parts so that all of it is told at once."""
+    """Errors of a file, collected from its parts so that all of them are reported at once."""
 
     def __init__(self) -> None:
         self._said: dict[str, str] = {}
 
     def add(self, sentence: str, where: str = "") -> None:
-        """One more, unless the same is wrong at another place already."""
+        """Add an error, unless another place has the same one already."""
         self._said.setdefault(sentence.removeprefix(where), sentence)
 
     @contextmanager
     def gathering(self) -> Iterator[None]:
-        """Complaints from inside are kept, and what follows goes on."""
+        """Collect the errors of the block instead of raising them, so that reading goes on."""
         try:
             yield
         except InputError as problem:
@@ -86,7 +86,7 @@ class Slips:
 
     @property
     def text(self) -> str:
-        """All of them, a sentence each, or the first ones and how many more; empty where nothing is wrong."""
+        """Return one sentence for each error, or the first ones and how many more; empty without errors."""
         told: list[str] = []
         for sentence in list(self._said.values())[:MOST_TOLD]:
             if told and sum(map(len, [*told, sentence])) > LONGEST_TOLD:
@@ -100,7 +100,7 @@ class Slips:
         return sentences([*ended, last], " Also: ")
 
     def tell(self) -> None:
-        """Raise InputError with all of them, if there are any."""
+        """Raise InputError with all errors, if there are any."""
         if self.text:
             raise InputError(self.text)
 
@@ -133,7 +133,7 @@ class Table:
         self.defaults = defaults
 
     def only(self, *keys: str) -> "Table":
-        """This table, refused where it holds any other key."""
+        """Return this table, and refuse it where it holds any other key."""
         slips = Slips()
         for key in self.data:
             if RENAMED.get(key) in keys:
@@ -157,12 +157,12 @@ class Table:
         return self
 
     def place(self, key: str) -> str:
-        """How messages call a value."""
+        """Return how messages call the place of a key."""
         return f"{self.where}: {key}" if self.where else key
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
-        """Complaints from inside name this table, or the value of `key`, unless they do already."""
+        """Let errors of the block name this table, or the value of `key`, unless they name a place already."""
         try:
             yield
         except InputError as error:
@@ -175,17 +175,17 @@ class Table:
             raise InputError(why, kind=why.kind) from error
 
     def raw(self, key: str, default: Any = None) -> Any:
-        """The value as parsed, here or in the defaults."""
+        """Return the value of a key as parsed, here or in the defaults."""
         if key in self.data:
             return self.data[key]
         return default if self.defaults is None else self.defaults.raw(key, default)
 
     def has(self, key: str) -> bool:
-        """Is it given, here or in the defaults?"""
+        """Tell whether a key is given, here or in the defaults."""
         return self.raw(key) is not None
 
     def number(self, key: str, default: float | None = None) -> float:
-        """A number or a formula.
+        """Return a number, which a formula may give.
 
         Raises
         ------
@@ -198,11 +198,11 @@ class Table:
         return _compute_number(value, self.place(key), self.scope)
 
     def maybe(self, key: str) -> float | None:
-        """A number, or None where it is not given."""
+        """Return a number, or None where it is not given."""
         return self.number(key) if self.has(key) else None
 
     def count(self, key: str, default: int, most: float = MOST) -> int:
-        """A whole number, 1 to `most`."""
+        """Return a whole number from 1 to `most`."""
         value = self.number(key, default)
         if value != int(value) or value < 1:
             raise InputError(
@@ -218,7 +218,7 @@ class Table:
         return int(value)
 
     def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
-        """`size` numbers or formulae."""
+        """Return `size` numbers, each of which a formula may give."""
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(
@@ -233,7 +233,7 @@ class Table:
         )
 
     def row(self, key: str) -> tuple[float, ...]:
-        """Any number of numbers or formulae; none where it is not given."""
+        """Return a list of numbers of any length, empty where it is not given."""
         given = self.raw(key, ())
         if not isinstance(given, Sequence) or isinstance(given, str):
             raise InputError(
@@ -242,12 +242,12 @@ class Table:
         return self.vector(key, len(given), ())
 
     def pair(self, key: str, default: Sequence[float] | None = None) -> tuple[float, float]:
-        """Two numbers or formulae."""
+        """Return two numbers, each of which a formula may give."""
         x, y = self.vector(key, 2, default)
         return x, y
 
     def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
-        """Places of `size` numbers each: `count` of them, or however many."""
+        """Return points of `size` numbers each: `count` of them, or any number."""
         rows = self.raw(key)
         if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
             raise InputError(
@@ -260,11 +260,11 @@ class Table:
         return [numbered.vector(name, size) for name in numbered.data]
 
     def numbers(self, *keys: str) -> dict[str, float]:
-        """The numbers of those keys that are given."""
+        """Return the numbers of those keys that are given."""
         return {key: self.number(key) for key in keys if self.has(key)}
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
-        """A word or a line of text."""
+        """Return a text, and refuse it where `choices` are given and it is none of them."""
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(
@@ -280,7 +280,7 @@ class Table:
         return value
 
     def texts(self, key: str, default: Sequence[str]) -> tuple[str, ...]:
-        """A text, or a list of texts."""
+        """Return several texts, which a file may also give as one text."""
         value = self.raw(key, list(default))
         rows = [value] if isinstance(value, str) else value
         if not isinstance(rows, list) or not rows or not all(isinstance(row, str) for row in rows):
@@ -292,7 +292,7 @@ class Table:
         return tuple(rows)
 
     def flag(self, key: str, default: bool = False) -> bool:
-        """True or false."""
+        """Return true or false."""
         value = self.raw(key, default)
         if not isinstance(value, bool):
             raise InputError(
@@ -301,11 +301,11 @@ class Table:
         return value
 
     def table(self, key: str) -> "Table":
-        """A table inside this one; an empty one where it is not given."""
+        """Return the table inside this one, empty where it is not given."""
         return Table(self.raw(key, {}), self.place(key), self.scope)
 
     def tables(self, key: str) -> "list[Table]":
-        """A list of tables."""
+        """Return the tables of a list."""
         value = self.raw(key, [])
         if not isinstance(value, list):
             raise InputError(
@@ -314,7 +314,7 @@ class Table:
         return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:
-        """The scope with further names: each may use those before it."""
+        """Return the scope with further names; the value of each may use those before it."""
         scope = dict(self.scope)
         for name, value in Table(let, self.place("let"), scope).data.items():
             if not name.isidentifier():

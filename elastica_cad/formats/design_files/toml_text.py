@@ -9,7 +9,7 @@ from typing import Any
 
 
 def toml_text(table: Mapping[str, Any]) -> str:
-    """The text of a TOML file: lists of tables as [[NAME]], whose own tables as [NAME.KEY]; all others in one line.
+    """Write a table as TOML: lists of tables as [[NAME]], their own tables as [NAME.KEY], all others in one line.
 
     Examples
     --------

@@ -26,7 +26,7 @@ FINEST_MM = 1e-5
 
 
 def check_curve_style(curves: str) -> str:
-    """The mode, refused unless it is one of `CURVES` or `EXACT`."""
+    """Return the way in which curves are written, and refuse it unless it is one of `CURVES` or `EXACT`."""
     if not isinstance(curves, str) or curves not in (*CURVES, EXACT):
         raise InputError(
             "curves is {curves!r}: use one of {curves_2}", curves=curves, curves_2=", ".join(CURVES)
@@ -35,7 +35,8 @@ def check_curve_style(curves: str) -> str:
 
 
 def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rational: bool = True) -> list[Path]:
-    """The paths as a file holds them: splines of degree 3 at most (`rational` where allowed), arcs, or lines.
+    """Return the paths as a file holds them: splines of degree 3 at most (`rational` where allowed), arcs, or
+    lines.
 
     With `EXACT` splines of any degree stay, where the file knows weights.
     """
@@ -127,7 +128,7 @@ SCHEMES: dict[str, dict[str, LayerStyle]] = {
 
 
 def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict[str, LayerStyle]:
-    """The style of every layer, the user's choices put over the standard ones.
+    """Return the style of every layer: the standard ones, with the user's choices put over them.
 
     Parameters
     ----------

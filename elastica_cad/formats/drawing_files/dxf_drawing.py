@@ -7,9 +7,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from math import degrees, pi
+from textwrap import wrap
 from threading import Lock
 from typing import Any, Literal, TypeAlias, get_args
 
+from elastica_cad._shell import MADE_BY
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
@@ -31,6 +33,9 @@ DXF_VERSIONS: tuple[DxfVersion, ...] = get_args(DxfVersion)
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
 _OPTIONS = Lock()
 
+LONGEST_COMMENT = 250
+"""Letters of one comment."""
+
 _INKS = {
     1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
     7: (0, 0, 0), 8: (128, 128, 128), 9: (192, 192, 192), 30: (255, 127, 0), 140: (0, 191, 255), 200: (191, 0, 255),
@@ -46,7 +51,7 @@ def encode_dxf(
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """A drawing as the content of a DXF file in mm; the same drawing gives the same bytes.
+    """A drawing as the content of a DXF file in mm; the same drawing, by the same command, gives the same bytes.
 
     A loop of lines and arcs is one closed polyline (a circle a CIRCLE), a loop that is one spline is one
     closed SPLINE. A loop with splines among others is a chain of LINE, ARC and SPLINE in order, ends meeting,
@@ -97,6 +102,11 @@ def encode_dxf(
     return _through_ezdxf(named, shown, drawing.bounds, version)
 
 
+def _made_by() -> list[str]:
+    """The command that runs as lines of a comment: those of old readers end behind 255 letters."""
+    return wrap(MADE_BY.get(), LONGEST_COMMENT)
+
+
 # --- R2000 and later ---
 
 
@@ -126,7 +136,8 @@ def _through_ezdxf(
         # ezdxf keeps the classes that a version needs in a set, whose order changes with every process
         document.classes.add_required_classes(document.dxfversion)
         document.classes.classes = dict(sorted(document.classes.classes.items()))
-        stream = io.StringIO()
+        stream = io.StringIO("".join(f"999\n{line}\n" for line in _made_by()))
+        stream.seek(0, io.SEEK_END)
         document.write(stream)
         return bytes(document.encode(stream.getvalue()))
 
@@ -179,7 +190,8 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
     """Paths on named layers as the content of a file, as pairs of lines: a code and its value."""
-    tags: list[tuple[int, object]] = [(999, "all lengths in mm"), (0, "SECTION"), (2, "HEADER")]
+    tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
+    tags += [(0, "SECTION"), (2, "HEADER")]
     tags += [(9, "$ACADVER"), (1, "AC1009")]
     for name, corner in zip(("$EXTMIN", "$EXTMAX"), bounds.tolist(), strict=True):
         tags += [(9, name), *_at(10, corner)]
@@ -190,7 +202,7 @@ def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bo
     for layer, path in paths:
         tags += _r12_entities(path, (8, layer))
     tags += [(0, "ENDSEC"), (0, "EOF")]
-    return "".join(f"{code:>3}\n{value}\n" for code, value in tags).encode("ascii")
+    return "".join(f"{code:>3}\n{value}\n" for code, value in tags).encode("ascii", "replace")
 
 
 def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, object]]:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from elastica_cad._printable import html_text
+from elastica_cad._shell import MADE_BY
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
@@ -21,7 +22,7 @@ _LETTERS = {2: "Q", 3: "C"}
 
 
 def path_data(path: Path, origin: FloatArray) -> str:
-    """The d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
+    """Return the d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
 
     Parameters
     ----------
@@ -79,7 +80,7 @@ def encode_svg(
     tolerance: float = 0.02,
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """A drawing as the content of an SVG file whose user unit is the mm; same drawing, same bytes.
+    """A drawing as the content of an SVG file whose user unit is the mm; same drawing and command, same bytes.
 
     One group a layer, in working order, one <path> a loop, y upward on the sheet. Arcs and polynomial splines
     up to degree 3 are exact.
@@ -122,6 +123,8 @@ def encode_svg(
         f'width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">',
         f"<title>{html_text(drawing.name)}</title>",
     ]
+    if command := MADE_BY.get():
+        rows.append(f"<desc>{html_text(command)}</desc>")
     for layer in LAYERS:
         paths = [path for item, path in zip(drawing.strokes, shaped, strict=True) if item.layer == layer]
         if not paths:

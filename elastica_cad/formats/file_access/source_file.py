@@ -27,7 +27,7 @@ LARGEST_OF_KIND = {".toml": 16 * 2**20} | dict.fromkeys(
 
 
 def require_file(path: str | Path) -> Path:
-    """The path, when a file is there that can be read and holds something.
+    """Return the path, and refuse it unless a file is there that can be read and holds something.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def require_below(path: Path) -> None:
 
 @contextmanager
 def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
-    """Let the block read files below these folders only."""
+    """Let the block read files in these folders, and below them, only."""
     token = _below.set(tuple(Path(os.path.realpath(folder)) for folder in folders))
     try:
         yield
@@ -88,7 +88,7 @@ def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def mark_file(path: Path) -> FileMark:
-    """The file's mark: two that are equal are of the same contents."""
+    """Return a mark of the file's contents: equal marks mean equal contents."""
     try:
         found = path.stat()
     except OSError:
@@ -98,7 +98,7 @@ def mark_file(path: Path) -> FileMark:
 
 @contextmanager
 def note_reads() -> Iterator[dict[Path, FileMark]]:
-    """The files that the block asks for with `require_file`, with their marks just before they were read."""
+    """Collect the files that the block requests by `require_file`, with their marks just before they are read."""
     noted: dict[Path, FileMark] = {}
     token = _read.set(noted)
     try:
@@ -109,7 +109,7 @@ def note_reads() -> Iterator[dict[Path, FileMark]]:
 
 @contextmanager
 def quiet_log(name: str) -> Iterator[None]:
-    """Keep a library's log off the user's screen unless somebody listens to it."""
+    """Keep a library's log off the screen during the block, unless the program handles it."""
     import logging
 
     logger, silence = logging.getLogger(name), logging.NullHandler()
@@ -122,7 +122,7 @@ def quiet_log(name: str) -> Iterator[None]:
 
 @contextmanager
 def name_source(path: str | Path) -> Iterator[Path]:
-    """The path of a file that is there, as `require_file`, put before any complaint about what it holds."""
+    """Check a file as `require_file` does, and name it in every error that the block raises about its contents."""
     path = require_file(path)
     try:
         yield path

@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text.
+    """Write a text to a file in UTF-8, whole or not at all.
 
     Examples
     --------
@@ -27,12 +27,12 @@ def write_text(path: Path, text: str) -> None:
 
 
 def write_json(path: Path, record: Any) -> None:
-    """Write a record as JSON."""
+    """Write a record to a file as JSON, whole or not at all."""
     write_text(path, json.dumps(record, indent=1) + "\n")
 
 
 def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
-    """The file to be written, with links followed, refused early where it can't be.
+    """Return the file to be written, with links followed, and refuse early where it can't be.
 
     Raises
     ------
@@ -126,7 +126,7 @@ def write_atomically(
 
 
 def reason(error: OSError) -> str:
-    """Why a file can't be written, for a sentence."""
+    """Return why a file can't be written, as the end of a sentence."""
     return "no permission" if isinstance(error, PermissionError) else error.strerror or str(error)
 
 
@@ -134,7 +134,7 @@ def reason(error: OSError) -> str:
 def write_together(
     folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """A temporary folder whose files move to `folder` only when the whole block has succeeded.
+    """Give a temporary folder whose files move to `folder` only when the whole block has succeeded.
 
     A folder that is not there yet appears in one step. Into one that is there the files move one after the other;
     after an error, or Ctrl-C, the new ones among those that were moved are taken back.
@@ -183,7 +183,7 @@ def write_together(
 
 
 def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False) -> None:
-    """Refuse a folder that files of these names cannot be written to, before they are worked out.
+    """Refuse a folder that files of these names cannot be written to, before they are computed.
 
     Parameters
     ----------

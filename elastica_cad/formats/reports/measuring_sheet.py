@@ -29,7 +29,7 @@ WORDS = {
 
 
 def measuring_record(measuring: Measuring) -> dict[str, Any]:
-    """What `read_measuring` reads, for a report."""
+    """Return what is to be measured as plain data for a report; `read_measuring` reads it back."""
     return {
         "marks": list(measuring.marks),
         "expected": dict(measuring.expected),
@@ -40,7 +40,7 @@ def measuring_record(measuring: Measuring) -> dict[str, Any]:
 
 
 def read_measuring(path: FilePath) -> Measuring:
-    """What is to be measured on a strip, from its report.
+    """Read from the report of a strip what is to be measured on it.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def read_measuring(path: FilePath) -> Measuring:
 
 
 def read_readings(path: FilePath) -> dict[str, float]:
-    """What was measured, from a TOML file; readings that were left empty are left out.
+    """Return the readings of a TOML file by name; those left empty are left out.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def read_readings(path: FilePath) -> dict[str, float]:
 
 
 def blank_readings(measuring: Measuring) -> str:
-    """A TOML file to be filled in."""
+    """Return a TOML file in which the readings are still to be filled in."""
     lines = ["# Take the sign # away from what you have measured; lengths in mm, angles in degrees."]
     lines += [f"# {name} = {value:.1f}  # {WORDS[name]}" for name, value in measuring.expected.items()]
     return "\n".join(lines) + "\n"

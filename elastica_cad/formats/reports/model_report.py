@@ -28,7 +28,7 @@ def report_model(
     held: Mapping[str, HeldShape],
     entries: Sequence[StripEntry] = (),
 ) -> dict[str, Any]:
-    """The report of a model, ready for JSON.
+    """Return the report of a model as plain data for JSON.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ STYLE = (
 def compose_start_page(
     name: str, lines: Sequence[str], notes: Sequence[str], files: Mapping[str, str]
 ) -> str:
-    """The page's text.
+    """Return the HTML page that a kit opens with: what was made, what to know, and its files.
 
     Parameters
     ----------

@@ -31,7 +31,8 @@ STATIONS = 201
 
 
 def report_blank(strip: Strip) -> dict[str, Any] | None:
-    """Curvature of the blank, 1/mm, positive to the left, at places along the free part, mm; None of a flat one.
+    """Return the curvature of the blank (1/mm, positive to the left) at places (mm) along the free part; None of a
+    flat one.
 
     Examples
     --------
@@ -80,7 +81,7 @@ def tell_blank(strip: Strip) -> str:
 
 
 def report_check(check: EquilibriumCheck) -> dict[str, Any]:
-    """Theorem 1's answer as plain data; places in mm along the curve."""
+    """Return the verdict of Theorem 1 as plain data; places in mm along the curve."""
     require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
     return {
         "realizable": check.realizable,
@@ -126,7 +127,7 @@ def report_strip(
     smoothing: Smoothing | None = None,
     stations: int = 201,
 ) -> dict[str, Any]:
-    """The report of one strip, ready for JSON.
+    """Return the report of one strip as plain data for JSON.
 
     Parameters
     ----------

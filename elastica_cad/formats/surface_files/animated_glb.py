@@ -19,7 +19,7 @@ Y_UP = [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
 
 @dataclass(frozen=True, eq=False)
 class MovingMesh:
-    """A mesh of triangles in several shapes.
+    """A mesh of triangles whose points move from frame to frame.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class MovingMesh:
 
 
 def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
-    """The GLB file of meshes that go through their frames and back in so many seconds, blended in between.
+    """Encode meshes as a GLB file that plays their frames forth and back in `seconds`, blended in between.
 
     Examples
     --------

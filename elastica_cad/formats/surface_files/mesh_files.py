@@ -110,7 +110,7 @@ SurfaceReader: TypeAlias = Callable[..., Surface]
 
 
 def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
-    """The surface of a mesh file; see `read_mesh`."""
+    """Read a mesh file as a surface to be cut by planes; see `read_mesh`."""
     mesh = read_mesh(path, unit=unit, scale=scale)
     return Surface(
         mesh.vertices, lambda planes, half: mesh_sections(mesh.vertices, mesh.faces, planes, half=half)

@@ -22,7 +22,7 @@ _MOST_SEGMENTS = 20 * MOST_PIECES  # of one path, with all its subpaths
 
 @dataclass(frozen=True, eq=False)
 class PathData:
-    """What a path draws, in its own units.
+    """The edges that a path draws, in its own units.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class _Pen:
 
 
 def path_data(text: str) -> PathData:
-    """The edges of a path's `d` attribute.
+    """Parse a path's `d` attribute into runs of edges.
 
     Raises
     ------
@@ -193,7 +193,9 @@ def _line(start: FloatArray, end: FloatArray) -> Edge | None:
 
 
 def bezier_edge(points: FloatArray) -> Edge | None:
-    """A Bezier piece; a line where its control points follow each other on the chord; None without length."""
+    """Return a Bezier piece, or a line where its control points follow each other on the chord; None without
+    length.
+    """
     if not np.any(points != points[0]):
         return None
     return Edge.polyline(points[[0, -1]]) if _is_straight(points) else Edge.bezier(points)

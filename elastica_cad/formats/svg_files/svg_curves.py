@@ -34,7 +34,7 @@ _LARGEST = 1e15  # of any number: what comes of two of them is still a number
 
 
 def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """The curves of an SVG file one by one, with ids and layers, in mm; arguments as in `read_curves`.
+    """Read the curves of an SVG file with their ids and layers, in mm; the arguments are those of `read_curves`.
 
     Up on the screen is up: y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied; a
     path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox of the

@@ -25,7 +25,7 @@ _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
 def tag(element: ElementTree.Element) -> str:
-    """Its name without that of its namespace."""
+    """Return the name of an element without its namespace."""
     return str(element.tag).rpartition("}")[2]
 
 
@@ -36,7 +36,7 @@ def _linked_id(element: ElementTree.Element) -> str:
 
 
 def unlink(element: ElementTree.Element) -> None:
-    """Take the link off a clone."""
+    """Remove the link attributes of a clone (<use>)."""
     for name in _LINKS:
         element.attrib.pop(name, None)
 
@@ -224,7 +224,7 @@ class SvgTree:
 
 
 def svg_tree(path: Path) -> SvgTree:
-    """Parse, count and mark.
+    """Parse an SVG file, count its shapes, and mark what is not drawn.
 
     Raises
     ------

@@ -17,7 +17,7 @@ MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, wher
 
 @dataclass(frozen=True, kw_only=True)
 class Constraint(ABC):
-    """Values that must be 0, or at least 0 where `one_sided`; all are of order 1 when badly broken.
+    """Values that a search keeps at 0, or at 0 or more where `one_sided`; each is of order 1 when badly broken.
 
     Attributes
     ----------
@@ -345,7 +345,7 @@ class MarginLimit(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class FollowedMarginLimit(MarginLimit):
-    """The same of sections that follow the bend.
+    """The limit of the stability margin for sections that change as the strip bends.
 
     K is M / (kappa - kappa_0). A strip that stiffens as it is bent resists a disturbance by more, a blank that is
     bent straight by less.

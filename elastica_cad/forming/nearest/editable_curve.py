@@ -73,6 +73,26 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
     return _in_millimetres(best, rod)
 
 
+def coarse_curve(rod: Rod, spans: int, *, tangents: tuple[bool, bool] = (False, False)) -> PlaneCurve:
+    """As `editable_curve`, with `spans` even spans: beside the rod, with inflections on one line all the same.
+
+    What the rod keeps within its limits the curve may not: ask again.
+
+    Raises
+    ------
+    NotConvergedError
+        The continuous rod was not reached, or as few spans cannot meet its inflections.
+    """
+    shape = _continuous(rod, tangents)
+    try:
+        return _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), spans + 1)), rod)
+    except np.linalg.LinAlgError as error:
+        raise NotConvergedError(
+            "a spline of {spans} spans does not meet the inflections of the rest shape: take more",
+            spans=spans,
+        ) from error
+
+
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
     """Halves the widest of the spans that hold `places` and their neighbours: jumps in width would ring."""
     width = np.diff(edges)

@@ -210,7 +210,7 @@ class NearestTask:
 
     @property
     def even_stiffness(self) -> float:
-        """That of a start: in the middle of what is allowed."""
+        """The stiffness of an even start, in the middle of the allowed range."""
         return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
 
     def off(self, mapped: MappedRod) -> float:
@@ -328,7 +328,7 @@ def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | Floa
 
 @dataclass(frozen=True, eq=False)
 class SearchPoint:
-    """Where a search ended: the unknowns of a rod, and the target in whose units they are.
+    """The end of a search: the unknowns of a rod, and the target in whose units they are.
 
     Attributes
     ----------

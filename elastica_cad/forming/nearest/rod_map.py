@@ -109,7 +109,8 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Where another limit allows a smaller ratio, of the largest sections; if light, of those that bear most.
+        """Choose the scale of sections: the largest where another limit allows a smaller ratio, if light those that
+        bear most.
 
         A rod without weight takes the same shape in any size. Thin strips bear a sharper bend than thick ones,
         laminates where the backing is as wide as the base.
@@ -230,7 +231,7 @@ WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Where each unknown stands in z (count,).
+    """The place of each unknown in the vector z (count,).
 
     Attributes
     ----------
@@ -284,7 +285,7 @@ class MappedRod(DiscreteRod):
     memory: dict[Hashable, Any] = field(default_factory=dict)
 
     def remembered(self, key: Hashable, compute: Callable[[], Any]) -> Any:
-        """Result of `compute`, computed once for this rod."""
+        """Return the result of `compute`, which is kept under `key` for this rod."""
         if key not in self.memory:
             self.memory[key] = compute()
         return self.memory[key]

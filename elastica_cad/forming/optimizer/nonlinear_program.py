@@ -201,7 +201,7 @@ _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 @dataclass(frozen=True, eq=False)
 class Iterate(Generic[Point]):
-    """Where the search stands: a point whose state need not quite follow from its unknowns.
+    """The present point of a search; its state need not quite follow from its unknowns.
 
     Attributes
     ----------
@@ -325,7 +325,7 @@ def _with_active(
 def follow_step(
     start: Iterate[Point], step: FloatArray, active: ActiveSet, promise: float, highest_price: float
 ) -> Iterate[Point] | None:
-    """Where a step (p + 1,) leads when the state follows; None when the point does not close there.
+    """Return the point that a step (p + 1,) leads to; None when its state does not converge there.
 
     The state takes its linear change, then Newton steps bring it towards closed and, by least changes of the
     unknowns that are free, active rows to where the program expected them, until what is left is of second

@@ -111,7 +111,7 @@ SETTINGS = SearchSettings()
 
 @dataclass(frozen=True, eq=False)
 class Outcome(Generic[Point]):
-    """Where the search ended.
+    """The point at which a search ended.
 
     Attributes
     ----------

@@ -71,7 +71,7 @@ class SectionCurve:
 
     @property
     def called(self) -> str:
-        """Its name and where in space it begins."""
+        """The name of the section, and where in space it begins."""
         begins = Point(self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0)
         return note("{name}, from {begins}", name=self.name, begins=begins)
 

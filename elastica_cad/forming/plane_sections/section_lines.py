@@ -44,7 +44,7 @@ class SectionLine:
 
     @property
     def length(self) -> float:
-        """mm."""
+        """Length of the line, mm."""
         return float(lengths_along(self.points)[-1])
 
     @property

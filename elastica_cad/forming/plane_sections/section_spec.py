@@ -365,7 +365,7 @@ class PointSplit:
 
 @dataclass(frozen=True)
 class CornerSplit:
-    """Where the line turns by more than `corners`, rad, at a corner.
+    """Splits a line at corners where it turns by more than `corners`, rad.
 
     Raises
     ------

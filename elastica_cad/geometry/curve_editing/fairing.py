@@ -59,9 +59,13 @@ class Fairing:
 
 
 def has_rough_curvature(curve: PlaneCurve) -> bool:
-    """Does the curvature jump, or its slope at an inflection, somewhere inside a curve without corners?"""
+    """Does the curvature jump, or its slope at an inflection, somewhere inside a curve without corners?
+
+    Of a curve that was drawn by poles the slope may jump nowhere: the width of the strip would have a kink there.
+    """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
-    if any(b.continuity == 1 for b in breaks):
+    by_poles = curve.provenance is not None and curve.provenance.drawn == "poles"
+    if any(b.continuity <= 1 + by_poles for b in breaks):
         return True
     kinks = np.array([b.t for b in breaks if b.continuity == 2])
     zeros = [z.t for z in curve.curvature_zeros if z.kind in ("crossing", "touch")]
@@ -72,12 +76,12 @@ def has_rough_curvature(curve: PlaneCurve) -> bool:
 def choose_tolerance(curve: PlaneCurve) -> float:
     """How far a curve may be moved to make it fair unless told, mm; 0: not at all.
 
-    Only curves of a pen tool, as readers of files record it, whose curvature jumps: by 0.1 mm or 5e-4 of the
-    length, whichever is less, and no less than its coordinates were rounded by. Curves with straight pieces are
-    left alone: those are meant to be straight.
+    Only curves of a pen tool, as readers of files record it, whose curvature jumps, and splines of low degree that
+    were drawn by poles: by 0.1 mm or 5e-4 of the length, whichever is less, and no less than its coordinates were
+    rounded by. Curves with straight pieces are left alone: those are meant to be straight.
     """
     drawn = curve.provenance
-    if drawn is None or drawn.drawn != "pen" or curve.has_corners:
+    if drawn is None or drawn.drawn == "exact" or curve.has_corners:
         return 0.0
     if any(zero.kind == "flat" for zero in curve.curvature_zeros) or not has_rough_curvature(curve):
         return 0.0
@@ -296,10 +300,14 @@ def two_sided_distance(one: PlaneCurve, other: PlaneCurve, count: int = 2000) ->
 
 
 def _one_sided(of: PlaneCurve, to: PlaneCurve, count: int) -> float:
+    s = np.union1d(np.linspace(0.0, of.length, count), [b.s for b in of.breaks])
+    return _farthest(np.asarray(of.evaluate(of.parameter(np.clip(s, 0.0, of.length)))), to, count)
+
+
+def _farthest(points: FloatArray, to: PlaneCurve, count: int) -> float:
+    """Largest distance of points (n, 2) from a curve, mm."""
     from scipy.spatial import cKDTree
 
-    s = np.union1d(np.linspace(0.0, of.length, count), [b.s for b in of.breaks])
-    points = np.asarray(of.evaluate(of.parameter(np.clip(s, 0.0, of.length))))
     beside = to.sample(2 * count)
     _, nearest = cKDTree(beside.position).query(points)
     low, high = to.domain
@@ -327,6 +335,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     """The curve without slight corners, and how far, mm, it was moved at most to take them out.
 
     Corners of more than 5 degrees stay, and those for which it would move by more than half of `smooth` (mm).
+    A curve that was fitted to points that waver is fitted to them anew, within `smooth` of each.
 
     Examples
     --------
@@ -336,13 +345,18 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     >>> len(kinked.tangent_breaks), len(smooth.tangent_breaks), round(moved, 4)
     (1, 0, 0.01)
     """
+    drawn = curve.provenance
+    if drawn is not None and drawn.measured is not None:
+        fitted = PlaneCurve.fit(drawn.measured.points, DEGREE, tolerance=smooth)
+        moved = _farthest(drawn.measured.points, fitted, 2 * len(drawn.measured.points))
+        return fitted.drawn_as(drawn.of_part()), moved
     if not curve.has_corners or curve.degree < 2:
         return curve, 0.0
     healing = _healed(curve, SMOOTHING_SHARE * smooth)
     if not healing.healed:
         return curve, 0.0
     rounded = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights)
-    return rounded.drawn_as(curve.provenance), healing.moved
+    return rounded.drawn_as(drawn), healing.moved
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:

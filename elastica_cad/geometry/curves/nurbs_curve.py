@@ -317,7 +317,8 @@ class NurbsCurve:
         """The curve run from its other end."""
         weights = None if self.weights is None else self.weights[::-1]
         knots = self.knots[0] + self.knots[-1] - self.knots[::-1]
-        return self._part(knots, self.control_points[::-1], weights, self.provenance)
+        drawn = self.provenance and self.provenance.reversed()
+        return self._part(knots, self.control_points[::-1], weights, drawn)
 
     def trimmed(self, start: float, end: float) -> Self:
         """The part between two parameters as a clamped curve of its own (Boehm's knot insertion)."""

@@ -469,4 +469,5 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     places = [low, *(corner.t for corner in curve.tangent_breaks), high]
     if len(places) == 2:
         return (curve,)
-    return tuple(curve.trimmed(*ends).drawn_as(curve.provenance) for ends in pairwise(places))
+    drawn = curve.provenance and curve.provenance.of_part()
+    return tuple(curve.trimmed(*ends).drawn_as(drawn) for ends in pairwise(places))

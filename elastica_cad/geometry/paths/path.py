@@ -132,7 +132,7 @@ class Path:
 
     @cached_property
     def length(self) -> float:
-        """mm."""
+        """Length of the path, mm."""
         return float(sum(segment.length for segment in self.segments))
 
     @cached_property

@@ -181,7 +181,7 @@ class Profile:
 
     @cached_property
     def steps(self) -> tuple[tuple[float, float], ...]:
-        """Begin and end, mm, of the ramps that represent steps."""
+        """Begin and end, mm, of each ramp that represents a step."""
         places = np.array([place for place, _ in self.breaks])
         ends = np.flatnonzero(np.diff(places, append=np.inf) > STEP_SHARE * self.length)
         starts = np.concatenate([[0], ends + 1])[:-1]

@@ -59,7 +59,7 @@ class Line:
 
     @property
     def length(self) -> float:
-        """mm."""
+        """Length, mm."""
         return dist(self.start.tolist(), self.end.tolist())
 
     @property
@@ -193,7 +193,7 @@ class Arc:
 
     @property
     def length(self) -> float:
-        """mm."""
+        """Length, mm."""
         return self.radius * abs(self.sweep)
 
     @property
@@ -253,7 +253,7 @@ class Arc:
         )
 
     def as_spline(self) -> "Spline":
-        """The same arc as an exact rational spline."""
+        """Return the same arc as an exact rational spline."""
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
     def _on(self, angle: FloatArray | float) -> FloatArray:
@@ -280,7 +280,7 @@ class Spline:
 
     @property
     def length(self) -> float:
-        """mm."""
+        """Length, mm."""
         return float(self.curve.length)
 
     @property

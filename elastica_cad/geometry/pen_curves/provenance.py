@@ -6,11 +6,13 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 from elastica_cad.refusals import Point, note
 
-Drawn: TypeAlias = Literal["pen", "exact"]
-"""How a curve was drawn: with Bezier pieces of a pen tool, or as a shape whose digits are exact."""
+Drawn: TypeAlias = Literal["pen", "poles", "exact"]
+"""How a curve was drawn: with Bezier pieces of a pen tool, by the poles of a spline of low degree, or with exact
+digits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,8 +22,9 @@ class Provenance:
     Parameters
     ----------
     drawn : str
-        "pen": polynomial Bezier pieces, which a strip may leave a little to become fair; "exact": arcs, conics,
-        splines, which are followed to the last digit.
+        "pen": polynomial Bezier pieces, which a strip may leave a little to become fair; "poles": a spline of a
+        sketch, which it may leave to become fair in the slope of its curvature too; "exact": arcs, conics, splines,
+        which are followed to the last digit.
     rounding : float
         How far a coordinate may be from what was drawn by the number of its digits alone, mm; 0: not at all.
     healed : float
@@ -36,6 +39,8 @@ class Provenance:
         What the file calls the curve and its layer; empty when it has no name for them.
     holes : tuple of (float, float, float)
         Circles drawn on a straight first or last piece of the curve: centre and diameter, mm.
+    measured : MeasuredPoints, optional
+        The points that the whole curve was fitted to, where they waver.
     """
 
     drawn: Drawn = "exact"
@@ -47,6 +52,7 @@ class Provenance:
     name: str = ""
     layer: str = ""
     holes: tuple[tuple[float, float, float], ...] = ()
+    measured: MeasuredPoints | None = None
 
     def shown(self, point: ArrayLike) -> str:
         """A point (2,) in mm as the drawing program shows it.
@@ -69,15 +75,28 @@ class Provenance:
         """The record of the curve's image under a 3 x 3 map; of a projective one the digits say nothing."""
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
-            return replace(self, rounding=0.0, place=None, holes=())
+            return replace(self, rounding=0.0, place=None, holes=(), measured=None)
         linear = m[:2, :2] / m[2, 2]
         stretch = float(np.linalg.norm(linear, 2))
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
         holes = tuple((*(m @ (x, y, 1.0))[:2] / m[2, 2], stretch * size) for x, y, size in self.holes)
+        measured = self.measured and MeasuredPoints(
+            self.measured.points @ linear.T + m[:2, 2] / m[2, 2], stretch * self.measured.waver
+        )
         return replace(
             self,
             rounding=self.rounding * stretch,
             healed=self.healed * stretch,
             place=np.asarray(place),
             holes=tuple((float(x), float(y), float(size)) for x, y, size in holes),
+            measured=measured,
         )
+
+    def reversed(self) -> "Provenance":
+        """The record of the curve run from its other end."""
+        measured = self.measured and MeasuredPoints(self.measured.points[::-1], self.measured.waver)
+        return replace(self, measured=measured)
+
+    def of_part(self) -> "Provenance":
+        """The record of a part of the curve: the points were of the whole."""
+        return replace(self, measured=None)

@@ -120,7 +120,7 @@ class RestCurvature(EqualByValue):
 
 @dataclass(frozen=True, eq=False)
 class CurveOfRest(RestCurvature):
-    """The same, evaluated on the blank itself, without the error of a fit: `profile` tells where it is not smooth.
+    """The curvature of a drawn blank, evaluated on its curve without a fit; `profile` tells where it is not smooth.
 
     Attributes
     ----------
@@ -191,7 +191,7 @@ class ExcessCurvature:
         return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
 
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Its derivative by arc length, 1/mm2."""
+        """Return the derivative with respect to arc length, 1/mm2."""
         return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
 
     def value_and_slope_at(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -208,7 +208,7 @@ class ExcessCurvature:
 
     @cached_property
     def survey(self) -> FloatArray:
-        """Its values (n,), 1/mm, at the places of the curve's own survey."""
+        """Values (n,), 1/mm, at the places of the curve's own survey."""
         nodes = self.curve.survey
         return np.asarray(nodes.curvature - self.rest_at(nodes.t))
 

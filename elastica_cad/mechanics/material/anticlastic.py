@@ -284,7 +284,7 @@ class SheetCurl:
         )  # fmt: skip
 
     def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
-        """That of widths which are `times` (n,) as stiff where they are bent to curvatures (n,), 1/mm."""
+        """Return the curl of widths that are `times` (n,) as stiff, bent to curvatures (n,), 1/mm."""
         width = plate_width(
             times * self.width * self(curvature), curvature, thickness=self.thickness,
             poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,

@@ -324,7 +324,7 @@ class BackingLaw:
 
 @dataclass(frozen=True, eq=False)
 class BoundedBacking(BackingLaw, FixedLaw):
-    """The same on a base of one width, the backing within limits: what `nearest_rod` takes as `section`.
+    """A backing within limits on a base of one width: what `nearest_rod` takes as `section`.
 
     Attributes
     ----------
@@ -604,7 +604,7 @@ class LaminateCurl:
         return replace(self, coefficients=np.array([np.interp(nodes, some, row) for row in known]))
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
-        """The same at stations (m,), mm, of what has it at `s` (n,)."""
+        """Return the curl at stations (m,), mm, from that at `s` (n,)."""
         middle, reach, coefficients = (
             np.asarray(at_stations(values, s, at)) for values in (self.middle, self.reach, self.coefficients)
         )

@@ -199,7 +199,7 @@ class WidthLaw:
 
     @property
     def stack(self) -> None:
-        """None: it is of one piece."""
+        """Always None: the section is of one piece."""
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":

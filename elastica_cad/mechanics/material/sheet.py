@@ -370,7 +370,8 @@ class Sheet:
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
     def with_thickness(self, thickness: float) -> "Sheet":
-        """The same material at another thickness, mm; of plywood the strain limit follows the published radii.
+        """Return the same material at another thickness, mm; of plywood the strain limit follows the published
+        radii.
 
         Examples
         --------
@@ -421,7 +422,7 @@ class Sheet:
 
     @property
     def full_name(self) -> str:
-        """What people call it, "Birch plywood 0.8 mm"; of a user's own sheet its name.
+        """The name in words, "Birch plywood 0.8 mm"; of a user's own sheet its name.
 
         Examples
         --------
@@ -484,6 +485,21 @@ def sheet_names() -> list[str]:
     True
     """
     return [*library_sheets()[0], *built_in_figures()]
+
+
+KINDS = {
+    "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
+    "board": "Fibre boards", "metal": "Metals", "composite": "Composites",
+}  # fmt: skip
+"""What the kinds of sheets are called in a list."""
+
+
+def sheets_by_kind() -> dict[str, list[Sheet]]:
+    """All sheets of `sheet_names`, under what their kinds are called."""
+    found: dict[str, list[Sheet]] = {}
+    for one in map(Sheet.named, sheet_names()):
+        found.setdefault(KINDS.get(one.kind, one.kind.capitalize() or "Other"), []).append(one)
+    return found
 
 
 def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:

@@ -257,7 +257,7 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
 
 
 def library_folders() -> tuple[Path, ...]:
-    """Where a user keeps sheets of his own: folders of TOML files, or such files.
+    """Return where a user keeps his own sheets: folders of TOML files, or such files.
 
     Those of the environment variable `ELASTICA_SHEETS`; without it `elastica/sheets` in the folder for settings:
     `%APPDATA%` on Windows, `~/Library/Application Support` on macOS, `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
@@ -346,7 +346,9 @@ def read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict[
 
 
 def figures_from_table(table: object, where: str, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
-    """The same from the parsed table ``sheets`` of a TOML file; `where` names the file in messages."""
+    """Return the figures of sheets from the parsed table ``sheets`` of a TOML file; `where` names the file in
+    messages.
+    """
     if not isinstance(table, Mapping) or not table:
         raise InputError("{place} holds no sheet: write at least one table [sheets.NAME]", place=where)
     return {name: _fields(name, entry, where, keys) for name, entry in table.items()}

@@ -29,7 +29,7 @@ class FixedLaw:
 
     @property
     def stack(self) -> "LaidLeaves | None":
-        """None: it is of one piece, or of leaves that are not laid yet."""
+        """Always None: the section is of one piece, or of leaves that are not laid yet."""
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:  # noqa: ARG002 - see `follows_bend`
@@ -37,7 +37,7 @@ class FixedLaw:
         return self
 
     def curl(self, parameter: FloatArray) -> None:
-        """None: bending does not change it."""
+        """Return None: bending does not change the section."""
 
 
 @dataclass(frozen=True)
@@ -269,7 +269,7 @@ class LeavesLaw(FixedLaw):
         return self.relaxed.strains(curvature, self.thickness(count), natural_curvature=natural_curvature)
 
     def thickness(self, count: ArrayLike) -> FloatArray:
-        """mm (n,) of `count` (n,) leaves."""
+        """Return the thickness (n,), mm, of `count` (n,) leaves."""
         return np.asarray(self.sheet.thickness * numbers(count, "the count of leaves"))
 
     def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
@@ -288,7 +288,7 @@ class Leaf:
 
     @property
     def length(self) -> float:
-        """mm."""
+        """Length of the leaf, mm."""
         return self.end - self.start
 
 
@@ -397,13 +397,13 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
 
 class BendFactor(Protocol):
-    """On the stiffness of the stations of one strip, by what each of them is bent to."""
+    """Factors (n,) on the stiffness of the stations of a strip, by the curvature that each is bent to."""
 
     def __call__(self, curvature: FloatArray, /) -> FloatArray:
         """The factor of the stations (..., n) at their curvatures (..., n), 1/mm."""
 
     def resampled(self, s: FloatArray, at: FloatArray, /) -> Self:
-        """The same at stations (m,), mm, of what has it at `s` (n,)."""
+        """Return the factors at stations (m,), mm, from those at `s` (n,)."""
 
 
 def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:

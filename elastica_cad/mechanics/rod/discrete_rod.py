@@ -349,7 +349,7 @@ class DiscreteRod:
         return np.asarray(moments[:-1] - moments[1:] + self.edge_length * self.shear)
 
     def reversed(self) -> "DiscreteRod":
-        """The same rod, numbered from its end."""
+        """Return the same rod, numbered from its end."""
         force = np.broadcast_to(self.force, self.tangents.shape)
         return DiscreteRod(
             self.stiffness[::-1], self.angles[::-1] + np.pi, -force[::-1], self.edge_lengths[::-1],

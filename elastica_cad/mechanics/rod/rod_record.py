@@ -607,7 +607,7 @@ class Rod:
         return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
 
     def following(self) -> "Rod":
-        """The same rod with the law of its section, to be bent to another shape."""
+        """Return the same rod with the law of its section, to be bent to another shape."""
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
@@ -709,7 +709,7 @@ class Rod:
         return PlaneCurve.fit(self.position, degree=5, tolerance=1e-6 * self.length)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
-        """The same ends, shape and gravity with another stiffness profile: no longer in balance until bent.
+        """Return the same ends, shape and gravity with another stiffness profile: no longer in balance until bent.
 
         `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1. A wide strip that
         `bend` answered keeps the curl of the widths that it had: change the stiffness before it is bent.

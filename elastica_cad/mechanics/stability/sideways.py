@@ -26,7 +26,7 @@ LEAST_TORSION = 0.25
 
 @dataclass(frozen=True, eq=False)
 class SidewaysSection:
-    """Of a strip at equal distances along it; stiffnesses are over the rod's B, as its own K is.
+    """Sections at equal distances along a strip; stiffnesses are over the rod's B, as its own K is.
 
     Attributes
     ----------
@@ -333,7 +333,9 @@ def sideways_stability(
 def sideways_stability_of(
     rod: Rod, section: SidewaysSection, most: SidewaysSection | None = None
 ) -> SidewaysStability:
-    """The same for any section, given at `stations_of_sideways`; `most`: where it is only known to lie between two.
+    """Return the stability of a strip against tipping, for any section given at `stations_of_sideways`.
+
+    Where the section is only known to lie between two, `most` is the other one.
 
     Examples
     --------
@@ -357,7 +359,7 @@ def sideways_stability_of(
 
 
 def stations_of_sideways(rod: Rod) -> FloatArray:
-    """Arc lengths (n,), mm, at which sections are asked for."""
+    """Return the arc lengths (n,), mm, at which `sideways_stability_of` needs the section."""
     return np.linspace(0.0, rod.length, EDGES + 1)
 
 

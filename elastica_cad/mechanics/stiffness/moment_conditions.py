@@ -555,7 +555,7 @@ class ConditionedRows:
         return None if self.nodes is None else self.panels.locate(self.nodes)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Of many optima one that no turn of the drawing changes.
+        """Return, of many optima, the one that does not change when the drawing is turned.
 
         On arcs a constant moment; the _smoothest stiffness where a step of the curvature alone decides the ratio.
         """

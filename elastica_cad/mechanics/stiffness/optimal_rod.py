@@ -209,6 +209,7 @@ def optimal_rod(
     law: MaterialLaw | None = None,
     section: BoundedLaw | None = None,
     tolerance: float = 1e-4,
+    check: EquilibriumCheck | None = None,
 ) -> Rod:
     """The rod whose rest shape is the curve, with the least possible ratio of largest to least stiffness.
 
@@ -247,6 +248,8 @@ def optimal_rod(
         Inflections this near to one line, in lengths of the curve, are moved onto it, and ends that are free to
         turn and bent by next to nothing are unbent; `Rod.moved` tells how far the curve moved, and `Rod.shape` is
         the moved curve.
+    check : EquilibriumCheck, optional
+        Of the same curve and request, where Theorem 1 was examined already.
 
     Returns
     -------
@@ -285,7 +288,8 @@ def optimal_rod(
             "leave one of them out"
         )
     require_tolerance(tolerance)
-    check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
+    if check is None:
+        check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
     if gravity is not None and not check.any_stiffness:
         _require_load_at_free_end(check, supports, weight)
     if not check.realizable:

@@ -29,7 +29,7 @@ PUSH_RAD = 0.02  # along the critical mode, to see where the rod comes to rest
 
 @dataclass(frozen=True, eq=False)
 class StabilityLimit:
-    """Where a stable rod becomes unstable on a path of end positions or loads.
+    """The place on a path of end positions or loads at which a stable rod becomes unstable.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     """
     require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
     rod = rod.following()
-    course = _Course.of(rod, path)
+    course = Course.of(rod, path)
     t, state = _first_state(course, rod, side)
     margin = state.discrete.margin
     if margin.value <= 0:
@@ -143,7 +143,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
 
 
 @dataclass(frozen=True, eq=False)
-class _Course:
+class Course:
     """A path as a function from its parameter to the equations of the rod."""
 
     base: Rod
@@ -152,7 +152,8 @@ class _Course:
     end: float
 
     @classmethod
-    def of(cls, rod: Rod, path: Path) -> "_Course":
+    def of(cls, rod: Rod, path: Path) -> "Course":
+        """From the rod's present state along a path."""
         if callable(path):
             function = path
             return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
@@ -190,6 +191,7 @@ class _Course:
         return _weighing(rod, asked["load"]) if "load" in asked else rod
 
     def system(self, t: float) -> RodSystem:
+        """The equations at t."""
         asked = self.asked(t)
         ends = {name: asked[name] for name in ("start", "end", "angles", "force", "moment") if name in asked}
         system = system_of(self.loaded(t), self.base, **ends)
@@ -197,7 +199,7 @@ class _Course:
         return replace(system, force=factor * system.force, moments=factor * system.moments)
 
 
-def _first_state(course: _Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
+def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
     """Equilibrium at the start of the path, or a little further where a straight rod has to bend first."""
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
@@ -221,7 +223,7 @@ def _advance(system: RodSystem, state: RodState) -> RodState | None:
 Visit: TypeAlias = tuple[float, RodState, Margin]
 
 
-def _bisected(course: _Course, low: Visit, high: Visit) -> tuple[Visit, bool]:
+def _bisected(course: Course, low: Visit, high: Visit) -> tuple[Visit, bool]:
     """The last stable state before a change of sign of the margin, and whether the margin goes to zero there.
 
     Next to a fold a step may land on the unstable branch beside; then the margin jumps instead.
@@ -251,7 +253,7 @@ def _bisected(course: _Course, low: Visit, high: Visit) -> tuple[Visit, bool]:
     return low, low[2].value < 1e-6 * max(start, 1.0)
 
 
-def _lost(course: _Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
+def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
     """Record of the loss of stability near path parameter t."""
     kind = _kind(course, t, state)
     beyond = min(t + 1e-4 * course.end, course.end)
@@ -263,7 +265,7 @@ def _lost(course: _Course, t: float, state: RodState, visited: list[tuple[float,
     return StabilityLimit(t, course.asked(t), kind, before, after, history[:, 0], history[:, 1])
 
 
-def _kind(course: _Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
+def _kind(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
     """At a fold the load works on the critical mode; at a bifurcation it does not.
 
     The work is compared with the size of what the rod would do without its axial force: the turn of an end is a

@@ -25,7 +25,13 @@ from elastica_cad.mechanics.loads.rest_curvature import (
     require_natural_curvature,
 )
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, lengths, shown_on
+from elastica_cad.mechanics.theorem1.verdict import (
+    EquilibriumCheck,
+    lengths,
+    measured_points,
+    shown_on,
+    smoothing_of,
+)
 from elastica_cad.refusals import Length, Listed, note
 
 
@@ -38,6 +44,8 @@ def require_bendable(curve: PlaneCurve) -> None:
         The message says where, and what to do.
     """
     corners = curve.tangent_breaks
+    if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
+        raise InputError(points.told, kind="corner", changes=smoothing_of(curve))
     if corners:
         slight = _taken_out(curve)
         apart = Change("split_corners", True), Change("nearest", True)
@@ -158,7 +166,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         # the weights of one part may be scaled as a whole: those of the second go on where the first's end
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
-    return PlaneCurve(knots, points, p, weights).drawn_as(drawn)
+    return PlaneCurve(knots, points, p, weights).drawn_as(drawn and drawn.of_part())
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:

@@ -86,7 +86,7 @@ def examine(
     curve: PlaneCurve,
     supports: Supports,
     natural_curvature: NaturalCurvature,
-    tolerance: float,
+    tolerance: float = 1e-4,
     *,
     heavy: bool = False,
 ) -> EquilibriumCheck:
@@ -513,7 +513,7 @@ def project_inflections(
         except NotConvergedError:
             continue
         if np.abs(moved.control_points - curve.control_points).max() <= LARGEST_MOVE_SHARE * curve.length:
-            return moved
+            return moved.drawn_as(curve.provenance)
     raise NotConvergedError("no small move of the control points brings the inflections onto one line")
 
 

@@ -11,6 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import Length, Listed, note, sentences
 
@@ -120,7 +121,16 @@ class EquilibriumCheck:
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        return sentences([self.verdict, *self.reasons, *self.warnings], " ")
+        return sentences([self.verdict, *self.reasons, *self.told_of_points, *self.warnings], " ")
+
+    @property
+    def told_of_points(self) -> tuple[str, ...]:
+        """That the points waver to which a curve was fitted that no strip takes."""
+        points = None if self.realizable else measured_points(self.curve)
+        if points is None:
+            return ()
+        told = "The curve was fitted to points, and {points}."
+        return (note(told, points=points.told),)
 
     @property
     def verdict(self) -> str:
@@ -287,8 +297,21 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 
     def __init__(self, check: EquilibriumCheck | PairCheck) -> None:
         self.check = check
-        nearest = [] if isinstance(check, PairCheck) else [Change("nearest", True)]
-        super().__init__(str(check), changes=nearest)
+        changes = (
+            [] if isinstance(check, PairCheck) else [*smoothing_of(check.curve), Change("nearest", True)]
+        )
+        super().__init__(str(check), changes=changes)
+
+
+def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
+    """The points that waver to which a curve was fitted; None of any other curve."""
+    return None if curve.provenance is None else curve.provenance.measured
+
+
+def smoothing_of(curve: PlaneCurve) -> tuple[Change, ...]:
+    """The distances within which points that waver are smoothed; none for any other curve."""
+    points = measured_points(curve)
+    return () if points is None else tuple(Change("smooth", times * points.reach) for times in (1, 2))
 
 
 def lengths(s: Iterable[float]) -> Listed:

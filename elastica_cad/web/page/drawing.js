@@ -50,8 +50,9 @@ export class Drawing {
   fit() {
     const [width, height] = this.size;
     const all = [...this.points, ...(this.answer?.position ?? []), ...(this.ghost ?? [])];
+    if (this.axis && all.length) all.push([0, all[0][1]]);
     const [x0, x1] = range(all.map((p) => p[0])), [y0, y1] = range(all.map((p) => p[1]));
-    const scale = all.length > 1 ? 0.8 * Math.min(width / Math.max(x1 - x0, 1), height / Math.max(y1 - y0, 1)) : 1.5;
+    const scale = all.length > 1 ? 0.75 * Math.min(width / Math.max(x1 - x0, 1), height / Math.max(y1 - y0, 1)) : 1.5;
     const middle = all.length > 1 ? [(x0 + x1) / 2, (y0 + y1) / 2] : [width / 3, height / 4];
     this.view = { scale, x: width / 2 - middle[0] * scale, y: height / 2 + middle[1] * scale };
     this.fitted = true;
@@ -78,13 +79,17 @@ export class Drawing {
     this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
     this.fitted = false;
     const hit = this.hit(event);
-    if (this.fingers.size > 1) this.grabbed = null;
-    else if (hit >= 0) {
+    if (this.fingers.size > 1) { // two fingers zoom: the first set no point
+      if (this.appended) this.on.undo();
+      this.grabbed = null;
+      this.appended = false;
+    } else if (hit >= 0) {
       this.grabbed = hit;
       this.on.grab(hit);
       this.focus(hit);
     } else if (this.mode === "draw") {
       this.on.append(this.place(event));
+      this.appended = true;
       this.grabbed = this.points.length - 1;
     }
     event.preventDefault();
@@ -119,6 +124,7 @@ export class Drawing {
     this.fingers.delete(event.pointerId);
     const moved = this.grabbed != null;
     this.grabbed = null;
+    this.appended = false;
     if (moved) this.on.release();
   }
 

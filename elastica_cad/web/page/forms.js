@@ -57,18 +57,21 @@ export class Form {
     return html("div", { class: "field" }, html("label", { for: id }, t(field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit));
   }
 
+  // A value and its text each; or the title of a group and the options in it.
   select(options, more) {
-    return html("select", more, ...options.map(([value, text]) => html("option", { value }, text)));
+    const made = ([value, text]) => (Array.isArray(text) ? html("optgroup", { label: this.t(value) }, ...text.map(made)) : html("option", { value }, text));
+    return html("select", more, ...options.map(made));
   }
 
   plain(field, path) {
-    const { t } = this, id = idOf(path), values = valuesOf(field), [value] = values, named = value.choices ?? [];
+    const { t } = this, id = idOf(path), values = valuesOf(field), [value] = values;
     const absent = field.default === null || Array.isArray(field.default) ? "–" : `${t({ true: "yes", false: "no" }[field.default] ?? `${field.default}`)}`;
     if (value.size === 2 && value.of[0].choices) return this.pair(field, path, value.of[0].choices);
-    const choices = ["sheet", "backing"].includes(field.name) ? this.sheets : value.kind === "flag" && values.length === 1 ? ["true", "false"] : named;
+    const words = (value.kind === "flag" && values.length === 1 ? ["true", "false"] : value.choices ?? []).map((one) => [one, t({ true: "yes", false: "no" }[one] ?? one)]);
+    const choices = field.sheets || ["sheet", "backing"].includes(field.name) ? this.sheets : words;
     const changed = ({ target }) => this.set(path, value.kind === "text" || value.kind === "choice" ? target.value || undefined : read(target.value, field.unit));
     const input = choices.length
-      ? this.select([...(field.name === "sheet" ? [] : [["", absent]]), ...choices.map((one) => [one, t({ true: "yes", false: "no" }[one] ?? one)])], { id, onchange: changed })
+      ? this.select([...(field.name === "sheet" ? [] : [["", absent]]), ...choices], { id, onchange: changed })
       : html("input", { id, onchange: changed, inputmode: value.kind === "text" ? "text" : "decimal", placeholder: absent, spellcheck: "false" });
     this.controls.push(() => {
       const now = this.get(path);

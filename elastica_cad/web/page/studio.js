@@ -9,10 +9,11 @@ import { COLORS, STEPS } from "./colors.js";
 import { LANGUAGES, speaker } from "./words.js";
 
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
-const HOLDERS = { rings: "Rings", base: "Base plate", fixtures: "Printed blocks", stand: "Whatever fits" };
+const HOLDERS = ["rings", "base", "fixtures", "stand"];
 const STATES = ["first", "second"]; // of a part that rests in two curves
 const SNAPS = [0, 1, 5, 10];
 const SPACE_MS = 30, SLOW_SPACE_MS = 300; // between two pictures of the bent strip while it is dragged
+const FURTHEST = 1.4; // of the slider that bends: as far as the server presses the ends together
 const REST_MS = 250; // after the last change, until the whole model is made
 
 export function mount(root, channel, hello, { linked = null, address = false, kept = "elastica-studio", onchange = () => {} } = {}) {
@@ -54,7 +55,7 @@ class Studio {
   // ---- what is seen
 
   build(language) {
-    const t = this.t = speaker(language), digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
+    const t = this.t = speaker(language, this.hello.helps), digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
     this.language = language;
     this.number = (value) => digits.format(value);
     const button = (text, onclick, more = {}) => html("button", { type: "button", onclick, ...more }, t(text));
@@ -65,11 +66,10 @@ class Studio {
     this.numbers = html("dl", { class: "numbers" });
     this.point = html("div", { class: "point", hidden: true });
     this.dialog = html("dialog", { "aria-label": t("Start from") });
-    this.bar = html("input", { type: "range", min: 0, max: 1, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
+    this.bar = html("input", { type: "range", min: 0, max: FURTHEST, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
     this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked, onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
-    this.copies = html("div", { class: "fields copies" });
     this.which = html("div", {});
     const plane = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     plane.setAttribute("tabindex", 0);
@@ -83,6 +83,11 @@ class Studio {
     this.mode = button("Draw", () => this.draws(this.drawing.mode !== "draw"));
     const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
     const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]];
+    const menu = html("details", { class: "menu downloads" }, html("summary", {}, t("Download")), html("div", {}, ...files.map(([kind, text]) => button(text, () => {
+      menu.open = false;
+      menu.firstChild.focus();
+      this.download(kind);
+    }, { "data-kind": kind }))));
     this.root.replaceChildren(
       html("header", {}, html("h1", {}, "elastica studio"),
         html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
@@ -93,8 +98,7 @@ class Studio {
           button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Sheets that can do it", () => this.sheets(), { class: "sheets" }),
           this.pairing, this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
           this.address ? button("Copy link", () => this.link()) : null,
-          html("details", { class: "menu downloads" }, html("summary", {}, t("Download")),
-            html("div", {}, ...files.map(([kind, text]) => button(text, () => this.download(kind), { "data-kind": kind })))),
+          menu,
           select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language))),
       html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point),
       html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
@@ -102,7 +106,7 @@ class Studio {
         html("div", { class: "bend" }, html("label", {}, t("Bend it"), this.bar), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
       html("section", { class: "flat", "aria-label": t("Flat strip") }, this.flat),
-      html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields, this.copies),
+      html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields),
       this.dialog);
     document.documentElement.lang = language;
     this.drawing = new Drawing(plane, t, {
@@ -117,26 +121,28 @@ class Studio {
       }, true),
       add: (point) => this.counted({ near: point }),
       remove: (k) => this.counted({ remove: k }),
+      undo: () => this.history.undo(),
       select: (k) => this.selected(k),
     });
     this.space = new Space(space, t);
     this.formFor(this.design);
-    this.model3d = new Form(this.copies, COPIES, {
-      t, sheets: [], get: ([key]) => COPY[key].get(this.design), set: ([key], value) => this.history.change((design) => COPY[key].set(design, value)),
-    });
     this.draws(!this.points().length);
     this.changed();
     this.drawing.fit();
   }
 
-  // The fields of a strip, or of a part with two states.
+  // The fields of a strip and its copies, or of a part with two states.
   formFor(design) {
     const pair = this.formOf = Boolean(design.pair), table = (one, key) => (pair ? one.pair : tableOf(one, this.strip, key));
-    this.copies.hidden = pair;
-    this.form = new Form(this.fields, pair ? this.hello.pair_fields : this.hello.fields, {
-      t: this.t, sheets: this.hello.sheets.map((sheet) => sheet.name),
-      get: (path) => reach(table(this.design, path[0]) ?? {}, path),
-      set: (path, value) => this.history.change((one) => put(table(one, path[0]), path, value)),
+    const { fields, pair_fields, sheets } = this.hello, at = fields.findIndex((field) => field.group === "limits");
+    this.form = new Form(this.fields, pair ? pair_fields : [...fields.slice(0, at), ...COPIES, ...fields.slice(at)], {
+      t: this.t, sheets,
+      get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
+      set: (path, value) => {
+        const copy = copyOf(path);
+        this.whole.checked ||= Boolean(copy);
+        this.history.change((one) => (copy ? copy.set(one, value) : put(table(one, path[0]), path, value)));
+      },
     });
   }
 
@@ -195,14 +201,13 @@ class Studio {
     this.pairing.setAttribute("aria-pressed", Boolean(design.pair));
     if (this.formOf !== Boolean(design.pair)) this.formFor(design);
     this.frames = null;
-    this.bar.value = 1;
+    Object.assign(this.bar, { max: FURTHEST, value: 1 });
     this.forces.textContent = "";
     const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
     this.drawing.show({ points: this.points(design) });
-    if (axis !== this.drawing.axis) Object.assign(this.drawing, { axis }).paint();
+    if (axis !== this.drawing.axis) Object.assign(this.drawing, { axis }).fit();
     if (!this.drawing.fingers.size) {
       this.form.show();
-      this.model3d.show();
       this.choose(design);
     }
     this.follow(design);
@@ -309,13 +314,17 @@ class Studio {
       : html("button", { type: "button", onclick: () => this.history.change((design) => { tableOf(design, this.strip, field)[field] = value; }) }, `${t("Try")}: ${t(field.replaceAll("_", " "))} ${typeof value === "number" ? this.number(value) : value}`)));
   }
 
-  tell(text, ...more) { this.say.replaceChildren(text, ...more); }
+  tell(text, ...more) {
+    this.say.classList.remove("no");
+    this.say.replaceChildren(text, ...more);
+  }
 
   // An answer, or null; what is refused is told.
   async ask(question) {
     this.tell(`${this.t("Working")} …`);
     const answer = await this.channel.ask(question);
     if (answer) this.tell(answer.refused?.message ?? "");
+    this.say.classList.toggle("no", Boolean(answer?.refused));
     return answer?.refused ? null : answer;
   }
 
@@ -357,7 +366,7 @@ class Studio {
       this.drawing.show({ ghost: null });
       this.tell("");
     };
-    this.tell(`${t("The nearest curve is")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
+    this.tell(`${t("The nearest curve is off by")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
       html("button", { type: "button", class: "take", onclick: () => {
         this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
         done();
@@ -368,11 +377,12 @@ class Studio {
   async sheets() {
     const { t } = this, answer = await this.ask({ do: "sheets", design: this.design, strip: this.strip });
     if (!answer) return;
+    const titles = Object.fromEntries(this.hello.sheets.flatMap(([, sheets]) => sheets));
     const rows = answer.sheets.sort((a, b) => b.fits - a.fits).map((row) => html("tr", { class: row.fits ? "fits" : "not" },
       html("td", {}, html("button", { type: "button", onclick: () => {
         this.history.change((design) => { tableOf(design, this.strip, "sheet").sheet = row.name; });
         this.dialog.close();
-      } }, row.name)), html("td", {}, t(row.fits ? "fits" : "does not")),
+      } }, titles[row.name])), html("td", {}, t(row.fits ? "fits" : "does not")),
       html("td", {}, row.used == null ? row.text : `${Math.round(100 * row.used)} % ${t("of what the sheet bears")}, ${row.mass} g`)));
     this.ask1(t("Sheets that can do it"), html("table", {}, html("tbody", {}, ...rows)));
   }
@@ -485,29 +495,28 @@ function put(table, path, value) {
 }
 
 // Copies and what holds them: keys of the whole design, not of a strip.
-const holderOf = (design) => Object.keys(HOLDERS).find((key) => key in design);
+const holderOf = (design) => HOLDERS.find((key) => key in design);
 const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, ...value });
 const COPIES = [
-  copyField("Around the axis x = 0", { kind: "count" }), copyField("Holders", { kind: "choice", choices: Object.keys(HOLDERS) }), copyField("Sheet of the holders", { kind: "text" }),
-];
-const COPY = {
-  "Around the axis x = 0": {
+  copyField("Around the axis x = 0", {
+    kind: "count",
     get: (design) => design.patterns?.find((one) => one.rotate)?.rotate.count,
     set: (design, count) => {
       design.patterns = [...(design.patterns ?? []).filter((one) => !one.rotate), ...(count > 1 ? [{ rotate: { count } }] : [])];
       if (!design.patterns.length) delete design.patterns;
     },
-  },
-  "Holders": {
-    get: holderOf,
+  }),
+  copyField("Holders", {
+    kind: "choice", choices: HOLDERS, get: holderOf,
     set: (design, holder) => {
       const sheet = design[holderOf(design)]?.sheet ?? "mdf-3";
-      for (const key of Object.keys(HOLDERS)) delete design[key];
+      for (const key of HOLDERS) delete design[key];
       if (holder) design[holder] = holder === "fixtures" ? {} : { sheet };
     },
-  },
-  "Sheet of the holders": {
-    get: (design) => design[holderOf(design)]?.sheet,
+  }),
+  copyField("Sheet of the holders", {
+    kind: "choice", sheets: true, get: (design) => design[holderOf(design)]?.sheet,
     set: (design, sheet) => { if (design[holderOf(design)] && holderOf(design) !== "fixtures") design[holderOf(design)].sheet = sheet ?? "mdf-3"; },
-  },
-};
+  }),
+];
+const copyOf = ([name]) => COPIES.find((one) => one.name === name);

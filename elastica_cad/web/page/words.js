@@ -2,7 +2,7 @@
 
 const DE = {
   "Two states": "Zwei Zustände", "first": "erster", "second": "zweiter", "both states": "beide Zustände", "in the same clamps": "in denselben Klemmen", "in clamps of their own": "jeder in eigenen Klemmen",
-  "Undo": "Rückgängig", "Redo": "Wiederholen", "Draw": "Zeichnen", "Move": "Bewegen", "Fit": "Alles zeigen",
+  "Undo": "Rückgängig", "Redo": "Wiederholen", "Draw": "Zeichnen", "Fit": "Alles zeigen",
   "Zoom in": "Vergrößern", "Zoom out": "Verkleinern", "Snap": "Fangraster", "off": "aus", "grid": "Raster",
   "Start from": "Beginnen mit", "Empty drawing": "Leere Zeichnung", "Open": "Öffnen", "Save": "Speichern", "Close": "Schließen",
   "Copy link": "Link kopieren", "Copied": "Kopiert", "Download": "Herunterladen", "Design file": "Entwurfsdatei", "Kit as zip": "Bausatz als Zip",
@@ -12,61 +12,64 @@ const DE = {
   "Draw at least three points": "Zeichnen Sie mindestens drei Punkte",
   "Click on the drawing to set the first points of a curve, or start from an example.": "Klicken Sie auf die Zeichenfläche, um die ersten Punkte einer Kurve zu setzen, oder beginnen Sie mit einem Beispiel.",
   "Nearest curve": "Nächste Kurve", "Take it": "Übernehmen", "Leave it": "Verwerfen", "Sheets that can do it": "Geeignete Platten",
-  "The nearest curve is": "Die nächste Kurve ist entfernt um", "fits": "passt", "does not": "passt nicht",
+  "The nearest curve is off by": "Die nächste Kurve weicht ab um", "fits": "passt", "does not": "passt nicht",
   "length": "Länge", "width": "Breite", "stiffness ratio": "Steifigkeitsverhältnis", "strain": "Dehnung", "of what the sheet bears": "dessen, was die Platte trägt",
   "stability": "Stabilität", "mass": "Masse", "held by": "gehalten mit", "off the drawn curve": "neben der gezeichneten Kurve",
   "unstable": "instabil", "low": "gering", "ample": "reichlich",
   "Flat strip": "Flacher Streifen", "Bent strip": "Gebogener Streifen", "Bend it": "Biegen", "flat": "flach", "as drawn": "wie gezeichnet", "it snaps": "es schnappt um",
   "force": "Kraft", "moment": "Moment", "Copies": "Kopien", "Around the axis x = 0": "Um die Achse x = 0", "Holders": "Halter", "none": "keine",
-  "Rings": "Ringe", "Base plate": "Grundplatte", "Printed blocks": "Gedruckte Blöcke", "Whatever fits": "Was passt", "Sheet of the holders": "Platte der Halter",
+  "Sheet of the holders": "Platte der Halter",
   "Show the whole model": "Ganzes Modell zeigen", "Settings": "Einstellungen", "name": "Name", "Language": "Sprache",
   "The server has ended. Your design stays in this page and its address: run elastica studio again.": "Der Server wurde beendet. Ihr Entwurf bleibt auf dieser Seite und in ihrer Adresse: Starten Sie elastica studio erneut.",
   "This browser shows no 3D: it needs WebGL.": "Dieser Browser zeigt kein 3D: Er braucht WebGL.", "The bent strip in space; arrow keys turn it": "Der gebogene Streifen im Raum; Pfeiltasten drehen ihn",
   "The drawing: Tab goes to its points, arrow keys move them, Insert adds one, Delete removes one": "Die Zeichnung: Tab führt zu den Punkten, Pfeiltasten bewegen sie, Einfg fügt einen ein, Entf entfernt einen",
   "Working": "Wird gemacht", "Saved": "Gespeichert", "yes": "ja", "no": "nein", "more": "mehr", "as below": "wie unten",
   "Try": "Versuchen", "Drop SVG, DXF or CSV on the drawing": "SVG, DXF oder CSV auf die Zeichnung ziehen", "Choose a curve": "Eine Kurve wählen",
-  "This strip is given by formulae; its design file says it.": "Dieser Streifen ist durch Formeln gegeben; sie stehen in der Entwurfsdatei.",
+ 
   "sheet": "Platte", "thickness": "Dicke", "max width": "größte Breite", "min width": "kleinste Breite", "style": "Bauart", "limits": "Grenzen",
   "keep": "Beibehalten", "gravity": "Eigengewicht", "loads": "Lasten", "supports": "Lager", "natural curvature": "Vorkrümmung", "ends": "Enden",
   "label": "Beschriftung", "compensate": "Breiten ausgleichen", "ignore limits": "Grenzen übergehen", "widths": "Breiten", "weight": "Gewicht",
   "curve": "Kurve", "ratio": "Steifigkeitsverhältnis", "margin": "Stabilitätsreserve", "curvature": "Krümmung", "tangents": "Tangenten",
   "symmetry": "Symmetrie", "points": "Punkte", "line": "Gerade", "plain": "schlicht", "perforated": "gelocht", "laminated": "laminiert",
   "backing": "Verstärkung", "columns": "Spalten", "rows": "Reihen", "creep": "Kriechen", "samples": "Stützstellen", "smooth": "Glätten",
-  "shop": "Werkstatt", "law": "Querschnitt", "joint": "Stoß", "corner radius": "Eckenradius", "chamfer": "Fase", "holes": "Löcher",
+  "shop": "Werkstatt", "law": "Querschnitt", "corner radius": "Eckenradius", "chamfer": "Fase", "holes": "Löcher",
   "taper": "Verjüngung", "start": "Anfang", "end": "Ende", "clamped": "eingespannt", "pinned": "gelenkig", "free": "frei", "value": "Wert",
   "rod": "Rundstab", "tube": "Rohr", "leaves": "Lagen", "keep out": "Sperrbereiche", "stiffness bounds": "Grenzen der Steifigkeit",
   "straight ends": "gerade Enden", "rings": "Ringe", "base": "Grundplatte", "fixtures": "gedruckte Blöcke", "stand": "was passt",
-  "direction": "Richtung",
+  "direction": "Richtung", "Card and paper": "Karton und Papier", "Plywood": "Sperrholz", "Solid wood, veneer and bamboo": "Vollholz, Furnier und Bambus",
+  "Plastics": "Kunststoffe", "Fibre boards": "Faserplatten", "Metals": "Metalle", "Composites": "Verbundstoffe", "Other": "Andere",
 };
 
 const ZH = {
   "Two states": "双稳态", "first": "第一", "second": "第二", "both states": "两种状态", "in the same clamps": "同一夹持", "in clamps of their own": "各自夹持",
-  "Undo": "撤销", "Redo": "重做", "Draw": "绘制", "Move": "移动", "Fit": "全部显示", "Zoom in": "放大", "Zoom out": "缩小", "Snap": "吸附", "off": "关", "grid": "网格",
+  "Undo": "撤销", "Redo": "重做", "Draw": "绘制", "Fit": "全部显示", "Zoom in": "放大", "Zoom out": "缩小", "Snap": "吸附", "off": "关", "grid": "网格",
   "Start from": "起始示例", "Empty drawing": "空白图", "Open": "打开", "Save": "保存", "Close": "关闭", "Copy link": "复制链接", "Copied": "已复制", "Download": "下载",
   "Design file": "设计文件", "Kit as zip": "套件（zip）", "PDF at 1:1": "1:1 PDF", "Strip": "条带", "Control point": "控制点", "Remove": "删除", "Inflection": "拐点",
   "Not on the line": "不在直线上", "The line meets the curve": "直线与曲线相交", "It can be made": "可以制作", "It can be made, with care": "可以制作，但需小心", "It cannot be made": "无法制作",
   "Draw at least three points": "请至少绘制三个点", "Click on the drawing to set the first points of a curve, or start from an example.": "在图上点击以放置曲线的起始点，或从示例开始。",
-  "Nearest curve": "最近的曲线", "Take it": "采用", "Leave it": "放弃", "Sheets that can do it": "可用的板材", "The nearest curve is": "最近的曲线相距", "fits": "适合", "does not": "不适合",
+  "Nearest curve": "最近的曲线", "Take it": "采用", "Leave it": "放弃", "Sheets that can do it": "可用的板材", "The nearest curve is off by": "最近的曲线相距", "fits": "适合", "does not": "不适合",
   "length": "长度", "width": "宽度", "stiffness ratio": "刚度比", "strain": "应变", "of what the sheet bears": "（占板材允许值）", "stability": "稳定性", "mass": "质量", "held by": "固定力", "off the drawn curve": "偏离所绘曲线",
   "unstable": "不稳定", "low": "低", "ample": "充足", "Flat strip": "平面条带", "Bent strip": "弯曲条带", "Bend it": "弯曲", "flat": "平", "as drawn": "如所绘", "it snaps": "发生跳变", "force": "力", "moment": "力矩",
-  "Copies": "副本", "Around the axis x = 0": "绕轴 x = 0", "Holders": "支架", "none": "无", "Rings": "圆环", "Base plate": "底板", "Printed blocks": "打印块", "Whatever fits": "自动选择", "Sheet of the holders": "支架板材",
+  "Copies": "副本", "Around the axis x = 0": "绕轴 x = 0", "Holders": "支架", "none": "无", "Sheet of the holders": "支架板材",
   "Show the whole model": "显示整个模型", "Settings": "设置", "name": "名称", "Language": "语言",
   "The server has ended. Your design stays in this page and its address: run elastica studio again.": "服务器已结束。您的设计保留在此页面及其地址中：请重新运行 elastica studio。",
   "This browser shows no 3D: it needs WebGL.": "此浏览器无法显示 3D：需要 WebGL。", "The bent strip in space; arrow keys turn it": "空间中的弯曲条带；方向键可旋转",
   "The drawing: Tab goes to its points, arrow keys move them, Insert adds one, Delete removes one": "绘图区：Tab 键选点，方向键移动，Insert 添加，Delete 删除",
   "Working": "正在处理", "Saved": "已保存", "yes": "是", "no": "否", "more": "更多", "as below": "如下", "Try": "试试",
-  "Drop SVG, DXF or CSV on the drawing": "将 SVG、DXF 或 CSV 拖到图上", "Choose a curve": "选择一条曲线", "This strip is given by formulae; its design file says it.": "此条带由公式给出，见设计文件。",
+  "Drop SVG, DXF or CSV on the drawing": "将 SVG、DXF 或 CSV 拖到图上", "Choose a curve": "选择一条曲线",
   "sheet": "板材", "thickness": "厚度", "max width": "最大宽度", "min width": "最小宽度", "style": "形式", "limits": "限制", "keep": "保持", "gravity": "自重",
   "loads": "载荷", "supports": "支承", "natural curvature": "初始曲率", "ends": "端部", "label": "标签", "compensate": "宽度补偿", "ignore limits": "忽略限制",
   "widths": "宽度", "weight": "重量", "curve": "曲线", "ratio": "刚度比", "margin": "稳定裕度", "curvature": "曲率", "tangents": "切线", "symmetry": "对称",
   "points": "点", "line": "直线", "plain": "普通", "perforated": "穿孔", "laminated": "层合", "backing": "背层", "columns": "列", "rows": "行", "creep": "蠕变",
-  "samples": "采样数", "smooth": "光顺", "shop": "车间", "law": "截面", "joint": "接缝", "corner radius": "圆角半径", "chamfer": "倒角", "holes": "孔", "taper": "收窄",
+  "samples": "采样数", "smooth": "光顺", "shop": "车间", "law": "截面", "corner radius": "圆角半径", "chamfer": "倒角", "holes": "孔", "taper": "收窄",
   "start": "起点", "end": "终点", "clamped": "固支", "pinned": "铰支", "free": "自由", "value": "数值", "rod": "圆杆", "tube": "管", "leaves": "叠层",
   "keep out": "禁入区", "stiffness bounds": "刚度界限", "straight ends": "直端", "rings": "圆环", "base": "底板", "fixtures": "打印块", "stand": "自动选择",
-  "direction": "方向",
+  "direction": "方向", "Card and paper": "卡纸和纸", "Plywood": "胶合板", "Solid wood, veneer and bamboo": "实木、单板和竹材",
+  "Plastics": "塑料", "Fibre boards": "纤维板", "Metals": "金属", "Composites": "复合材料", "Other": "其他",
 };
 
 export const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
-const WORDS = { en: {}, de: DE, zh: ZH };
+const EN = { "base": "base plate", "fixtures": "printed blocks", "stand": "whatever fits" };
+const WORDS = { en: EN, de: DE, zh: ZH };
 
-export const speaker = (language) => (text) => WORDS[language]?.[text] ?? text;
+export const speaker = (language, helps) => (text) => WORDS[language][text] ?? helps[language]?.[text] ?? text;

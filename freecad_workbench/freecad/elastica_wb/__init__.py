@@ -3,6 +3,8 @@
 
 """FreeCAD workbench of elastica_cad: draw a spline, see whether it can be bent, get the strip."""
 
+import sys
+from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
@@ -11,12 +13,18 @@ __all__ = ["make_strip"]
 
 TESTS = "freecad.elastica_wb.tests"
 
+CORE = Path(__file__).parent / "core"
+"""Where `make addon` puts the package elastica_cad; a checkout has it at its root."""
+
+if CORE.is_dir():
+    sys.path.insert(0, str(CORE))
+
 if TESTS not in App.__unit_test__:
     App.__unit_test__ += [TESTS]
 
 
 def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = True, **properties: Any) -> Any:
-    """The strip that bends into a sketch, or into edges of an object, with its flat part.
+    """Make the strip that bends into a sketch, or into edges of an object, with its flat part.
 
     Parameters
     ----------

@@ -22,11 +22,11 @@ class ElasticaWorkbench(Gui.Workbench):
     Icon = icon("Elastica")
 
     def GetClassName(self) -> str:
-        """A workbench written in Python."""
+        """Return FreeCAD's class for workbenches written in Python."""
         return "Gui::PythonWorkbench"
 
     def Initialize(self) -> None:
-        """First activation: commands, toolbars, menus."""
+        """Add commands, toolbars and menus when the workbench is first activated."""
         import SketcherGui  # noqa: F401 - for the command that makes a sketch
         from freecad.elastica_wb import commands
 
@@ -36,7 +36,7 @@ class ElasticaWorkbench(Gui.Workbench):
         self.appendMenu("Elastica", commands.MENU)
 
     def ContextMenu(self, _recipient: str) -> None:
-        """What can be done with the selection, in the tree and in the view."""
+        """Add the commands for the selection to the context menu of the tree and the view."""
         from freecad.elastica_wb import commands
 
         names = commands.context_menu()

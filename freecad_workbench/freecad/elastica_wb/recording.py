@@ -17,7 +17,7 @@ MADE = "elastica_made"
 
 
 def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
-    """What a function of a module makes, asked for in a line that a macro keeps."""
+    """Call a function in a line that a macro records, and return its result."""
     modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
     for module in modules:  # Gui.addModule tells a macro of what was not loaded before only
         Gui.doCommand(f"import {module}")
@@ -42,7 +42,7 @@ def record_recompute(document: Any) -> None:
 
 
 def record_step(document: Any, name: str) -> None:
-    """Begin an undo step in a line that a macro keeps: what Cancel takes back is taken back there too."""
+    """Begin an undo step in a line that a macro records, so that Cancel takes back the same there."""
     record_call(document, "openTransaction", name)
 
 

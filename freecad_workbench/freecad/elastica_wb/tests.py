@@ -18,18 +18,18 @@ VOLUME = 1e-3  # of a volume: as far as OpenCASCADE integrates along splines
 
 
 class ElasticaTest(unittest.TestCase):
-    """From a drawn spline to a strip and its files."""
+    """Makes strips and their files from a drawn spline."""
 
     def setUp(self) -> None:
-        """An empty document."""
+        """Open an empty document."""
         self.document = App.newDocument("ElasticaTest")
 
     def tearDown(self) -> None:
-        """Leave nothing behind."""
+        """Close the document."""
         App.closeDocument(self.document.Name)
 
     def draw(self, points: tuple[tuple[float, float], ...]) -> object:
-        """A sketch with one spline of degree 4."""
+        """Draw a sketch with one spline of degree 4."""
         curve, spans = Part.BSplineCurve(), len(points) - 4
         knots = [i / spans for i in range(spans + 1)]
         counts = [5, *[1] * (spans - 1), 5]
@@ -41,7 +41,7 @@ class ElasticaTest(unittest.TestCase):
         return sketch
 
     def test_a_strip_and_its_flat_part(self) -> None:
-        """They hold the same material."""
+        """Bent strip and flat part have the same volume."""
         strip = make_strip(self.draw(ARCH), MaxWidth="24 mm")
         flat = self.document.getObject("Flat")
         assert strip.State == ["Up-to-date"], strip.Verdict
@@ -50,7 +50,7 @@ class ElasticaTest(unittest.TestCase):
         assert abs(strip.Shape.Volume / flat.Shape.Volume - 1) < VOLUME
 
     def test_a_curve_that_no_strip_takes(self) -> None:
-        """It says why; the nearest curve can be had."""
+        """The refusal says why, and the nearest curve can be made."""
         strip = make_strip(self.draw(SNAKE), flat_part=False)
         assert "Invalid" in strip.State
         assert "cannot" in strip.Verdict
@@ -60,7 +60,7 @@ class ElasticaTest(unittest.TestCase):
         assert strip.State == ["Up-to-date"], strip.Verdict
 
     def test_unknown_properties(self) -> None:
-        """A slip in a macro leaves nothing in the document."""
+        """A misspelt property in a macro leaves nothing in the document."""
         sketch = self.draw(ARCH)
         said = ""
         try:
@@ -71,7 +71,7 @@ class ElasticaTest(unittest.TestCase):
         assert [obj.Name for obj in self.document.Objects] == [sketch.Name]
 
     def test_cutting_files(self) -> None:
-        """A DXF with and without ezdxf, STEP, SVG and a cut list."""
+        """The kit holds a DXF with and without ezdxf, STEP, SVG and a cut list."""
         from freecad.elastica_wb.export.cutting_files import write_cutting_files
 
         strip = make_strip(self.draw(ARCH))

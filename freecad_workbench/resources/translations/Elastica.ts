@@ -32,18 +32,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Added to the width of every slot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slots as the angle asks for, or as in the paper</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Inner ends of the slots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Later strips are pushed on from here; zero leaves it open</source>
         <translation type="unfinished"></translation>
     </message>
@@ -304,43 +292,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Room beside a tab on either side</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Added to the width of the slots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Least distance of slots from the edge</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The outline around all slots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A model, or strips, whose ends are held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Room around the tab</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Least thickness around the pocket</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Height of the foot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Diameter of the screw holes in the foot; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -580,6 +532,10 @@
     </message>
     <message>
         <source>Move or turn an end: type numbers, or drag one of the handles in the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -947,10 +903,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>inflections on their line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>can</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1255,6 +1207,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>rectangle</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1280,6 +1236,30 @@
     </message>
     <message>
         <source>Sideways margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inflection on the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inflection off it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than the sheet bears</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line must not meet the curve here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fold or unfold the card</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1875,10 +1855,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep as my sheet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Remove my sheet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1916,10 +1892,6 @@
     </message>
     <message>
         <source>Where the numbers come from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Adds these numbers to your library under the name above</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1995,6 +1967,17 @@
     </message>
     <message>
         <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Edit</name>
+    <message>
+        <source>Edit strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change sheet, widths and ends of all selected strips at once</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2149,6 +2132,17 @@
     </message>
     <message>
         <source>Flat strips that bend into drawn curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Example</name>
+    <message>
+        <source>Open an example</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -28,18 +28,6 @@
         <translation>Schlitze, wo Streifen sich kreuzen</translation>
     </message>
     <message>
-        <source>Added to the width of every slot</source>
-        <translation>Zuschlag zur Breite jedes Schlitzes</translation>
-    </message>
-    <message>
-        <source>Slots as the angle asks for, or as in the paper</source>
-        <translation>Schlitze, wie der Winkel sie verlangt, oder wie im Artikel</translation>
-    </message>
-    <message>
-        <source>Inner ends of the slots</source>
-        <translation>Innere Enden der Schlitze</translation>
-    </message>
-    <message>
         <source>Later strips are pushed on from here; zero leaves it open</source>
         <translation>Spätere Streifen werden von hier aufgeschoben; null lässt es offen</translation>
     </message>
@@ -300,44 +288,8 @@
         <translation>Die Zahlen der Platte</translation>
     </message>
     <message>
-        <source>Room beside a tab on either side</source>
-        <translation>Luft neben einer Lasche auf jeder Seite</translation>
-    </message>
-    <message>
-        <source>Added to the width of the slots</source>
-        <translation>Zuschlag zur Breite der Schlitze</translation>
-    </message>
-    <message>
-        <source>Least distance of slots from the edge</source>
-        <translation>Kleinster Abstand der Schlitze vom Rand</translation>
-    </message>
-    <message>
-        <source>The outline around all slots</source>
-        <translation>Der Umriss um alle Schlitze</translation>
-    </message>
-    <message>
         <source>A model, or strips, whose ends are held</source>
         <translation>Ein Modell oder Streifen, deren Enden gehalten werden</translation>
-    </message>
-    <message>
-        <source>Room around the tab</source>
-        <translation>Spiel um die Lasche</translation>
-    </message>
-    <message>
-        <source>Least thickness around the pocket</source>
-        <translation>Kleinste Wandstärke um die Tasche</translation>
-    </message>
-    <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation>Wie weit der Fuß auf jeder Seite vorsteht; 0 für keinen</translation>
-    </message>
-    <message>
-        <source>Height of the foot</source>
-        <translation>Höhe des Fußes</translation>
-    </message>
-    <message>
-        <source>Diameter of the screw holes in the foot; 0 for none</source>
-        <translation>Durchmesser der Schraubenlöcher im Fuß; 0 für keine</translation>
     </message>
     <message>
         <source>Strips, models and base plates to be cut</source>
@@ -577,6 +529,10 @@
     <message>
         <source>Move or turn an end: type numbers, or drag one of the handles in the view.</source>
         <translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder an einem der Griffe in der Ansicht ziehen.</translation>
+    </message>
+    <message>
+        <source>strip</source>
+        <translation>Streifen</translation>
     </message>
     <message>
         <source>bent further</source>
@@ -943,10 +899,6 @@
         <translation>der Streifen flach gelegt</translation>
     </message>
     <message>
-        <source>inflections on their line</source>
-        <translation>Wendepunkte auf ihrer Linie</translation>
-    </message>
-    <message>
         <source>can</source>
         <translation>geht</translation>
     </message>
@@ -1251,6 +1203,10 @@
         <translation>Hülle</translation>
     </message>
     <message>
+        <source>ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
         <source>rectangle</source>
         <translation>Rechteck</translation>
     </message>
@@ -1277,6 +1233,30 @@
     <message>
         <source>Sideways margin</source>
         <translation>Reserve seitlich</translation>
+    </message>
+    <message>
+        <source>inflection on the line</source>
+        <translation>Wendepunkt auf der Linie</translation>
+    </message>
+    <message>
+        <source>inflection off it</source>
+        <translation>Wendepunkt daneben</translation>
+    </message>
+    <message>
+        <source>nearest curve</source>
+        <translation>nächste Kurve</translation>
+    </message>
+    <message>
+        <source>more than the sheet bears</source>
+        <translation>mehr, als die Platte verträgt</translation>
+    </message>
+    <message>
+        <source>the line must not meet the curve here</source>
+        <translation>hier darf die Linie die Kurve nicht treffen</translation>
+    </message>
+    <message>
+        <source>Fold or unfold the card</source>
+        <translation>Die Karte ein- oder ausklappen</translation>
     </message>
 </context>
 <context>
@@ -1871,10 +1851,6 @@
         <translation>Quelle</translation>
     </message>
     <message>
-        <source>Keep as my sheet</source>
-        <translation>Als meine Platte behalten</translation>
-    </message>
-    <message>
         <source>Remove my sheet</source>
         <translation>Meine Platte entfernen</translation>
     </message>
@@ -1913,10 +1889,6 @@
     <message>
         <source>Where the numbers come from</source>
         <translation>Woher die Zahlen stammen</translation>
-    </message>
-    <message>
-        <source>Adds these numbers to your library under the name above</source>
-        <translation>Nimmt diese Zahlen unter obigem Namen in Ihre Bibliothek auf</translation>
     </message>
     <message>
         <source>Takes this sheet out of your library</source>
@@ -1992,6 +1964,17 @@
     <message>
         <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
         <translation>Einen Probestreifen erzeugen, über eine Kante hängen und aus dem gemessenen Durchhang eine eigene Platte machen</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Edit</name>
+    <message>
+        <source>Edit strips</source>
+        <translation>Streifen bearbeiten</translation>
+    </message>
+    <message>
+        <source>Change sheet, widths and ends of all selected strips at once</source>
+        <translation>Platte, Breiten und Enden aller gewählten Streifen auf einmal ändern</translation>
     </message>
 </context>
 <context>
@@ -2146,6 +2129,17 @@
     <message>
         <source>Flat strips that bend into drawn curves</source>
         <translation>Flache Streifen, die sich in gezeichnete Kurven biegen</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Example</name>
+    <message>
+        <source>Open an example</source>
+        <translation>Ein Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
+        <translation>Einen gezeichneten Bogen mit Streifen und flachem Teil öffnen; Pole ziehen, die Platte ändern</translation>
     </message>
 </context>
 </TS>

@@ -28,18 +28,6 @@
         <translation>在条带相交处开槽</translation>
     </message>
     <message>
-        <source>Added to the width of every slot</source>
-        <translation>加到每个槽宽上的余量</translation>
-    </message>
-    <message>
-        <source>Slots as the angle asks for, or as in the paper</source>
-        <translation>槽按夹角确定，或按论文确定</translation>
-    </message>
-    <message>
-        <source>Inner ends of the slots</source>
-        <translation>槽的内端</translation>
-    </message>
-    <message>
         <source>Later strips are pushed on from here; zero leaves it open</source>
         <translation>后装的条从此方向推入；零表示不限定</translation>
     </message>
@@ -300,44 +288,8 @@
         <translation>板材数据</translation>
     </message>
     <message>
-        <source>Room beside a tab on either side</source>
-        <translation>端片两侧的间隙</translation>
-    </message>
-    <message>
-        <source>Added to the width of the slots</source>
-        <translation>加到槽宽上的余量</translation>
-    </message>
-    <message>
-        <source>Least distance of slots from the edge</source>
-        <translation>槽到边缘的最小距离</translation>
-    </message>
-    <message>
-        <source>The outline around all slots</source>
-        <translation>围绕所有槽的外廓</translation>
-    </message>
-    <message>
         <source>A model, or strips, whose ends are held</source>
         <translation>端部被固定的模型或条</translation>
-    </message>
-    <message>
-        <source>Room around the tab</source>
-        <translation>耳片周围间隙</translation>
-    </message>
-    <message>
-        <source>Least thickness around the pocket</source>
-        <translation>槽腔周围的最小厚度</translation>
-    </message>
-    <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation>底脚两侧伸出的长度；0 表示无</translation>
-    </message>
-    <message>
-        <source>Height of the foot</source>
-        <translation>底脚高度</translation>
-    </message>
-    <message>
-        <source>Diameter of the screw holes in the foot; 0 for none</source>
-        <translation>底脚螺钉孔直径；0 表示无</translation>
     </message>
     <message>
         <source>Strips, models and base plates to be cut</source>
@@ -577,6 +529,10 @@
     <message>
         <source>Move or turn an end: type numbers, or drag one of the handles in the view.</source>
         <translation>移动或旋转端部：输入数值，或在视图中拖动一个手柄。</translation>
+    </message>
+    <message>
+        <source>strip</source>
+        <translation>条带</translation>
     </message>
     <message>
         <source>bent further</source>
@@ -943,10 +899,6 @@
         <translation>展平的条</translation>
     </message>
     <message>
-        <source>inflections on their line</source>
-        <translation>在线上的拐点</translation>
-    </message>
-    <message>
         <source>can</source>
         <translation>可以</translation>
     </message>
@@ -1251,6 +1203,10 @@
         <translation>凸包</translation>
     </message>
     <message>
+        <source>ring</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
         <source>rectangle</source>
         <translation>矩形</translation>
     </message>
@@ -1277,6 +1233,30 @@
     <message>
         <source>Sideways margin</source>
         <translation>侧向裕度</translation>
+    </message>
+    <message>
+        <source>inflection on the line</source>
+        <translation>拐点在直线上</translation>
+    </message>
+    <message>
+        <source>inflection off it</source>
+        <translation>拐点偏离直线</translation>
+    </message>
+    <message>
+        <source>nearest curve</source>
+        <translation>最近的曲线</translation>
+    </message>
+    <message>
+        <source>more than the sheet bears</source>
+        <translation>超过板材承受能力</translation>
+    </message>
+    <message>
+        <source>the line must not meet the curve here</source>
+        <translation>直线不得在此与曲线相交</translation>
+    </message>
+    <message>
+        <source>Fold or unfold the card</source>
+        <translation>折叠或展开卡片</translation>
     </message>
 </context>
 <context>
@@ -1871,10 +1851,6 @@
         <translation>来源</translation>
     </message>
     <message>
-        <source>Keep as my sheet</source>
-        <translation>存为我的板材</translation>
-    </message>
-    <message>
         <source>Remove my sheet</source>
         <translation>删除我的板材</translation>
     </message>
@@ -1913,10 +1889,6 @@
     <message>
         <source>Where the numbers come from</source>
         <translation>数据来源</translation>
-    </message>
-    <message>
-        <source>Adds these numbers to your library under the name above</source>
-        <translation>以上述名称把这些数据加入库</translation>
     </message>
     <message>
         <source>Takes this sheet out of your library</source>
@@ -1992,6 +1964,17 @@
     <message>
         <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
         <translation>生成悬挂试样，并由测得的下垂量得到自己的板材</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Edit</name>
+    <message>
+        <source>Edit strips</source>
+        <translation>编辑条带</translation>
+    </message>
+    <message>
+        <source>Change sheet, widths and ends of all selected strips at once</source>
+        <translation>一次更改所有选定条带的板材、宽度和端部</translation>
     </message>
 </context>
 <context>
@@ -2146,6 +2129,17 @@
     <message>
         <source>Flat strips that bend into drawn curves</source>
         <translation>弯成所绘曲线的平条</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Example</name>
+    <message>
+        <source>Open an example</source>
+        <translation>打开示例</translation>
+    </message>
+    <message>
+        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
+        <translation>打开一个已绘制的拱形及其条带和平面件；可拖动控制点、更换板材</translation>
     </message>
 </context>
 </TS>

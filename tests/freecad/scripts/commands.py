@@ -315,7 +315,6 @@ def sheets_command():
     panel.form.sheets.setCurrentText("birch-plywood-1")
     panel.form.name.setText("my-ply")
     fill(panel, thickness=0.93)
-    panel.keep()
     panel.reject()
     from freecad.elastica_wb.host.sheet_store import own_sheets
 
@@ -324,7 +323,6 @@ def sheets_command():
     panel.form.sheets.setCurrentText("birch-plywood-1")
     panel.form.name.setText("my-ply")
     fill(panel, thickness=0.93)
-    panel.keep()
     picture("sheets.png")
     panel.accept()
     assert own_sheets()["my-ply"].thickness == 0.93

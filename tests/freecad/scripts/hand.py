@@ -200,7 +200,7 @@ def use_nearest(document):
 
     bad = sketch(document, BAD, name="Bad")
     Gui.ActiveDocument.setEdit(bad.Name)
-    until(lambda: live.session() is not None and live.session().card.button.isVisible(), 120)
+    until(lambda: live.session() is not None and live.session().near is not None, 120)
     fit()
     answers["refused"] = live.session().card.answer.verdict.value
     picture("refused.png")

@@ -180,7 +180,7 @@ def reshape(document):
     typed("EndX", "5 mm")
     button()
     Gui.ActiveDocument.setEdit(bad.Name)
-    until(lambda: live.session() is not None and live.session().card.button.isVisible())
+    until(lambda: live.session() is not None and live.session().near is not None)
     fit()
     refused = bad.Geometry[0].NbPoles
     click(live.session().card.button)

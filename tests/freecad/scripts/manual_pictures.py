@@ -200,6 +200,7 @@ def work():
     by_panel("Elastica_Nearest", drawn(BAD, upright=False), top=True)
     by_panel("Elastica_Projective", drawn(HILL, upright=False), top=True, x3=250.0, y3=230.0)
     by_panel("Elastica_Strip", drawn(), MaxWidth=40.0)
+    by_panel("Elastica_Edit", *crossing(), StartTab=15.0)
     by_panel("Elastica_Perforate", strip_of(), OuterWidth=40.0)
     by_panel("Elastica_Laminate", strip_of(), OuterWidth=40.0)
     by_panel("Elastica_Bend", strip_of(upright=False), top=True, EndX=-40.0)
@@ -232,6 +233,10 @@ def work():
     barrel.Shape = face.toShape()
     App.ActiveDocument.recompute()
     by_panel("Elastica_Section", barrel, Family="parallel", Count=5)
+    assert trigger("Elastica_Example")
+    assert until(lambda: App.ActiveDocument.getObject("Flat") is not None)
+    look("example")
+    close()
     answers["done"] = True
 
 

@@ -93,8 +93,7 @@ def calibrated(strip):
     shown()
     fill(panel(), sheets="my ply")
     typed("thickness", "0.95 mm")
-    pressed("keep")
-    button()
+    button("Save")
     from freecad.elastica_wb.features.strip import strip_of
     from freecad.elastica_wb.host.sheet_store import own_sheets, sheet_from_text
 
@@ -117,8 +116,7 @@ def not_lost():
     press("Elastica_Sheets")
     shown()
     typed("name", "another")
-    pressed("keep")
-    button()
+    button("Save")
     answers["refused"] = panel().form.message.text() if Gui.Control.activeDialog() else ""
     answers["not lost"] = file.read_text() == spoiled
     if Gui.Control.activeDialog():

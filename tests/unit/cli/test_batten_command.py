@@ -13,6 +13,9 @@ from scipy.integrate import solve_bvp
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.batten import BattenSpec
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.kit.strip_kit import StripFiles, StripKit, writer_of
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
 
@@ -253,3 +256,20 @@ def test_a_slip_is_one_sentence(arguments, said, tmp_path):
     assert told.exit_code == 2
     assert re.search(said, told.output), told.output
     assert not list(tmp_path.iterdir())
+
+
+def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_drawing_file):
+    glass = Sheet.named("gfrp-2")
+    sheer = PlaneCurve.spline([(0, 0), (600, 1500), (1500, 1900), (2400, 1500), (3000, 0)])
+    spec = StripSpec(sheer, glass, law=ThicknessLaw(glass, 1.0, 4.0, width=20.0), label="sheer")
+    found = spec.rod_spec.solve()
+    kit = StripKit(spec, found, spec.make(found), "own", asked=StripFiles(step=False))
+    assert {"own-bench.csv", "own-side.dxf", "own-side.svg", "own-side.pdf"} <= {*kit.files.values()}
+    for kind in ("bench csv", "side dxf"):
+        writer_of(kit, kind)(kit, tmp_path / kit.files[kind])
+    rows = list(csv.DictReader((tmp_path / "own-bench.csv").read_text().splitlines()))
+    sizes = np.array([float(row["thickness_mm"]) for row in rows])
+    assert sizes.max() == pytest.approx(4.0, rel=1e-2)
+    assert [float(row["thickness_inch"]) for row in rows] == pytest.approx(sizes / 25.4)
+    (side,) = [one for one in check_drawing_file(tmp_path / "own-side.dxf") if one.layer == "CUT_OUTER"]
+    assert side.area == pytest.approx(np.trapezoid(sizes, [float(row["s_mm"]) for row in rows]), rel=1e-2)

@@ -1,6 +1,7 @@
 """`elastica bend` with a sheet and a width: newtons, strain and safety along a travel, as typed."""
 
 import csv
+import json
 from contextlib import chdir
 
 import numpy as np
@@ -14,6 +15,9 @@ from elastica_cad.files import read_curves
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.studies.stability_limit import stability_limit
+
+ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 
 
 def typed(line, cwd):
@@ -45,6 +49,19 @@ def test_a_strain_beyond_the_sheet_is_told(tmp_path):
     assert "strained beyond what the sheet bears" in made.stderr
 
 
+def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(tmp_path):
+    (tmp_path / "arch.csv").write_text(ARCH)
+    line = "bend arch.csv --sheet pom-1 --max-width 10 --to -100 0 --steps 4 -o out --json"
+    made = typed(line, tmp_path)
+    told, sheet = json.loads(made.stdout), Sheet.named("pom-1")
+    strip = make_strip(read_curves(tmp_path / "arch.csv")[0], sheet, max_width=10.0)
+    limit = stability_limit(strip.rod_to_bend, [(-100.0, 0.0)])
+    assert told["snaps_at"] == pytest.approx(460 * limit.parameter, rel=1e-3)
+    strained = bend(strip.rod_to_bend, end=(360 - told["strained_at"], 0.0))
+    assert np.abs(strained.curvature).max() * sheet.thickness / 2 == pytest.approx(sheet.max_strain, rel=1e-3)
+    assert any("it snaps out of its shape" in note for note in told["notes"])
+
+
 def test_a_width_without_a_material(tmp_path):
     made = typed("bend --straight 60 --max-width 10 --to 30 0", tmp_path)
     assert made.exit_code == 2
@@ -67,7 +84,7 @@ def test_a_wide_spring_pushes_as_the_plate_that_it_becomes(tmp_path, wide_strips
 
 @pytest.mark.parametrize("gravity", [False, True])
 def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, gravity):
-    (tmp_path / "arch.csv").write_text("0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n")
+    (tmp_path / "arch.csv").write_text(ARCH)
     weight = " --gravity" if gravity else ""
     line = f"bend arch.csv --sheet acrylic-2 --max-width 40 --to 250 0 -o out{weight}"
     made = typed(line, tmp_path)
@@ -77,3 +94,28 @@ def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, grav
     moved = bend_strip(make_strip(curve, "acrylic-2", max_width=40.0, gravity=gravity), [(250.0, 0.0)])
     assert float(row["force_along_N"]) == pytest.approx(moved.force_along[0], rel=1e-4)
     assert float(row["energy_Nmm"]) == pytest.approx(moved.energy[0], rel=1e-4)
+
+
+def test_other_keys_of_the_strip_are_set(tmp_path):
+    (tmp_path / "arch.csv").write_text(ARCH)
+    line = "bend arch.csv --sheet pom-1 --to 300 0 --set max_width=12 --set samples=301 -o out --json"
+    told = json.loads(typed(line, tmp_path).stdout)
+    strip = make_strip(read_curves(tmp_path / "arch.csv")[0], "pom-1", max_width=12.0, samples=301)
+    moved = bend_strip(strip, [(300.0, 0.0)])
+    assert told["travel"]["force_along_N"] == pytest.approx(moved.force_along.tolist(), rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ("--set samples=301", "name one, and its --sheet"),
+        ("--sheet pom-1 --max-width 10 --set max_width=12", "--max-width and --set max_width say the same"),
+        ("--sheet pom-1 --set max_widht=12", "did you mean max_width?"),
+        ("--sheet pom-1 --ratio 3", "--ratio is given by --set limits.ratio=VALUE now"),
+    ],
+)
+def test_settings_are_refused_in_a_sentence(words, says, tmp_path):
+    (tmp_path / "arch.csv").write_text(ARCH)
+    made = typed(f"bend arch.csv --to 300 0 {words}", tmp_path)
+    assert made.exit_code == 2
+    assert says in made.stderr

@@ -52,6 +52,17 @@ def test_a_design_file_asks_for_the_same(made, tmp_path):
     assert reports[0]["least_thickness_mm"] == pytest.approx(reports[1]["least_thickness_mm"], rel=1e-9)
 
 
+@pytest.mark.parametrize("words", [("clip.toml",), ("clip.svg", "clip.svg", "--first", "up", "--second", "down",
+                                                    "--sheet", "pom-3")])  # fmt: skip
+def test_other_keys_are_set(words, tmp_path):
+    files = [EXAMPLES / word if word.startswith("clip.") else word for word in words]
+    said = typed(*files, "--set", "pad.hole=2", "--kerf", "0", "-o", tmp_path)
+    assert said.exit_code == 0, said.output
+    drawn = ezdxf.readfile(tmp_path / "clip.dxf").modelspace()
+    holes = [entity for entity in drawn if entity.dxf.layer == "CUT_INNER"]
+    assert [hole.dxf.radius for hole in holes] == pytest.approx([1.0] * 4)
+
+
 def test_a_printed_stand_has_two_settings(tmp_path):
     said = typed(EXAMPLES / "stand.toml", "-o", tmp_path, "--json")
     assert said.exit_code == 0, said.output

@@ -11,6 +11,7 @@ import time
 from contextlib import chdir
 
 import click
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -134,7 +135,7 @@ SUGGESTED = [
     ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--thickness 0.8"),
     ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--set smooth=0.2"),
     ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--set curve.split_corners=true"),
-    ("check slight.svg", 2, "--smooth 0.2 -o out"),
+    ("check slight.svg", 2, "--set smooth=0.2 -o out"),
     ("strip slight.svg --sheet birch-plywood-0.8 --max-width 1.2 -o out --units inch", 2, "--set smooth=0.2"),
 ]
 
@@ -421,3 +422,41 @@ def test_the_options_that_set_a_refused_field_are_named(words, options, tmp_path
     refused = CliRunner().invoke(elastica, [*asked, "-o", str(tmp_path / "out")])
     assert refused.exit_code == 2
     assert options in refused.output
+
+
+@pytest.mark.usefixtures("unhurried")
+@pytest.mark.parametrize(
+    ("count", "words"),
+    [(200, "check points.csv"), (40, "strip points.csv --sheet pom-1 --max-width 30 -o out")],
+)
+def test_points_that_waver_are_smoothed_first(count, words, tmp_path, monkeypatch):
+    """So few that a curve goes through all of them, and so many that none does."""
+    monkeypatch.chdir(tmp_path)
+    x = np.linspace(0.0, 400.0, count)
+    points = np.column_stack([x, 0.001 * x * (400 - x)])
+    points += 0.5 * np.random.default_rng(1).normal(size=points.shape)
+    np.savetxt("points.csv", points, delimiter=",", fmt="%.2f")
+    refused = CliRunner().invoke(elastica, words.split())
+    assert refused.exit_code in (1, 2)
+    *_, last = refused.output.splitlines()
+    (command,) = re.findall(r"^This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
+    assert "smooth" in command
+    made = CliRunner().invoke(elastica, [*shlex.split(command), "--no-step", "--no-pictures", "--json"])
+    assert made.exit_code == 0, made.output
+    assert json.loads(made.stdout)["strips"][0]["ratio"] < 2
+
+
+def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    x = np.linspace(0.0, 400.0, 40)
+    told = []
+    for name, noise in (("even", 0.0), ("wavy", 0.02)):
+        y = 0.001 * x * (400 - x) + noise * np.random.default_rng(3).normal(size=40)
+        np.savetxt(f"{name}.csv", np.column_stack([x, y]), delimiter=",", fmt="%.3f")
+        made = CliRunner().invoke(
+            elastica, ["strip", f"{name}.csv", "--sheet", "pom-1", "--max-width", "30", "--no-step",
+                       "--no-pictures", "--json", "-o", "out"]
+        )  # fmt: skip
+        assert made.exit_code == 0, made.output
+        told.append(len(json.loads(made.stdout)["strips"][0]["warnings"]))
+    assert told == [0, 1]

@@ -93,7 +93,7 @@ def test_the_foot_stands_on_the_floor(arch):
 
 @pytest.mark.parametrize("number", ["A:2", "an arch with a name:2"])
 def test_numbers_lie_between_the_ends_of_the_tab_and_the_tip_of_the_block(arch, number):
-    fixture = EndFixture.of(arch, "end", UPRIGHT, number=number)
+    fixture = EndFixture.of(arch, "end", UPRIGHT, engrave=number)
     letters = [
         fixture.tab.frame.local(one.frame.point(one.outline.points(0.01)))
         for one in fixture.solid.removed
@@ -106,7 +106,7 @@ def test_numbers_lie_between_the_ends_of_the_tab_and_the_tip_of_the_block(arch, 
 
 def test_all_fixtures_of_a_model_share_the_floor(arch):
     fixtures = end_fixtures(standing(arch, 0.0, 1.0).placed)
-    assert [f.number for f in fixtures] == ["A:1", "A:2", "A:1", "A:2"]
+    assert [f.engrave for f in fixtures] == ["A:1", "A:2", "A:1", "A:2"]
     ground = fixtures[0].floor
     assert all(f.floor is ground for f in fixtures)
     assert min(f.lowest for f in fixtures) == pytest.approx(0.0, abs=1e-9)
@@ -139,7 +139,7 @@ def test_no_tab_no_fixture(arch):
     bare = Strip(arch.rod, PLY, max_width=24.0, ends=(Tab(0), Tab(10)), label="B")
     with pytest.raises(InputError, match="fixture B:1: the strip has no tab"):
         EndFixture.of(bare, "start")
-    assert [f.number for f in end_fixtures([Placed(bare)])] == ["B:2"]
+    assert [f.engrave for f in end_fixtures([Placed(bare)])] == ["B:2"]
 
 
 def slab_corners(tab, depth):

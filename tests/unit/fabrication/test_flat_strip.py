@@ -125,6 +125,26 @@ def test_as_built_is_bent_on_finer_nodes_than_the_design():
     assert ec.Strip(rod, CARD, max_width=17.4).deviation_as_built > 0.1
 
 
+@pytest.mark.parametrize(
+    ("names", "engraved"),
+    [
+        ({"label": "A1"}, ["A1"]),
+        ({"label": "Träger"}, ["Trager"]),
+        ({"label": "A1", "engrave": "No. 7"}, ["No. 7"]),
+        ({"label": "A1", "engrave": ""}, []),
+    ],
+)
+def test_what_is_engraved_is_the_label_unless_told(names, engraved):
+    strip = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, **names)
+    assert strip.drawing().name == names["label"]
+    assert [text.text for text in strip.drawing().texts] == engraved
+
+
+def test_letters_that_cannot_be_engraved_are_refused():
+    with pytest.raises(InputError, match="no '漢'"):
+        ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, engrave="漢")
+
+
 @pytest.mark.parametrize(("label", "told"), [("A1", "<Strip 'A1' of "), ("", "<Strip of ")])
 def test_a_strip_says_its_name_sheet_and_size(label, told):
     strip = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, label=label)

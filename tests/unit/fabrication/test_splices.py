@@ -46,6 +46,9 @@ def test_pieces_and_plates_are_the_strip_cut_across(arch):
         assert plate.area == pytest.approx(
             np.mean(arch.width(np.linspace(at - 40, at + 40, 400))) * 80, rel=1e-4
         )
+    other = splice(replace(arch, engrave="No. 7"), 1300.0, 80.0).pieces
+    assert [piece.name for piece in other] == [piece.name for piece in joined.pieces]
+    assert [piece.drawing.texts[0].text for piece in other[2:4]] == ["No. 7-3", "No. 7-lap-1"]
     (outline,) = pieces[1].drawing.on(CUT_OUTER)
     assert outline.has_splines  # as exact as the strip
 

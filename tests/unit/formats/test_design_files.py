@@ -61,6 +61,12 @@ def test_counted_strips_have_formulae_of_their_own(read):
     assert third.curve.evaluate(third.curve.domain[0]) == pytest.approx([65, 0])
 
 
+def test_what_is_engraved_is_each_strips_own(read):
+    """Strips that are made alike are made once, and each has its own text."""
+    marked = f"[[strips]]\nlabel = 'A'\n{ARC}\n[[strips]]\nlabel = 'B'\nengrave = 'No. 7'\n{ARC}\n"
+    assert [strip.engraved for strip in read(HEAD + marked).model().strips] == ["A", "No. 7"]
+
+
 def test_an_ellipse_above_the_ground_ends_on_it(read):
     design = read(
         HEAD
@@ -178,7 +184,7 @@ def test_frames_and_fixtures(read):
     model = design.model()
     plates, fixtures = (holder.made(model)[0] for holder in design.kit.holders)
     assert [plate.name for plate in plates] == ["rail-start", "rail-end", "rib-1", "rib-2"]
-    assert [fixture.number for fixture in fixtures] == ["F1:1", "F1:2", "F2:1", "F2:2", "F3:1", "F3:2"]
+    assert [fixture.engrave for fixture in fixtures] == ["F1:1", "F1:2", "F2:1", "F2:2", "F3:1", "F3:2"]
     assert all(fixture.wall == 3 and fixture.floor.origin[2] == -60 for fixture in fixtures)
 
 

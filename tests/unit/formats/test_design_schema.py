@@ -48,6 +48,7 @@ smooth = 0
 shop = { least_width = 1, least_ligament = 0.5, least_bridge = 1, stock = [900, 600], lap = 40 }
 tolerance = { thickness_wave = 0.02, grain = "degrees", clamps = 0.01, kerf = 0.1 }
 compensate = false
+engrave = ""
 straight_ends = false
 creep = 0.1
 ignore_limits = true
@@ -95,6 +96,7 @@ rotate = { count = 3, axis = [0, 0, 1], point = [0, 0, 0], step = "30 * degrees"
 repeat = { count = 2, step = [0, 0, 100] }
 [[strips]]
 label = "T{i}"
+engrave = "No. 7"
 count = 2
 let = { v = "i" }
 origin = ["v", 0, 0]

@@ -7,6 +7,7 @@ import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
+from elastica_cad.forming.nearest.editable_curve import coarse_curve
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -461,3 +462,12 @@ def test_a_weight_beyond_all_rods_is_told_as_that(length):
     assert nearest_rod(ARCH).met
     with pytest.raises(NotConvergedError, match=r"weight is far too much for the stiffness .* use a lighter"):
         nearest_rod(ARCH, gravity=Gravity(length))
+
+
+def test_a_coarse_curve_has_few_control_points_and_can_be_bent():
+    wave = PlaneCurve.spline([(0, 0), (50, 110), (120, 90), (190, -100), (260, -80), (300, 0)])
+    near = nearest_rod(wave, limits=Limits(ratio=6))
+    coarse = coarse_curve(near.rod, 20)
+    assert len(coarse.control_points) == 24 < len(near.curve.control_points)
+    assert check_equilibrium(coarse).realizable
+    assert np.abs(coarse.sample(50).position - near.curve.sample(50).position).max() < 0.01 * wave.length

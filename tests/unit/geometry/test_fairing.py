@@ -173,3 +173,16 @@ def test_a_real_corner_where_a_curve_closes_is_refused_with_its_place_as_drawn()
         smooth_curve(drawn, 1.0)
     with pytest.raises(InputError, match="with corners cannot be made fair"):
         fair_curve(drawn, 1.0)
+
+
+def test_a_spline_drawn_by_poles_gets_a_continuous_slope_of_curvature_unasked():
+    cubic = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)], 3)
+    assert [b.continuity for b in cubic.breaks] == [2]
+    assert smooth_curve(cubic).moved == 0
+    fair = smooth_curve(cubic.drawn_as(Provenance("poles")))
+    assert 0 < fair.moved <= 0.1
+    assert all(b.continuity >= 3 for b in fair.curve.breaks)
+    (told,) = fair.notes
+    assert told.values["degree"] == 3
+    quartic = PlaneCurve.spline(cubic.control_points, 4).drawn_as(Provenance("poles"))
+    assert smooth_curve(quartic).moved == 0

@@ -16,23 +16,37 @@ from freecad.elastica_wb.commands.curve_commands import (
 from freecad.elastica_wb.commands.model_commands import FixturesCommand, InterlockCommand, NestCommand
 from freecad.elastica_wb.commands.strip_commands import (
     BendCommand,
+    EditCommand,
     LaminateCommand,
     PerforateCommand,
     StripCommand,
     ToleranceCommand,
 )
-from freecad.elastica_wb.commands.workshop_commands import CouponCommand, ExportCommand, SheetsCommand
+from freecad.elastica_wb.commands.workshop_commands import (
+    CouponCommand,
+    ExampleCommand,
+    ExportCommand,
+    SheetsCommand,
+)
 from freecad.elastica_wb.live.live_command import NAME as LIVE
 
 __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
 DRAW = (BetweenCommand(), CheckCommand(), NearestCommand(), ProjectiveCommand(), SectionCommand())
-STRIPS = (StripCommand(), PerforateCommand(), LaminateCommand(), BendCommand(), ToleranceCommand())
+STRIPS = (
+    StripCommand(),
+    EditCommand(),
+    PerforateCommand(),
+    LaminateCommand(),
+    BendCommand(),
+    ToleranceCommand(),
+)
 MODELS = (InterlockCommand(), FixturesCommand(), NestCommand(), ExportCommand())
 WORKSHOP = (SheetsCommand(), CouponCommand())
+EXAMPLE = ExampleCommand()
 
-COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP)
+COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)
 
 
 def _names(commands: Iterable[Command]) -> list[str]:
@@ -43,11 +57,11 @@ TOOLBARS = {
     "Elastica": [SKETCH, LIVE, "Separator", *_names(DRAW), "Separator", *_names(STRIPS)],
     "Elastica models": [*_names(MODELS), "Separator", *_names(WORKSHOP)],
 }
-MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"]]
+MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"], "Separator", EXAMPLE.name]
 
 
 def register() -> None:
-    """Make FreeCAD know the commands."""
+    """Register all commands with FreeCAD."""
     import FreeCADGui as Gui
 
     known = set(Gui.listCommands())
@@ -57,7 +71,7 @@ def register() -> None:
 
 
 def context_menu() -> list[str]:
-    """What can be done with what is selected: the commands that need it and can be used."""
+    """Return the commands for the context menu: those that need the selection and can be used on it."""
     import FreeCADGui as Gui
 
     if not Gui.Selection.getSelection():

@@ -36,7 +36,7 @@ class Command:
     """Can it be used while a sketch is open? It then closes the sketch where it must."""
 
     def GetResources(self) -> dict[str, str]:
-        """Icon, words and keys; FreeCAD translates the words with the command's name as context."""
+        """Return icon, words and keys; FreeCAD translates the words with the command's name as context."""
         found = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
         found |= {"WhatsThis": self.name, "StatusTip": self.tip}
         if self.in_sketch:
@@ -54,7 +54,7 @@ class Command:
         return App.ActiveDocument is not None
 
     def Activated(self, _index: int = 0) -> None:
-        """The user asks for it."""
+        """Run the command, and show an error where it refuses."""
         step = App.getActiveTransaction()
         try:
             self.run()
@@ -64,7 +64,7 @@ class Command:
             tell(str(explained(error)))
 
     def run(self) -> None:
-        """Do it."""
+        """Do what the command is for; each command defines this."""
         raise NotImplementedError
 
 
@@ -83,7 +83,7 @@ def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
 
 
 def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
-    """Make a feature in the open document and edit it: one undo step until OK."""
+    """Make a feature in the open document and open its panel: one undo step until OK."""
     record_step(App.ActiveDocument, step)  # first, or it bears FreeCAD's name for closing the sketch
     if edited_sketch() is not None:
         Gui.ActiveDocument.resetEdit()

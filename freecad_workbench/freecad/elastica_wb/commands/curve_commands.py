@@ -30,7 +30,7 @@ class CurveCommand(Command):
 
 
 class CheckCommand(CurveCommand):
-    """Can it be bent? The answer in words, and the overlay on the curve."""
+    """Tells in words whether the curve can be bent, and shows the overlay on it."""
 
     name = "Elastica_Check"
     text = QT_TRANSLATE_NOOP("Elastica_Check", "Check curve")
@@ -40,7 +40,7 @@ class CheckCommand(CurveCommand):
     shortcut = "Y, C"
 
     def run(self) -> None:
-        """In the sketcher the overlay comes on; elsewhere a panel tells the whole answer."""
+        """Turn the overlay on in the sketcher; elsewhere open a panel with the whole verdict."""
         (source, edges), *_ = chosen_curves()
         if edited_sketch() is source:
             observers.switch(source, on=True)
@@ -49,7 +49,7 @@ class CheckCommand(CurveCommand):
 
 
 class NearestCommand(CurveCommand):
-    """The curve nearest to a sketch that a strip can take, within limits."""
+    """Makes the curve nearest to a sketch that a strip can take, within limits."""
 
     name = "Elastica_Nearest"
     text = QT_TRANSLATE_NOOP("Elastica_Nearest", "Nearest curve to sketch")
@@ -59,7 +59,7 @@ class NearestCommand(CurveCommand):
     shortcut = "Y, N"
 
     def run(self) -> None:
-        """Make the curve, open its panel."""
+        """Make the nearest curve as a feature, and open its panel."""
         (source, edges), *_ = chosen_curves()
         edit_new(self.text, curves.nearest, source, edges)
 
@@ -81,7 +81,7 @@ class BetweenCommand(Command):
         return edited_sketch() is not None
 
     def run(self) -> None:
-        """Begin, or end."""
+        """Begin to draw between two clamps, or end it."""
         between_clamps.switch()
 
 
@@ -102,7 +102,7 @@ class ProjectiveCommand(CurveCommand):
 
 
 class SectionCommand(Command):
-    """Plane sections of a body or a mesh, as curves for strips."""
+    """Cuts a body or a mesh by planes into curves for strips."""
 
     name = "Elastica_Section"
     text = QT_TRANSLATE_NOOP("Elastica_Section", "Section into curves")
@@ -116,7 +116,7 @@ class SectionCommand(Command):
         return answers(_bodies_and_path)
 
     def run(self) -> None:
-        """Make the curves, open their panel."""
+        """Make the curves, and open their panel."""
         edit_new(self.text, curves.section, *_bodies_and_path())
 
 

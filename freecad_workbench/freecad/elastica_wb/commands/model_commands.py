@@ -32,7 +32,7 @@ class InterlockCommand(Command):
         return answers(chosen_strips, least=2)
 
     def run(self) -> None:
-        """Make the model, hide the single strips behind it, open the panel."""
+        """Make the model, hide the single strips behind it, and open the panel."""
         strips = chosen_strips(least=2)
         record_step(App.ActiveDocument, self.text)
         made = recorded(model.create, App.ActiveDocument, strips)
@@ -49,7 +49,7 @@ class InterlockCommand(Command):
 
 
 class FixturesCommand(Command):
-    """Printed blocks for the ends, or one slotted plate for all."""
+    """Makes printed blocks for the ends, or one slotted plate for all."""
 
     name = "Elastica_Fixtures"
     text = QT_TRANSLATE_NOOP("Elastica_Fixtures", "End fixtures and base plate")
@@ -59,7 +59,7 @@ class FixturesCommand(Command):
     )
 
     def has_subject(self) -> bool:
-        """There is something to be cut."""
+        """Tell whether something that can be cut is selected."""
         return answers(chosen_sources)
 
     def run(self) -> None:
@@ -68,7 +68,7 @@ class FixturesCommand(Command):
 
 
 class NestCommand(Command):
-    """All parts on sheets."""
+    """Lays all parts on sheets."""
 
     name = "Elastica_Nest"
     text = QT_TRANSLATE_NOOP("Elastica_Nest", "Nest on sheets")
@@ -78,7 +78,7 @@ class NestCommand(Command):
     )
 
     def has_subject(self) -> bool:
-        """There is something to be cut."""
+        """Tell whether something that can be cut is selected."""
         return answers(chosen_sources)
 
     def run(self) -> None:

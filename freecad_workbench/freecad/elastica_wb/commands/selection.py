@@ -133,7 +133,7 @@ def _has_curves(shape: Any) -> bool:
 
 
 def is_curve_chosen() -> bool:
-    """Could `chosen_curves` answer? A quick look, without shapes."""
+    """Tell whether `chosen_curves` could answer, without computing shapes."""
     if edited_sketch() is not None or _only_sketch() is not None:
         return True
     return any(
@@ -161,7 +161,7 @@ def _only_sketch() -> Any:
 
 
 def chosen_sketch() -> Any:
-    """The selected or edited sketch.
+    """Return the selected sketch, or the one in edit.
 
     Raises
     ------

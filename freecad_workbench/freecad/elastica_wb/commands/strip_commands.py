@@ -32,7 +32,7 @@ class OnStrips(Command):
 
 
 class StripCommand(CurveCommand):
-    """The bent strip on the curve and its flat twin, then the panel to choose sheet and widths."""
+    """Makes the bent strip on the curve and its flat part, and opens the panel with sheet and widths."""
 
     name = "Elastica_Strip"
     text = QT_TRANSLATE_NOOP("Elastica_Strip", "Strip from sketch")
@@ -43,7 +43,7 @@ class StripCommand(CurveCommand):
     shortcut = "Y, S"
 
     def run(self) -> None:
-        """One strip for every selected curve; the panel of the last one stays open."""
+        """One strip for every selected curve, and one panel for all."""
         curves = chosen_curves()
         record_step(App.ActiveDocument, self.text)  # first, or it bears FreeCAD's name for closing the sketch
         if edited_sketch() is not None:
@@ -53,7 +53,7 @@ class StripCommand(CurveCommand):
             _add_flat(one)
         for source, _ in curves:
             source.Visibility = True
-        show_panel(panel_of, made[-1])
+        show_panel(panel_of, made[-1], made)
 
 
 def _add_flat(one: Any, layer: str = "Base") -> None:
@@ -72,6 +72,19 @@ def _even_out(strip: Any, style: str) -> None:
     record_value(strip, "Style", style)
 
 
+class EditCommand(OnStrips):
+    """One panel for all selected strips: what is changed in it is changed in all."""
+
+    name = "Elastica_Edit"
+    text = QT_TRANSLATE_NOOP("Elastica_Edit", "Edit strips")
+    tip = QT_TRANSLATE_NOOP("Elastica_Edit", "Change sheet, widths and ends of all selected strips at once")
+
+    def run(self) -> None:
+        """Open the panel."""
+        first, *others = chosen_strips()
+        show_panel(panel_of, first, others)
+
+
 class PerforateCommand(OnStrips):
     """The strip keeps one width; holes make it as soft as it must be."""
 
@@ -83,13 +96,13 @@ class PerforateCommand(OnStrips):
     )
 
     def run(self) -> None:
-        """Change the style, then the panel to choose widths and holes."""
+        """Change the style, and open the panel with widths and holes."""
         strips = chosen_strips()
         record_step(App.ActiveDocument, self.text)
         for chosen in strips:
             _even_out(chosen, "Perforated")
         record_recompute(App.ActiveDocument)
-        show_panel(panel_of, strips[-1])
+        show_panel(panel_of, strips[-1], strips)
 
 
 class LaminateCommand(OnStrips):
@@ -103,7 +116,7 @@ class LaminateCommand(OnStrips):
     )
 
     def run(self) -> None:
-        """Change the style, add the flat part of the backing, then the panel."""
+        """Change the style, add the flat part of the backing, and open the panel."""
         strips = chosen_strips()
         record_step(App.ActiveDocument, self.text)
         for chosen in strips:
@@ -112,11 +125,11 @@ class LaminateCommand(OnStrips):
         for chosen in strips:
             if not any(part.Layer == "Backing" for part in flat.flats_of([chosen])):
                 _add_flat(chosen, "Backing")
-        show_panel(panel_of, strips[-1])
+        show_panel(panel_of, strips[-1], strips)
 
 
 class BendCommand(OnStrips):
-    """Move or turn an end and watch the strip follow."""
+    """Moves or turns an end of a strip, and shows how the strip follows."""
 
     name = "Elastica_Bend"
     text = QT_TRANSLATE_NOOP("Elastica_Bend", "Bend forward")

@@ -6,6 +6,7 @@
 import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, answers, show_panel
 from freecad.elastica_wb.commands.selection import chosen_sources
+from freecad.elastica_wb.example import open_example
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.panels.coupon import CouponPanel
 from freecad.elastica_wb.panels.export import ExportPanel
@@ -13,7 +14,7 @@ from freecad.elastica_wb.panels.sheets import SheetsPanel
 
 
 class CouponCommand(Command):
-    """A strip to cut, hang over an edge and measure; the readings make a sheet of your own."""
+    """Makes a strip to cut, hang over an edge and measure; the readings make a sheet of the user's own."""
 
     name = "Elastica_Coupon"
     text = QT_TRANSLATE_NOOP("Elastica_Coupon", "Coupon and calibrate")
@@ -28,7 +29,7 @@ class CouponCommand(Command):
 
 
 class ExportCommand(Command):
-    """DXF, SVG, STEP and a cut list."""
+    """Writes DXF, SVG, STEP and a cut list."""
 
     name = "Elastica_Export"
     text = QT_TRANSLATE_NOOP("Elastica_Export", "Export cutting files")
@@ -40,7 +41,7 @@ class ExportCommand(Command):
     in_sketch = True
 
     def has_subject(self) -> bool:
-        """There is something to be cut."""
+        """Tell whether something that can be cut is selected."""
         return answers(chosen_sources)
 
     def run(self) -> None:
@@ -49,7 +50,7 @@ class ExportCommand(Command):
 
 
 class SheetsCommand(Command):
-    """Look at the built-in sheets, keep your own."""
+    """Shows the built-in sheets, and edits the user's own."""
 
     name = "Elastica_Sheets"
     text = QT_TRANSLATE_NOOP("Elastica_Sheets", "Sheet library")
@@ -61,3 +62,22 @@ class SheetsCommand(Command):
     def run(self) -> None:
         """Open the panel."""
         show_panel(SheetsPanel)
+
+
+class ExampleCommand(Command):
+    """Something to look at and to change, in a document of its own."""
+
+    name = "Elastica_Example"
+    text = QT_TRANSLATE_NOOP("Elastica_Example", "Open an example")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Example",
+        "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
+    )
+
+    def has_subject(self) -> bool:
+        """It needs nothing."""
+        return True
+
+    def run(self) -> None:
+        """Make the document."""
+        open_example()

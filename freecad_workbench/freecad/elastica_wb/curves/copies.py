@@ -52,12 +52,14 @@ def copies(obj: Any) -> Iterator[Standing]:
 
 
 def turned_over(place: App.Placement) -> App.Placement:
-    """Where the image of what stands at a place stands after z -> -z, itself turned over so."""
+    """Return the placement of a body's image under z -> -z, itself turned over in the same way."""
     return App.Placement(TURNED_OVER * place.toMatrix() * TURNED_OVER)
 
 
 def originals(obj: Any) -> list[Any]:
-    """What an object shows in the end, each once; what is no copy, container or compound is itself."""
+    """Return the objects that an object shows in the end, each once; an object that is no copy or container is
+    itself.
+    """
     if obj.TypeId in PATTERNS:
         return repeated(obj)
     parts = _parts(obj)
@@ -67,7 +69,7 @@ def originals(obj: Any) -> list[Any]:
 
 
 def repeated(obj: Any) -> list[Any]:
-    """The features that a body's pattern repeats; none for all other objects."""
+    """Return the features that a body's pattern repeats; none for all other objects."""
     if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
         return []
     return list(obj.Originals or filter(None, [obj.BaseFeature]))  # newer releases repeat all before it, too

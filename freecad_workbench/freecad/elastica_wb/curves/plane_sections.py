@@ -71,7 +71,7 @@ class Family:
         return self.kind == "about an axis"
 
     def planes(self, box: Any) -> list[tuple[str, Frame]]:
-        """Name and plane of each, for an object in a bounding box.
+        """Return name and plane of each cut, for an object in the bounding box `box`.
 
         Raises
         ------
@@ -152,7 +152,7 @@ def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
 
 
 def box_of(source: Any) -> Any:
-    """Bounding box in the document."""
+    """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
         return _shape(source).optimalBoundingBox(False)  # that of poles is wider
@@ -163,7 +163,7 @@ def box_of(source: Any) -> Any:
 
 
 def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSection]:
-    """What the planes of a family cut out of a body, a surface or a mesh, in document coordinates.
+    """Cut a body, a surface or a mesh by the planes of a family; the sections are in document coordinates.
 
     Raises
     ------
@@ -194,7 +194,7 @@ def curves_of(
     closed: str = CLOSED[0],
     step: Step | None = None,
 ) -> tuple[list[SectionCurve], list[str]]:
-    """A smooth curve for every open line, and a sentence for everything that gave none."""
+    """Fit a smooth curve to every open section line; also return a sentence for each one that gave no curve."""
     curves: list[SectionCurve] = []
     remarks: list[str] = []
     for i, section in enumerate(sections):
@@ -209,7 +209,7 @@ def curves_of(
 
 
 def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve]) -> list[Any]:
-    """A sketch for every curve, several of them in a group."""
+    """Make a sketch of every curve; several of them go into a group."""
     sketches = []
     for found in curves:
         sketch = document.addObject("Sketcher::SketchObject", "Section")

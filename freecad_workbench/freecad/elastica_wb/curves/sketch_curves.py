@@ -3,7 +3,7 @@
 
 """The curve that a feature follows: found in a sketch or an object, with the plane it lies in."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import FreeCAD as App
@@ -16,10 +16,14 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
 """Poles that a hand can still drag; more are hidden, as FreeCAD 1.1's solver moves curves of so many circles."""
+
+FAIR_DEGREE = 4
+"""The least whose curvature has a slope that is continuous; the sketcher draws splines of degree 3."""
 
 SKETCH = "Sketcher::SketchObject"
 LINK = "App::Link"
@@ -27,7 +31,7 @@ LINK = "App::Link"
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A curve, its plane in the follower's own container, and the same plane in the whole document."""
+    """A drawn curve with its plane in the container of what follows it, and with its plane in the document."""
 
     curve: PlaneCurve
     placement: App.Placement
@@ -35,7 +39,7 @@ class DrawnCurve:
 
     @property
     def plane(self) -> Frame:
-        """Its plane in the whole document."""
+        """The curve's plane in the whole document."""
         return frame_of(self.world)
 
 
@@ -73,7 +77,8 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
     curve, frame = plane_curve(drawn)
     if abs(frame.z_axis[2] - 1) > 1e-12:
         raise InputError("{sketch} is not plane", sketch=sketch.Label)
-    return curve
+    by_poles = all(isinstance(g, Part.BSplineCurve) for g in drawn) and curve.degree < FAIR_DEGREE
+    return curve.drawn_as(replace(curve.provenance or Provenance(), drawn="poles")) if by_poles else curve
 
 
 def is_blank(sketch: Any) -> bool:
@@ -88,19 +93,19 @@ def is_sketch(source: Any) -> bool:
 
 
 def linked(obj: Any) -> Any:
-    """What a link, or one of an array of links, shows; everything else is itself, and so is a broken link."""
+    """Return the object that a link, or one of an array of links, shows; everything else is returned as it is."""
     shown = link_target(obj)
     return obj if shown is None else linked(shown)
 
 
 def link_target(obj: Any) -> Any:
-    """What a link points at, be it inside a container; None for everything else, and for a broken link."""
+    """Return the object a link points at, inside a container too; None for a broken link and for all else."""
     shown = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
     return obj.getLinkedObject(False) if isinstance(shown, tuple) else shown
 
 
 def picked(root: Any, path: str) -> tuple[Any, str]:
-    """What was picked along a path (`Part.Body.Pad.Edge3`) from an object: what it belongs to, and its name there.
+    """Return the object picked along a path (`Part.Body.Pad.Edge3`), and the name of the picked element in it.
 
     What is seen through a link is the link's: the original stands elsewhere.
     """
@@ -142,7 +147,7 @@ def edge_called(source: Any, name: str) -> Any:
 
 
 def frame_of(placement: App.Placement) -> Frame:
-    """The plane z = 0 of a placement."""
+    """Return the plane z = 0 of a placement."""
     x, y = (placement.Rotation.multVec(App.Vector(*axis)) for axis in ((1, 0, 0), (0, 1, 0)))
     return Frame(tuple(placement.Base), tuple(x), tuple(y))
 
@@ -189,7 +194,7 @@ def is_outline(shape: Any) -> bool:
 
 
 def container(obj: Any) -> App.Placement:
-    """Where the container of an object lies in the whole document; links have no such method of their own."""
+    """Return the placement of an object's container in the whole document; links have no method for it."""
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
 
@@ -211,7 +216,7 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Put a spline in the place of one curve of a sketch, or beside everything; its number.
+    """Replace one curve of a sketch by a spline, or add the spline for None; return its number.
 
     Constraints of a spline whose poles are hidden stay; poles that were shown go with the old spline.
     """
@@ -254,7 +259,7 @@ def box_around(curve: PlaneCurve) -> FloatArray:
 
 
 def evened(curve: PlaneCurve) -> PlaneCurve:
-    """The same curve with weights about 1: the sketcher shows them as radii of the poles' circles."""
+    """Return the same curve with weights about 1: the sketcher shows weights as radii of circles."""
     if curve.weights is None:
         return curve
     weights = curve.weights / np.exp(np.log(curve.weights).mean())

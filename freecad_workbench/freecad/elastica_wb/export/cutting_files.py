@@ -14,6 +14,7 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
 from freecad.elastica_wb.features.baseplate import is_base_plate
+from freecad.elastica_wb.features.fixtures import block_shape, blocks_for
 from freecad.elastica_wb.features.model import is_model, model_of, solids_of
 from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_features
 from freecad.elastica_wb.features.strip import strip_of
@@ -36,7 +37,9 @@ from elastica_cad.formats.reports.strip_report import tell_blank
 
 
 def tell_later_features(obj: Any) -> list[str]:
-    """A sentence where features go on after a strip, a model or a plate, or after its flat part."""
+    """Return a warning where later features change a strip, a model, a plate or its flat part; files leave them
+    out.
+    """
     words = translate(
         "Elastica",
         "{strip} is followed by {later}, which these files leave out: make it in the strip itself "
@@ -128,22 +131,26 @@ def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """A strip's flat part and its bent one standing on its curve, or a model's bodies; named and coloured."""
+    """A strip's flat part and its bent one standing on its curve, or a model's bodies, and the blocks that hold
+    them; named and coloured, under the object's name.
+    """
     import Import
 
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)
     try:
-        objects = []
-        for name, shape, placement, sheet in _bodies(obj):
-            body = document.addObject("Part::Feature", "Body")
+        whole = document.addObject("App::Part", "Whole")
+        whole.Label = obj.Label
+        blocks = [(block.label, block_shape(block)) for block in blocks_for(obj)]
+        held = [(name, shape, shape.Placement, None) for name, shape in blocks]
+        for name, shape, placement, sheet in (*_bodies(obj), *held):
+            body = whole.newObject("Part::Feature", "Body")
             body.Label = name
             body.Shape = shape
             body.Placement = placement
-            if App.GuiUp and body.ViewObject is not None:
+            if sheet is not None and App.GuiUp and body.ViewObject is not None:
                 body.ViewObject.ShapeColor = sheet_color(sheet)
-            objects.append(body)
         document.recompute()
-        Import.export(objects, str(path))
+        Import.export([whole], str(path))
     finally:
         App.closeDocument(document.Name)
 

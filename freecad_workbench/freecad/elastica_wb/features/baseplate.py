@@ -8,14 +8,18 @@ from typing import Any, ClassVar
 from freecad.elastica_wb.curves.sketch_curves import frame_of
 from freecad.elastica_wb.features.fixtures import PLAYS, source_model, tell_plays
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
-from freecad.elastica_wb.host.property_table import Property
+from freecad.elastica_wb.host.property_table import Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
-from elastica_cad.fabrication.holders.plates import BASE_BORDER_MM, BASE_PLAY_MM, BasePlate
-from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
+from elastica_cad.declared import declared
+from elastica_cad.fabrication.holders.plates import BasePlate, base_plate
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
+
+NAMES = {"play": "Play", "clearance": "Clearance", "border": "Border", "shape": "Outline"}
+SIZES = {NAMES[one.name]: one for one in declared(base_plate) if one.name in NAMES}
+"""What a plate is asked for, by its properties."""
 
 
 class BasePlateFeature(Feature):
@@ -25,12 +29,7 @@ class BasePlateFeature(Feature):
         Property("LinkListGlobal", "Sources", "Base plate", "A model, or strips, whose tabs go through it"),
         Property("Enumeration", "Sheet", "Base plate", "What the plate is cut from"),
         Property("String", "SheetData", "Base plate", "The sheet's numbers", "", hidden=True),
-        Property("Length", "Play", "Base plate", "Room beside a tab on either side", BASE_PLAY_MM),
-        Property("Length", "Clearance", "Base plate", "Added to the width of the slots", CLEARANCE_MM),
-        Property("Length", "Border", "Base plate", "Least distance of slots from the edge", BASE_BORDER_MM),
-        Property(
-            "Enumeration", "Outline", "Base plate", "The outline around all slots", ["hull", "rectangle"]
-        ),
+        *(declared_property(field, "Base plate", name) for name, field in SIZES.items()),
         PLAYS,
         CONTAINERS,
     )
@@ -38,7 +37,7 @@ class BasePlateFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Cut the slots."""
+        """Make the plate with its slots."""
         plate = plate_of(obj)
         solid = plate.solid
         lowered = Frame().shifted(z=-solid.thickness)
@@ -47,7 +46,7 @@ class BasePlateFeature(Feature):
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """A base plate for a model or for strips; recompute the document to see it."""
+    """Make a base plate for a model or for strips; recompute the document to see it."""
     obj = added(document, "BasePlate", BasePlateFeature, sources)
     obj.Sources = sources
     return obj
@@ -59,13 +58,10 @@ def is_base_plate(obj: Any) -> bool:
 
 
 def plate_of(obj: Any) -> BasePlate:
-    """The core's base plate behind a parametric one."""
+    """Return the `BasePlate` record that a base plate feature shows."""
     return source_model(obj.Sources).base_plate(
         sheet_called(obj.Sheet, obj.SheetData),
         frame=frame_of(obj.getGlobalPlacement()),
-        play=obj.Play.Value,
-        clearance=obj.Clearance.Value,
-        border=obj.Border.Value,
-        shape=obj.Outline,
+        **values_of(obj, SIZES),
         name=obj.Label,
     )

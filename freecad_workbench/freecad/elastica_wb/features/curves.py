@@ -27,13 +27,13 @@ from freecad.elastica_wb.features.strip_request import nearest_spec_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
-from freecad.elastica_wb.host.words import worded
+from freecad.elastica_wb.host.words import report, worded
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
-from freecad.elastica_wb.solving.strip_cache import find_nearest_to_draw
+from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
 from elastica_cad.errors import InputError
-from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.plane_sections.section_curves import AT_TWO_PLACES, SectionCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
@@ -51,7 +51,7 @@ class NearestFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Search it."""
+        """Find the nearest curve, and show it."""
         drawn = drawn_curve(obj.Curve, obj)
         near = find_nearest_to_draw(nearest_spec_of(obj, drawn))
         obj.Shape = spline_geometry(near.curve).toShape()
@@ -86,7 +86,7 @@ class BentFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Bend it."""
+        """Bend the strip to its new ends, and show its curve."""
         if not is_strip(obj.Strip):
             raise InputError("the strip is missing: choose one in the property Strip")
         rest = strip_of(obj.Strip).rod_to_bend
@@ -154,7 +154,7 @@ def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any]) -
 
 
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
-    """The nearest curve of a sketch or of edges, as a feature; recompute the document to see it."""
+    """Make the nearest curve of a sketch or of edges as a feature; recompute the document to see it."""
     obj = _curve(document, "Nearest", NearestFeature, [source])
     obj.Label = f"{source.Label} {translate('Elastica', 'nearest')}"
     obj.Curve = (source, list(edges))
@@ -172,7 +172,7 @@ def bent(document: Any, strip: Any, **moves: float) -> Any:
 
 
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
-    """Sections of bodies across an axis, or along a path; recompute the document to see them."""
+    """Make sections of bodies across an axis, or along a path; recompute the document to see them."""
     obj = _curve(document, "Section", SectionFeature, sources)
     obj.Label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj.Sources = sources
@@ -201,29 +201,29 @@ def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
 
 
 def largest_move(rest: Rod, rod: Rod) -> float:
-    """How far a rod moved at most, mm."""
+    """Return the largest distance between equal places of two rods, mm."""
     return max(math.hypot(x, y) for x, y in rod.position - rest.position)
 
 
 def draw_into(obj: Any) -> None:
     """A nearest curve in place of the one that its sketch holds; the feature goes."""
-    sketch, near = obj.Curve[0], _near(obj)
+    sketch, curve = obj.Curve[0], _curve_to_drag(obj)
     if not is_sketch(sketch):
         raise InputError("{object} is no sketch: nothing can be drawn into it", object=sketch.Label)
     obj.Document.removeObject(obj.Name)
-    curve_into(sketch, near.curve)
+    curve_into(sketch, curve)
 
 
 def nearest_sketch(obj: Any) -> None:
-    """A sketch to edit in place of a nearest curve: it follows nothing."""
-    near, document = _near(obj), obj.Document
+    """Replace a nearest curve by a sketch of it, which can be edited and follows nothing."""
+    curve, document = _curve_to_drag(obj), obj.Document
     made = document.addObject("Sketcher::SketchObject", "Nearest")
     group = obj.getParentGeoFeatureGroup()
     if group is not None:
         group.addObject(made)
     made.Label, made.Placement = f"{obj.Label} {translate('Elastica', 'sketch')}", obj.Placement
     document.removeObject(obj.Name)
-    curve_into(made, near.curve)
+    curve_into(made, curve)
 
 
 def section_sketches_of(obj: Any) -> None:
@@ -235,8 +235,11 @@ def section_sketches_of(obj: Any) -> None:
         section_sketches(document, body, curves)
 
 
-def _near(obj: Any) -> NearestRod:
-    return find_nearest_to_draw(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+def _curve_to_drag(obj: Any) -> PlaneCurve:
+    curve, cost = find_nearest_to_drag(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+    if cost:
+        report(cost, obj.Label)
+    return curve
 
 
 def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:

@@ -4,6 +4,7 @@
 """Printed blocks that hold the ends of strips, as a parametric object."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 import Part
@@ -12,53 +13,78 @@ from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import strips_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
-from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
+from freecad.elastica_wb.solving.strip_cache import growing_cache
 
+from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.held_tabs import holder_plays
+from elastica_cad.fabrication.holders.placed_tab import place_tabs
 from elastica_cad.fabrication.model.strip_model import Model
+
+SIZES = {one.name.title().replace("_", ""): one for one in declared(EndFixture)}
+"""What blocks are asked for, by its properties."""
 
 PLAYS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
 """How much room tabs have in what holds them."""
 
 
 class FixturesFeature(Feature):
-    """A block for every tab, as one compound."""
+    """The printed blocks for all tabs, as one compound."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Fixtures", "A model, or strips, whose ends are held"),
-        Property("Length", "Clearance", "Fixtures", "Room around the tab", 0.15),
-        Property("Length", "Wall", "Fixtures", "Least thickness around the pocket", 4.0),
-        Property(
-            "Length", "Foot", "Fixtures", "How far the foot sticks out on either side; 0 for none", 12.0
-        ),
-        Property("Length", "FootHeight", "Fixtures", "Height of the foot", 4.0),
-        Property("Length", "Screw", "Fixtures", "Diameter of the screw holes in the foot; 0 for none", 4.3),
+        *(declared_property(field, "Fixtures", name) for name, field in SIZES.items()),
         PLAYS,
         CONTAINERS,
     )
 
     def make(self, obj: Any) -> None:
         """Place a block at every end."""
-        model = source_model(obj.Sources)
-        blocks = model.fixtures(
-            clearance=obj.Clearance.Value,
-            wall=obj.Wall.Value,
-            foot=obj.Foot.Value,
-            foot_height=obj.FootHeight.Value,
-            screw=obj.Screw.Value,
-        )
+        model = source_model(obj.Sources, shown=True)
+        blocks = _blocks(obj, model)
         if not blocks:
             raise InputError("no strip here has a tab to be held: give the strips tabs")
-        inner, solids = container(obj).inverse(), [block.solid for block in blocks]
-        made = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), solids, make_solid)
+        inner = container(obj).inverse()
+        kept = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), blocks, block_shape)
+        made = [block.copy(False) for block in kept]
         for block in made:
             block.Placement = inner * block.Placement
         obj.Shape = Part.Compound(made)
         tell_plays(obj, model, blocks)
+
+
+def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
+    return model.fixtures(**values_of(obj, SIZES))
+
+
+def blocks_for(source: Any) -> list[EndFixture]:
+    """The blocks that fixtures of a document hold the ends of a strip or a model by, in their places."""
+    hanging = dict.fromkeys(user for one in (source, *getattr(source, "Strips", ())) for user in one.InList)
+    users = [one for one in hanging if isinstance(getattr(one, "Proxy", None), FixturesFeature)]
+    own = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
+    every = (block for one in users for block in _blocks(one, source_model(one.Sources)))
+    return [block for block in every if block.tab.key in own]
+
+
+@growing_cache
+def block_shape(block: EndFixture) -> Part.Shape:
+    """The block in its place: a small cut, for the pocket, in what it has in common with others of its number.
+
+    A change of a strip makes all that are slotted into it press on their blocks a little otherwise.
+    """
+    pocket, *_ = block.solid.removed
+    return _unpocketed(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
+
+
+@growing_cache
+def _unpocketed(block: EndFixture) -> Part.Shape:
+    solid = block.solid
+    return make_solid(replace(solid, removed=solid.removed[1:]))
 
 
 def create(document: Any, sources: list[Any]) -> Any:
@@ -69,10 +95,10 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def tell_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
-    """Say in a holder's results how far tabs shift and turn in it."""
+    """Write into a holder's results how far tabs shift and turn in it."""
     put(obj, Reports=[worded(line) for line in holder_plays(model.placed, holders)])
 
 
-def source_model(sources: list[Any]) -> Model:
-    """One model of all strips and models among the sources, each where it stands."""
-    return strips_model(not_repeated(sources), name="strips")
+def source_model(sources: list[Any], *, shown: bool = False) -> Model:
+    """One model of all strips and models among the sources, each where it stands; of those that are `shown`."""
+    return strips_model(not_repeated(sources), name="strips", shown=shown)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.model import is_model, shown_model
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, shown_strip
 from freecad.elastica_wb.host.property_table import Property
@@ -34,7 +34,7 @@ class FlatFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Take the flat shape of the strip."""
+        """Show the flat shape of the strip."""
         if obj.Strip is None or not is_strip(obj.Strip):
             raise InputError("the strip is missing: choose one in the property Strip")
         strip = _slotted(obj)
@@ -47,7 +47,7 @@ class FlatFeature(Feature):
 
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
-    """The flat part of a strip, lying in front of it; recompute the document to see it."""
+    """Make the flat part of a strip, lying in front of it; recompute the document to see it."""
     placement = _beside(strip)
     obj = document.addObject("Part::FeaturePython", "Flat")
     FlatFeature(obj)
@@ -75,7 +75,7 @@ def _slotted(obj: Any) -> Strip:
             strip=obj.Strip.Label,
             model=obj.Model.Label,
         )
-    return model_of(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
+    return shown_model(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
 
 
 def _beside(strip: Any) -> App.Placement:
@@ -119,7 +119,7 @@ def _width(strip: Any) -> float:
 
 
 def flats_of(strips: Iterable[Any]) -> list[Any]:
-    """The flat parts of strips."""
+    """Return the flat parts of strips."""
     return [obj for strip in strips for obj in strip.InList if is_flat(obj) and obj.Strip is strip]
 
 

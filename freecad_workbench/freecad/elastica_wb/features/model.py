@@ -5,6 +5,7 @@
 
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future
+from dataclasses import replace
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -14,19 +15,21 @@ import Part
 from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
-from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
+from freecad.elastica_wb.features.strip import is_strip, shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import begun, in_background
-from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import report_warning, worded
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 from freecad.elastica_wb.solving.strip_cache import bent_shape, growing_cache
 
+from elastica_cad.declared import declared
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.interlocking.collisions import missing_slots
+from elastica_cad.fabrication.interlocking.interlock import interlock
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -35,21 +38,21 @@ _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictiona
 """What is known of models, or sought in another thread; the cache of models keeps them."""
 
 
+_shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
+"""The models that shapes show, and in which place of their container, by their proxies."""
+
+
+SLOTS = {one.name.title(): one for one in declared(interlock) if one.name != "above"}
+"""What slots are asked for, by its properties; a direction of 0 stands for none."""
+
+
 class ModelFeature(Feature):
     """Bent strips with their slots, as one compound."""
 
     properties = (
         Property("LinkListGlobal", "Strips", "Model", "The strips, in the order of assembly"),
         Property("Bool", "Interlock", "Model", "Cut slots where strips cross", True),
-        Property("Length", "Clearance", "Model", "Added to the width of every slot", 0.1),
-        Property(
-            "Enumeration",
-            "Fit",
-            "Model",
-            "Slots as the angle asks for, or as in the paper",
-            ["exact", "paper"],
-        ),
-        Property("Enumeration", "Relief", "Model", "Inner ends of the slots", ["square", "round"]),
+        *(declared_property(field, "Model", name) for name, field in SLOTS.items()),
         Property(
             "Vector",
             "Above",
@@ -72,8 +75,10 @@ class ModelFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Slot the strips and stand them in their places."""
-        model = model_of(obj)
-        obj.Shape = Part.Compound(solids_of(model, container(obj).inverse()))
+        model = model_of(obj, shown=True)
+        shape = Part.Compound(solids_of(model, container(obj).inverse()))
+        obj.Shape = shape
+        _shown[self] = shape, container(obj), model
         known = _overlaps.get(model)
         put(
             obj,
@@ -83,7 +88,7 @@ class ModelFeature(Feature):
         )
 
     def tell_error(self, obj: Any, error: ElasticaError) -> None:
-        """No results of before."""
+        """Replace the results by the error."""
         put(obj, Joints=0, Reports=[worded(str(error))], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
@@ -92,7 +97,7 @@ class ModelFeature(Feature):
 
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
-    """A model of strips; recompute the document to see it."""
+    """Make a model of strips; recompute the document to see it."""
     obj = added(document, "Model", ModelFeature, strips)
     obj.Strips = strips
     obj.Interlock = interlock
@@ -107,8 +112,20 @@ def is_model(obj: Any) -> bool:
     return isinstance(getattr(obj, "Proxy", None), ModelFeature)
 
 
-def model_of(obj: Any) -> Model:
-    """The core's model behind a parametric one.
+def shown_model(obj: Any) -> Model:
+    """The model that a shape shows, as `shown_strip` of a strip.
+
+    Raises
+    ------
+    ElasticaError
+        As `model_of`, which is asked where no model is kept.
+    """
+    shape, place, model = _shown.get(obj.Proxy, (None, None, None))
+    return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)
+
+
+def model_of(obj: Any, *, shown: bool = False) -> Model:
+    """The core's model behind a parametric one; of the strips that are `shown`, where these were just made.
 
     Raises
     ------
@@ -121,17 +138,12 @@ def model_of(obj: Any) -> Model:
     options: tuple[tuple[str, Any], ...] = ()
     if obj.Interlock:
         above = tuple(obj.Above) if obj.Above.Length > 0 else None
-        options = (
-            ("clearance", obj.Clearance.Value),
-            ("fit", obj.Fit),
-            ("relief", obj.Relief),
-            ("above", above),
-        )
-    return strips_model(obj.Strips, name=obj.Label, options=options)
+        options = (*values_of(obj, SLOTS).items(), ("above", above))
+    return strips_model(obj.Strips, name=obj.Label, options=options, shown=shown)
 
 
 def overlaps_of(obj: Any) -> list[str]:
-    """A sentence for every two strips of a model that run into each other where no slot lets them.
+    """Return a sentence for every two strips of a model that run into each other without a slot.
 
     Raises
     ------
@@ -157,7 +169,7 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
 
 
 def tell_overlaps(obj: Any, found: tuple[str, ...]) -> None:
-    """Write which strips of a model run into each other."""
+    """Write into the results which strips of a model run into each other."""
     told = _worded(found)
     if told and obj.Overlaps != told:
         report_warning(" ".join(told), obj.Label)
@@ -175,12 +187,12 @@ def _worded(sentences: Iterable[str]) -> list[str]:
 
 
 def named_strips(model: Model) -> list[tuple[str, Strip]]:
-    """The strips of a model, as messages call them."""
+    """Return the strips of a model with the names that messages use."""
     return [(model.name_of(i), strip) for i, strip in enumerate(model.strips)]
 
 
 def solids_of(model: Model, place: App.Placement) -> list[Any]:
-    """The bent strips of a model, seen from a place."""
+    """Return the bent strips of a model as solids, in the coordinates of `place`."""
     solids = []
     for placed in model.placed:
         solid = bent_shape(placed.strip).copy(False)
@@ -189,29 +201,35 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
     return solids
 
 
-def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = ()) -> Model:
-    """Strips and models of a document, or what shows them, in their places; slotted where options are given."""
+def strips_model(
+    strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), shown: bool = False
+) -> Model:
+    """Strips and models of a document, or what shows them, in their places; slotted where options are given.
+
+    They are those that properties ask for, or those that are `shown`.
+    """
     if not strips:
         raise InputError("the model has no strips: choose some in the property Strips")
-    places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj)]
+    places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj, shown)]
     return in_background(
         QT_TRANSLATE_NOOP("Elastica", "Putting the model together"), _model, tuple(places), name, options
     )
 
 
-def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
-    """The strips that an object shows, each with the place of its curve in the document."""
-    shown = list(shown_strips(obj))
-    if not any(is_strip(one) or is_model(one) for one, *_ in shown):
+def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
+    """The strips that an object stands for, each with the place of its curve in the document."""
+    strip_in, model_in = (shown_strip, shown_model) if shown else (strip_of, model_of)
+    found = list(shown_strips(obj))
+    if not any(is_strip(one) or is_model(one) for one, *_ in found):
         raise InputError("{object} is no strip: a model is made of strips", object=obj.Label)
-    for one, place, is_image in shown:
+    for one, place, is_image in found:
         if is_strip(one):
             world = drawn_curve(one.Curve, one).world if one is obj else place
-            strip = strip_of(one).mirrored() if is_image else strip_of(one)
-            yield _labelled(strip, one.EngravedText or _called(obj)), world
+            strip = strip_in(one).mirrored() if is_image else strip_in(one)
+            yield _labelled(strip, one.EngravedText or obj.Label, obj.Name), world
         elif is_model(one):
             here = container(one).inverse()
-            for placed in model_of(one).placed:
+            for placed in model_in(one).placed:
                 strip, inside = placed.strip, here * placement_of(placed.frame)
                 yield (strip.mirrored(), place * turned_over(inside)) if is_image else (strip, place * inside)
 
@@ -220,23 +238,25 @@ def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
 def _model(
     places: tuple[tuple[Strip, tuple[float, ...]], ...], name: str, options: tuple[tuple[str, Any], ...]
 ) -> Model:
-    placed = [Placed(strip, *np.array(numbers).reshape(3, 3)) for strip, numbers in places]
-    model = Model(tuple(placed), name=name)
+    model = Model(tuple(_placed(*place) for place in places), name=name)
     return model.interlock(**dict(options)) if options else model
 
 
-def _called(obj: Any) -> str:
-    """What is engraved unless told otherwise: an object's label, or its name where no letter of that can be."""
-    label = engravable(obj.Label)
-    return label if any(map(str.isalnum, label)) else str(obj.Name)
+@growing_cache
+def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
+    """The same strip in the same place is the same record: its joints are kept by that."""
+    return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
 @growing_cache
-def _labelled(strip: Strip, label: str) -> Strip:
-    """Models tell their parts apart by label."""
-    from dataclasses import replace
-
-    return strip if strip.label else replace(strip, label=label)
+def _labelled(strip: Strip, label: str, name: str) -> Strip:
+    """Models tell their parts apart by label; where no letter of that can be engraved, the name is."""
+    engrave = None if any(map(str.isalnum, engravable(label))) else name
+    return (
+        strip
+        if (strip.label, strip.engrave) == (label, engrave)
+        else replace(strip, label=label, engrave=engrave)
+    )
 
 
 def _numbers(world: App.Placement) -> tuple[float, ...]:

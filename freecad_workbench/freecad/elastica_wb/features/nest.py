@@ -44,7 +44,7 @@ class NestFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Lay the pieces."""
+        """Lay the pieces on sheets."""
         size = (obj.SheetWidth.Value, obj.SheetHeight.Value)
         cuts = cuts_of(obj.Sources)
         sheets = nest_pieces([cut.piece for cut in cuts], sheet_size=size, margin=obj.Margin.Value)
@@ -77,7 +77,7 @@ def tell_left_out(obj: Any) -> None:
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """A nest of strips, models and base plates in front of everything; recompute the document to see it."""
+    """Make a nest of strips, models and base plates in front of everything; recompute the document to see it."""
     lowest = min((box.YMin for box in _boxes(document)), default=0.0)
     obj = added(document, "Nest", NestFeature)
     obj.Sources = sources

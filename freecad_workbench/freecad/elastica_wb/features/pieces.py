@@ -55,8 +55,7 @@ def told_blanks_of(cuts: Iterable[Cut]) -> list[str]:
 
 
 def cuts_of(sources: Iterable[Any]) -> list[Cut]:
-    """What must be cut for strips, models and base plates, as often as they, their links, arrays, clones and images
-    stand.
+    """Return what must be cut for strips, models and base plates, once for each of their copies.
 
     Strips of a model that is there too count once, so does what an array repeats, and a strip with its flat part.
 
@@ -90,7 +89,7 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
 
 
 def cut_for(obj: Any) -> Any:
-    """What is cut for an object: a flat part stands for its strip, or for the model whose slots it has."""
+    """Return the object to cut in place of an object: of a flat part its strip, or the model whose slots it has."""
     return (obj.Model or obj.Strip) if is_flat(obj) else obj
 
 

@@ -82,7 +82,7 @@ class Feature:
         self.ensure(obj)
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Bring a file of an earlier version up to date."""
+        """Update a feature from a file of an earlier version."""
         self.ensure(obj)
         dress(obj, type(self).__name__.removesuffix("Feature"))
 
@@ -101,7 +101,7 @@ class Feature:
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """A newly chosen sheet brings its thickness, and its numbers into the document."""
+        """Copy thickness and numbers of a newly chosen sheet into the document."""
         # asked for every result that is written, so what takes longer to tell comes last
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
@@ -147,7 +147,7 @@ class Feature:
 
     @property
     def execute(self) -> Callable[[Any], None]:
-        """What FreeCAD calls in a recompute: it fails with a sentence and keeps the last good shape."""
+        """What FreeCAD calls in a recompute; it fails with a sentence and keeps the last good shape."""
         return raising(self._made_or_refused)
 
     def _made_or_refused(self, obj: Any) -> RefusalError | None:
@@ -163,11 +163,11 @@ class Feature:
         return None
 
     def make(self, obj: Any) -> None:
-        """Set the shape and the results."""
+        """Set shape and results from the properties; each feature defines this."""
         raise NotImplementedError
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Tell in the results what went wrong; the last good shape goes out of sight."""
+        """Write the error into the results, and hide the last good shape."""
         self.tell_error(obj, error)
         hide(obj)
 
@@ -179,17 +179,17 @@ class Feature:
         return []
 
     def dumps(self) -> None:
-        """Nothing to save."""
+        """Return None: a proxy has nothing to save."""
 
     def loads(self, state: Any) -> None:
-        """Nothing to load."""
+        """Do nothing: a proxy has nothing to load."""
 
     __getstate__ = dumps
     __setstate__ = loads
 
 
 def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = ()) -> Any:
-    """A new feature, in the App::Part that all its sources share."""
+    """Add a new feature to the document, in the App::Part that all its sources share."""
     obj = document.addObject("Part::FeaturePython", name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
@@ -249,7 +249,7 @@ def _failed_unasked(obj: Any) -> bool:
 
 
 def hide_failed(source: Any) -> None:
-    """Hide what follows a source and failed."""
+    """Hide all features that follow a source and failed."""
     for one in source.InListRecursive:
         if isinstance(getattr(one, "Proxy", None), Feature) and "Invalid" in one.State:
             hide(one)
@@ -282,7 +282,7 @@ def _covering(part: Any) -> list[Any]:
 
 
 def parents(source: Any) -> list[Any]:
-    """The containers that an object moves with, inside out."""
+    """Return the containers that an object moves with, from the inside out."""
     found: list[Any] = []
     while source is not None:
         source = source.getParentGeoFeatureGroup()
@@ -291,7 +291,7 @@ def parents(source: Any) -> list[Any]:
 
 
 def keep_containers(document: Any, moved: Collection[str]) -> None:
-    """Objects of these names went into a container or out of one: what they hold stands in the other place.
+    """Update features after objects of these names were moved into a container or out of one.
 
     A feature that is inside now cannot hang on the container as well.
     """
@@ -307,7 +307,7 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
 
 
 def keep_sheets() -> None:
-    """The user's sheets are others: open documents offer them, and what is made of a changed one follows."""
+    """Update open documents after the user's sheets changed: choices, and what is made of a changed one."""
     for document in App.listDocuments().values():
         ours = [obj for obj in document.Objects if isinstance(getattr(obj, "Proxy", None), Feature)]
         for obj in ours:
@@ -326,7 +326,7 @@ def keep_places(container: Any) -> None:
 
 
 def telling(obj: Any, name: str) -> list[Any]:
-    """An object and the features made from it, as far as their sentences speak of this name."""
+    """Return the object and the features made from it whose messages mention this name."""
     ours = (one for one in (obj, *obj.InListRecursive) if isinstance(getattr(one, "Proxy", None), Feature))
     return [one for one in ours if any(name in words for words in _sentences(one))]
 

@@ -4,6 +4,7 @@
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Any, ClassVar
 from weakref import WeakValueDictionary
 
@@ -16,6 +17,7 @@ from freecad.elastica_wb.features.strip_request import spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.view_providers import dress
 from freecad.elastica_wb.host.words import capital, worded
@@ -37,6 +39,7 @@ from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.refusals import Length, note, sentences
 
 BODY = "PartDesign::Body"
+SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
@@ -44,7 +47,7 @@ _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
 
 
 class StripFeature(Feature):
-    """Proxy of a strip."""
+    """The proxy of a parametric strip."""
 
     properties = PROPERTIES
     sheets: ClassVar = {"Sheet": "SheetData", "Backing": "BackingData"}
@@ -53,8 +56,15 @@ class StripFeature(Feature):
         super().__init__(obj)
         obj.Anticlastic = True
 
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Another sheet has another colour."""
+        before = self.chosen
+        super().onChanged(obj, name)
+        if name == "Sheet" and App.GuiUp and before is not None and "Restore" not in obj.State:
+            _recolor(obj, before)
+
     def make(self, obj: Any) -> None:
-        """Make the shape and tell the results."""
+        """Set the shape and the results."""
         drawn = drawn_curve(obj.Curve, obj)
         spec = spec_of(obj, drawn)
         strip = solve_strip(spec)
@@ -80,23 +90,27 @@ class StripFeature(Feature):
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Nothing is hidden while its sketch is open."""
+        """Write the error into the results; while the sketch is open nothing is hidden."""
         if is_edited(obj):
             self.tell_error(obj, error)
         else:
             super().failed(obj, error)
 
     def tell_error(self, obj: Any, error: ElasticaError) -> None:
-        """No results of before."""
+        """Replace the results by the error."""
         _tell_error(obj, error)
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
-    """The parametric strip that follows a sketch, or edges of an object; recompute the document to see it."""
+    """Make the parametric strip that follows a sketch, or edges of an object; recompute the document to see it."""
     group = sketch.getParentGeoFeatureGroup()
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
+    if (
+        is_sketch(sketch) and sketch.Label != sketch.Name
+    ):  # it was given a name; FreeCAD lets no two share one
+        obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
         group.addObject(obj)
     obj.Curve = (sketch, list(edges))
@@ -108,13 +122,23 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     return obj
 
 
+def _recolor(strip: Any, before: str) -> None:
+    """The strip, and what is made from it: but for what the user has painted."""
+    with suppress(InputError):  # a sheet that is not known any more
+        old, new = (sheet_color(sheet_called(name)) for name in (before, strip.Sheet))
+        for view in [one.ViewObject for one in (strip, *strip.InList)]:
+            shown = getattr(view, "ShapeColor", ())[:3]
+            if shown and all(abs(a - b) < SAME_COLOR for a, b in zip(shown, old, strict=True)):
+                view.ShapeColor = new
+
+
 def is_strip(obj: Any) -> bool:
     """Is this object a parametric strip?"""
     return isinstance(getattr(obj, "Proxy", None), StripFeature)
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:
-    """What `copies` of an object gives.
+    """Yield the strips that an object shows, with the placement of each copy.
 
     Raises
     ------
@@ -134,7 +158,7 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
 
 
 def strip_of(obj: Any) -> Strip:
-    """The core's strip behind a parametric strip.
+    """Return the `Strip` record that a strip feature shows.
 
     Raises
     ------
@@ -165,7 +189,7 @@ def shown_strip(obj: Any) -> Strip:
 
 
 def tell_held(obj: Any) -> None:
-    """Write how far a strip strays as made and held, and whether it stays in its plane.
+    """Write into the results how far a strip as made and held is from its curve, and whether it stays in its plane.
 
     It takes as long as the rest of it, so no recompute waits.
     """

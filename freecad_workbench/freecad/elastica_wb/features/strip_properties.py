@@ -10,11 +10,10 @@ from collections.abc import Iterator
 
 import FreeCAD as App
 from freecad.elastica_wb.features.proxy import CONTAINERS
-from freecad.elastica_wb.host.property_table import Property
+from freecad.elastica_wb.host.property_table import Property, declared_property
 
 from elastica_cad.declared import Field, declared
 from elastica_cad.formats.design_files.key_paths import paths_of
-from elastica_cad.formats.design_files.records import written
 from elastica_cad.formats.design_files.strip_table import StripKeys
 
 FORMS = ["Bent", "Flat"]
@@ -42,7 +41,7 @@ EXAMPLES = {
 """Lines of properties that hold tables, written as in a design file."""
 
 OWN_BOXES = (
-    "curve", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
+    "curve", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
     "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
 )  # fmt: skip
 """Keys that are not one to one with a property: `strip_request` reads them."""
@@ -50,12 +49,8 @@ OWN_BOXES = (
 OWN_TABLES = ("style", "limits", "keep")
 """Keys whose own keys have properties."""
 
-KINDS = {"number": "Float", "count": "Integer", "flag": "Bool", "text": "String", "choice": "Enumeration"}
-UNITS = {"mm": "Length", "rad": "Angle"}
 GROUPS = {"style": "Style", "limits": "Nearest", "keep": "Nearest", "curve": "Curve", "sheet": "Sheet",
           "widths": "Width", "ends": "Ends", "weight": "Mechanics"}  # fmt: skip
-NOTHING = "none"
-"""The choice that leaves an optional field out."""
 
 
 def name_of(path: str) -> str:
@@ -71,19 +66,10 @@ def name_of(path: str) -> str:
 
 def _property_of(path: str, field: Field) -> Property:
     """The property of a key that is one value."""
-    kind, name, default = written(field.kind), name_of(path), field.default
-    called = KINDS.get(kind.name) or ("StringList" if kind.name == "list" else "String")
-    if kind.name == "number":
-        called = UNITS.get(field.asked.unit, called)
-    if kind.name == "list" and kind.of[0].name == "number":
-        called = "FloatList"
-    if kind.name == "choice":
-        choices = [*([] if default is not None else [NOTHING]), *kind.choices]
-        return Property(called, name, _group(path), field.help, choices)
-    empty = {"String": "", "StringList": [], "FloatList": [], "Bool": False, "Integer": 0}.get(called, 0.0)
-    usual = default if isinstance(default, (bool, int, float, str)) else empty
-    given = DEFAULTS.get(name, usual)
-    return Property(called, name, _group(path), field.help, given, example=EXAMPLES.get(name, ""))
+    name = name_of(path)
+    return declared_property(
+        field, _group(path), name, given=DEFAULTS.get(name), example=EXAMPLES.get(name, "")
+    )
 
 
 def _group(path: str) -> str:

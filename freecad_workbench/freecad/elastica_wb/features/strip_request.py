@@ -9,8 +9,8 @@ from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
-from freecad.elastica_wb.features.strip_properties import EXAMPLES, FIELDS, NOTHING, PROPERTIES, name_of
-from freecad.elastica_wb.host.property_table import require_choices
+from freecad.elastica_wb.features.strip_properties import EXAMPLES, FIELDS, PROPERTIES, name_of
+from freecad.elastica_wb.host.property_table import NOTHING, require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field
@@ -39,7 +39,8 @@ SHEET, BACKING = "sheet", "backing"
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
-    """What the properties ask for; what belongs to another style, or to the nearest curve only, is left out.
+    """Return the request that the properties make; those of another style, or of the nearest curve only, are left
+    out.
 
     Raises
     ------
@@ -62,7 +63,7 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
-    """The table of a design file that asks for the same.
+    """Return the table of a design file that requests the same strip as the properties do.
 
     Raises
     ------

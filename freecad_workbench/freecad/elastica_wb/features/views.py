@@ -53,7 +53,7 @@ class _View:
 
 
 class StripView(_View):
-    """The strip; its sketch hangs under it in the tree."""
+    """The strip in the tree, with its sketch below it."""
 
     icon_name = "Elastica_Strip"
 
@@ -67,13 +67,13 @@ class StripView(_View):
 
 
 class FlatView(_View):
-    """The flat part."""
+    """The flat part in the tree."""
 
     icon_name = "Elastica_Flat"
 
 
 class ModelView(_View):
-    """The model; its strips hang under it."""
+    """The model in the tree, with its strips below it."""
 
     icon_name = "Elastica_Interlock"
 
@@ -94,37 +94,37 @@ class ModelView(_View):
 
 
 class FixturesView(_View):
-    """The printed blocks."""
+    """The printed blocks in the tree."""
 
     icon_name = "Elastica_Fixtures"
 
 
 class BasePlateView(_View):
-    """The plate."""
+    """The base plate in the tree."""
 
     icon_name = "Elastica_Fixtures"
 
 
 class NestView(_View):
-    """The sheets."""
+    """The nested sheets in the tree."""
 
     icon_name = "Elastica_Nest"
 
 
 class NearestView(_View):
-    """The nearest curve."""
+    """The nearest curve in the tree."""
 
     icon_name = "Elastica_Nearest"
 
 
 class BentView(_View):
-    """The curve of a strip bent further."""
+    """The curve of a strip bent further, in the tree."""
 
     icon_name = "Elastica_Bend"
 
 
 class SectionView(_View):
-    """The curves cut out of bodies."""
+    """The curves cut out of bodies, in the tree."""
 
     icon_name = "Elastica_Section"
 

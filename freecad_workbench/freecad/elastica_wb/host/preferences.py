@@ -20,6 +20,7 @@ DEFAULTS: dict[str, Any] = {
     "Tolerance": 0.02,
     "LiveMode": True,
     "LiveNearest": True,
+    "CardFolded": False,
     "ExportFolder": "",
 }
 """Name of every preference and what holds until it is changed; the type is the default's."""
@@ -32,7 +33,7 @@ CHOICES = {
 
 
 def get(name: str) -> Any:
-    """The value of a preference."""
+    """Return the value of a preference."""
     default, group = DEFAULTS[name], App.ParamGet(PATH)
     if name in CHOICES:
         number = group.GetInt(name, CHOICES[name].index(default))
@@ -43,7 +44,7 @@ def get(name: str) -> Any:
 
 
 def put(name: str, value: Any) -> None:
-    """Change a preference."""
+    """Change the value of a preference."""
     group = App.ParamGet(PATH)
     if name in CHOICES:
         group.SetInt(name, CHOICES[name].index(value))

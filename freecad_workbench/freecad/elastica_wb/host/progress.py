@@ -26,7 +26,7 @@ _workers = ThreadPoolExecutor(max_workers=2, thread_name_prefix="elastica")
 
 
 def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
-    """Start work beside the window; ask the future for its answer later."""
+    """Start work in a thread, and return its future."""
     return _workers.submit(work, *arguments)
 
 

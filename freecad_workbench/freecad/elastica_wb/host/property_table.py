@@ -3,7 +3,7 @@
 
 """Properties as a table: added where missing, so that files of earlier versions gain the later ones."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -11,7 +11,9 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.host.words import worded
 
+from elastica_cad.declared import Field
 from elastica_cad.errors import InputError
+from elastica_cad.formats.design_files.records import written
 
 OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change asks for no recompute; not saved
 
@@ -35,14 +37,46 @@ class Property:
 
     @property
     def type_id(self) -> str:
-        """FreeCAD's name of its type."""
+        """FreeCAD's name of the property's type."""
         return f"App::Property{self.kind}"
 
     @property
     def translated_help(self) -> str:
-        """What it means, in the user's language."""
+        """The help of the property in the user's language."""
         told = worded(str(App.Qt.translate("App::Property", self.help)))
         return f"{told} {self.example}" if self.example else told
+
+
+KINDS = {"number": "Float", "count": "Integer", "flag": "Bool", "text": "String", "choice": "Enumeration"}
+UNITS = {"mm": "Length", "rad": "Angle"}
+NOTHING = "none"
+"""The choice that leaves an optional field out."""
+
+
+def declared_property(
+    field: Field, group: str, name: str = "", *, given: Any = None, example: str = ""
+) -> Property:
+    """The property of a declared field, called as the field unless told; `given` is the default of a new object."""
+    kind, name, default = written(field.kind), name or field.name.title().replace("_", ""), field.default
+    called = KINDS.get(kind.name) or ("StringList" if kind.name == "list" else "String")
+    if kind.name == "number":
+        called = UNITS.get(field.asked.unit, called)
+    if kind.name == "list" and kind.of[0].name == "number":
+        called = "FloatList"
+    if kind.name == "choice":
+        choices = [*([] if default is not None else [NOTHING]), *kind.choices]
+        return Property(called, name, group, field.help, choices)
+    empty = {"String": "", "StringList": [], "FloatList": [], "Bool": False, "Integer": 0}.get(called, 0.0)
+    usual = default if isinstance(default, (bool, int, float, str)) else empty
+    return Property(called, name, group, field.help, usual if given is None else given, example=example)
+
+
+def values_of(obj: Any, fields: Mapping[str, Field]) -> dict[str, Any]:
+    """What properties ask for, by the names of their declared fields."""
+    return {
+        field.name: getattr(value, "Value", value)
+        for field, value in ((field, getattr(obj, name)) for name, field in fields.items())
+    }
 
 
 def ensure(obj: Any, table: Iterable[Property]) -> None:
@@ -113,7 +147,7 @@ def _is_choice(given: Any, choices: list[str]) -> bool:
 
 
 def is_misread(obj: Any, name: str) -> bool:
-    """Has a formula left a list of choices without one, or with the first for a word that is none of them?"""
+    """Tell whether a formula left a list without a choice, or on its first one for a word that is no choice."""
     present, formula = getattr(obj, name), _formulas(obj).get(name)
     if present is None or formula is None:
         return present is None
@@ -136,7 +170,7 @@ def choose_again(obj: Any, name: str, chosen: str | None) -> None:
 
 
 def put(obj: Any, **values: Any) -> None:
-    """Set the properties whose value differs: an unchanged result leaves no trace in the undo history."""
+    """Set the properties whose value differs, so that an unchanged result leaves no trace in the undo history."""
     for name, value in values.items():
         present = getattr(obj, name)
         if getattr(present, "Value", present) != value:

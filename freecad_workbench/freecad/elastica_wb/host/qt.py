@@ -35,7 +35,7 @@ def surface_of(view: Any) -> Any | None:
 
 
 def kind_of(event: Any) -> Any | None:
-    """What an event that PySide hands to a filter is; None where it hands the wrapper of a widget for it.
+    """Return the type of an event; None where PySide hands a widget's wrapper to the filter instead of an event.
 
     As with views: an event may lie in memory where a deleted widget lay, and it is then no event that can be asked.
     """
@@ -48,11 +48,11 @@ class EscapeKey(QtCore.QObject):
     pressed = False
 
     def watch(self) -> None:
-        """Begin; what came last is asked first."""
+        """Begin to watch; the filter that was installed last is called first."""
         QtCore.QCoreApplication.instance().installEventFilter(self)
 
     def leave(self) -> None:
-        """End."""
+        """Stop watching."""
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:

@@ -47,11 +47,11 @@ class _Speaker(type):
 
 
 class RefusalError(ValueError, metaclass=_Speaker):
-    """What `execute` raises when an object cannot be made."""
+    """The error that `execute` raises when an object cannot be made."""
 
 
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """The refusal of an object, to be raised by `raising`."""
+    """Return the error of an object as the exception that `raising` raises."""
     RefusalError.who = obj.Label
     return RefusalError(worded(str(error)))
 
@@ -89,7 +89,7 @@ class _Thrower:
 
 
 def explained(error: Exception) -> ElasticaError:
-    """One of `FAILURES` as a sentence of ours."""
+    """Return an exception of `FAILURES` as an error with advice."""
     if isinstance(error, ElasticaError):
         return error
     if isinstance(error, ImportError):
@@ -103,7 +103,7 @@ def explained(error: Exception) -> ElasticaError:
 
 
 def why_not_made(obj: Any) -> str:
-    """What is wrong with an object, or with what it is made from; empty where nothing is.
+    """Return the error of an object, or of what it is made from; empty without error.
 
     FreeCAD leaves out what is made from something that failed, and that has no state of its own then.
     """
@@ -118,7 +118,7 @@ def why_not_made(obj: Any) -> str:
 
 
 def why_not_computed(obj: Any) -> str:
-    """What is wrong with a formula of an object; empty where nothing is."""
+    """Return the error of a formula of an object; empty without error."""
     found = FORMULA.fullmatch(str(obj.getStatusString())) if "Invalid" in obj.State else None
     if found is None:
         return ""
@@ -140,7 +140,7 @@ def is_broken_link(obj: Any) -> bool:
 
 
 def told_of_broken_link(obj: Any) -> str:
-    """What is wrong with it, and what to do."""
+    """Return what is wrong with a broken link, and what to do."""
     lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
         return note(

@@ -12,13 +12,16 @@ import FreeCAD as App
 
 TRIES = 10
 
-RESOURCES = Path(__file__).resolve().parents[3] / "resources"
+HERE = Path(__file__).resolve()
+
+RESOURCES = next(at / "resources" for at in (HERE.parents[1], HERE.parents[3]) if (at / "resources").is_dir())
+"""In the folder that `make addon` writes beside the modules, in a checkout beside `freecad`."""
 
 _aside: list[Any] = []
 
 
 def translate(context: str, words: str) -> str:
-    """The words in the user's language."""
+    """Return the words in the user's language."""
     return str(App.Qt.translate(context, words))
 
 
@@ -28,12 +31,12 @@ def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
 
 
 def icon(name: str) -> str:
-    """Path of an icon."""
+    """Return the path of an icon."""
     return str(RESOURCES / "icons" / f"{name}.svg")
 
 
 def load_panel(name: str) -> Any:
-    """A widget from its .ui file.
+    """Make a widget from its .ui file.
 
     PySide may take the Python face of a deleted widget for a new one at the same address (FreeCAD 1.0 on
     Python 3.13 does); such a form is put aside, where it keeps its addresses, and the file is loaded anew.

@@ -17,7 +17,7 @@ from elastica_cad.mechanics.material.sheet_library import built_in_figures
 
 
 def own_sheets_file() -> Path:
-    """Where the user's sheets are kept."""
+    """Return the path of the file with the user's sheets."""
     return _file_in(App.getUserAppDataDir())
 
 
@@ -47,7 +47,7 @@ def _read(path: Path, *_state: int) -> dict[str, Sheet]:
 
 
 def save_own_sheets(sheets: Iterable[Sheet]) -> None:
-    """Write the user's sheets, all of them.
+    """Write the user's sheets, which replace all that the file held.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
 
 
 def sheet_list() -> list[str]:
-    """All names, the user's own first."""
+    """Return the names of all sheets, the user's own first."""
     own = list(own_sheets())
     return own + [name for name in sheet_names() if name not in own]
 
@@ -103,7 +103,7 @@ def text_of(sheet: Sheet) -> str:
 
 
 def sheet_from_text(name: str, text: str) -> Sheet:
-    """The sheet of that name in a TOML text."""
+    """Return the sheet that a TOML text describes, under the given name."""
     import tomllib
 
     try:

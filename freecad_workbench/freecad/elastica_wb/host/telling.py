@@ -21,7 +21,7 @@ _told: list[Any] = []
 
 
 def tell(sentence: str) -> None:
-    """A sentence in the report view, the status bar and a window that stops nobody."""
+    """Show a sentence in the report view, in the status bar and in a window that does not block."""
     sentence = worded(sentence)
     report_error(sentence)
     Gui.getMainWindow().statusBar().showMessage(sentence, STATUS_MS)

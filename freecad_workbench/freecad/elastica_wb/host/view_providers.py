@@ -15,7 +15,7 @@ def register(dresser: Callable[[Any, str], None], panel: Callable[[Any], Any]) -
 
 
 def panel_of(obj: Any) -> Any:
-    """The panel that edits a feature."""
+    """Return the panel that edits a feature."""
     return _registered[0][1](obj)
 
 

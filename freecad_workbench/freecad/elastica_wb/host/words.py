@@ -20,20 +20,20 @@ USUAL_MM = 10.0  # mm: a strip's width tells which of its units FreeCAD would us
 
 @dataclass(frozen=True)
 class Unit:
-    """What lengths are shown in: its name, and how many mm it has."""
+    """A unit of length: its name, and how many mm it has."""
 
     name: str
     size: float
 
 
 def shown_unit() -> Unit:
-    """What FreeCAD shows lengths in."""
+    """Return the unit in which FreeCAD shows lengths."""
     _, size, name = App.Units.Quantity(USUAL_MM, App.Units.Length).getUserPreferred()
     return Unit({'"': "in", "'": "ft"}.get(name, name), size)
 
 
 class Words(Translated):
-    """A user's words."""
+    """Words messages in the user's language and unit."""
 
     def __init__(self, language: str, unit: Unit, point: str) -> None:
         super().__init__(language)
@@ -52,13 +52,13 @@ def worded(said: str, unit: Unit | None = None) -> str:
 
 
 def capital(sentence: str) -> str:
-    """It begins with a capital letter, but for a name of the user's that a colon follows."""
+    """Return the sentence with a capital letter, but for a user's name that a colon follows."""
     first = sentence.partition(" ")[0]
     return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
 
 
 def decimal_point() -> str:
-    """What stands between whole and decimal digits, as in FreeCAD's own boxes."""
+    """Return the sign between whole and decimal digits, as in FreeCAD's own input fields."""
     if not App.GuiUp:
         return "."
     from freecad.elastica_wb.host.qt import QtCore
@@ -72,12 +72,12 @@ def report(sentence: str, who: str = "") -> None:
 
 
 def report_warning(sentence: str, who: str = "") -> None:
-    """Something to know; `who` is the label of the object that it is about."""
+    """Show a warning in the report view; `who` is the label of its object."""
     App.Console.PrintWarning(_line(sentence, who))
 
 
 def report_error(sentence: str, who: str = "") -> None:
-    """Something that went wrong."""
+    """Show an error in the report view; `who` is the label of its object."""
     App.Console.PrintError(_line(sentence, who))
 
 

@@ -4,7 +4,7 @@
 """What the overlay shows of a curve, as plain points in the plane of the sketch: no window needed."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
@@ -15,7 +15,9 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.straight_ends import StraightEnds
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import nodal_curvature
+from elastica_cad.mechanics.material.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
@@ -27,42 +29,47 @@ LINE_MARGIN = 0.15  # of the curve's extent, by which the inflection line sticks
 ON_LINE = 1e-4  # of the length: what `check_equilibrium` puts right by itself
 
 
+def _nothing() -> FloatArray:
+    return np.zeros((0, 2))
+
+
 @dataclass(frozen=True, eq=False)
 class Picture:
     """Lines and marks of the overlay, mm in the sketch's plane.
 
     Attributes
     ----------
-    comb : tuple of (n, 2) arrays
-        Curvature comb: its rim, then its teeth.
+    answer : Answer
+        The verdict, as far as it is known at once.
+    realizable : bool or None
+        None where only the solver can tell (with weight).
+    comb, strained : tuple of (n, 2) arrays
+        Curvature comb, rim and teeth: where the sheet bears the bend, and where it is bent beyond that.
     line : (2, 2) array or None
         The inflection line inside the neighbourhood of the curve.
     on_line, off_line : (k, 2) arrays
         Inflections on the line and off it.
-    distances : tuple of ((x, y), mm)
-        How far those off it are.
     crossings : (k, 2) array
         Where the line meets the curve and must not.
-    realizable : bool or None
-        None where only the solver can tell (with weight).
-    answer : Answer
-        The verdict, as far as it is known at once.
+    labels : tuple of ((x, y), mm)
+        Arc lengths of those marks, by which the verdict names them.
     """
 
-    comb: tuple[FloatArray, ...]
-    line: FloatArray | None
-    on_line: FloatArray
-    off_line: FloatArray
-    distances: tuple[tuple[tuple[float, float], Length], ...]
-    crossings: FloatArray
-    realizable: bool | None
     answer: Answer
+    realizable: bool | None
+    comb: tuple[FloatArray, ...]
+    strained: tuple[FloatArray, ...]
+    line: FloatArray | None = None
+    on_line: FloatArray = field(default_factory=_nothing)
+    off_line: FloatArray = field(default_factory=_nothing)
+    crossings: FloatArray = field(default_factory=_nothing)
+    labels: tuple[tuple[tuple[float, float], Length], ...] = ()
 
 
 def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
-    """What is known of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
+    """Return the overlay of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
     samples = curve.sample(TEETH)
-    comb = _comb(samples.position, samples.angle, samples.curvature, scale or comb_scale(curve))
+    comb, strained = _combs(samples, spec, scale or comb_scale(curve))
     try:
         bent = (
             StraightEnds.of(curve, spec.supports, spec.natural_curvature).bent
@@ -74,37 +81,30 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
         else:
             check = examine_curvature(bent, spec.supports, spec.natural_curvature)
     except ElasticaError as error:
-        nothing = np.zeros((0, 2))
-        return Picture(
-            comb,
-            None,
-            nothing,
-            nothing,
-            (),
-            nothing,
-            False,
-            Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error)),
-        )
-    realizable = None if spec.gravity_in_plane is not None and check.realizable else check.realizable
+        cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
+        return Picture(cannot, False, comb, strained)
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
     good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
     bad = [s for s in places if s not in good]
-    off = _at(bent, bad)
-    texts = tuple(((float(x), float(y)), Length(abs(places[s]))) for s, (x, y) in zip(bad, off, strict=True))
+    met = [*check.crossings, *check.touches]
+    named = [*good, *bad, *met]
+    marks = _at(bent, named)
+    on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
     return Picture(
-        comb=comb,
-        line=None if check.line is None else _inside(check, samples.position),
-        on_line=_at(bent, good),
-        off_line=off,
-        distances=texts,
-        crossings=_at(bent, (*check.crossings, *check.touches)),
-        realizable=realizable,
         answer=quick_answer(curve, samples, spec, check),
+        realizable=None if spec.gravity_in_plane is not None and check.realizable else check.realizable,
+        comb=comb,
+        strained=strained,
+        line=None if check.line is None else _inside(check, samples.position),
+        on_line=on_line,
+        off_line=off_line,
+        crossings=crossings,
+        labels=tuple(((float(x), float(y)), Length(s)) for (x, y), s in zip(marks, named, strict=True)),
     )
 
 
 def comb_scale(curve: PlaneCurve) -> float:
-    """mm that the comb draws for a curvature of 1/mm."""
+    """Return the length, mm, that the comb draws for a curvature of 1/mm."""
     samples = curve.sample(TEETH)
     largest = float(np.abs(samples.curvature).max())
     extent = float(np.ptp(samples.position, axis=0).max())
@@ -112,24 +112,33 @@ def comb_scale(curve: PlaneCurve) -> float:
 
 
 def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
-    """Both edges of the strip, laid flat into the plane along its curve."""
+    """Return both edges (n, 2) of the strip, mm, laid flat into the plane along its curve."""
     samples = strip.rod.curve.sample(count)
     aside = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     half = strip.width(samples.s * (strip.width.length / samples.s[-1]))[:, None] / 2
     return samples.position + half * aside, samples.position - half * aside
 
 
-def _comb(
-    position: FloatArray, angle: FloatArray, curvature: FloatArray, scale: float
-) -> tuple[FloatArray, ...]:
-    """On the outer side of the bend, as FreeCAD's own combs are."""
-    tips = position - scale * curvature[:, None] * np.column_stack([-np.sin(angle), np.cos(angle)])
-    return tips, *np.stack([position, tips], axis=1)
+def _combs(
+    samples: CurveSamples, spec: StripSpec, scale: float
+) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
+    """On the outer side of the bend, as FreeCAD's own combs are; what is bent too much is a comb of its own."""
+    normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
+    tips = samples.position - scale * samples.curvature[:, None] * normals
+    bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
+    strained = bend * spec.material.least_radius > 1 + STRAIN_SLACK
+    teeth = np.stack([samples.position, tips], axis=1)
+    edges = np.flatnonzero(np.diff(strained)) + 1
+    runs = np.split(np.arange(len(tips)), edges)
+    combs: tuple[list[FloatArray], list[FloatArray]] = ([], [])
+    for run in runs:  # a rim goes on to the first tooth of the next
+        combs[int(strained[run[0]])].extend([tips[run[0] : run[-1] + 2], *teeth[run]])
+    return tuple(combs[0]), tuple(combs[1])
 
 
 def _at(curve: PlaneCurve, places: Sequence[float]) -> FloatArray:
     if not len(places):
-        return np.zeros((0, 2))
+        return _nothing()
     return np.asarray(curve.at(np.array(places)).position)
 
 

@@ -24,7 +24,7 @@ class LiveCommand:
     shortcut = "Y, L"
 
     def GetResources(self) -> dict[str, Any]:
-        """Icon, words and keys."""
+        """Return icon, words and keys."""
         return {
             "Pixmap": icon(self.name),
             "MenuText": self.text,
@@ -41,7 +41,7 @@ class LiveCommand:
         return sketches.edited_sketch() is not None
 
     def Activated(self, _index: int = 0) -> None:
-        """On where it is off, and the other way round."""
+        """Turn the overlay on where it is off, and off where it is on."""
         sketch = sketches.edited_sketch()
         if sketch is not None:
             observers.switch(sketch, on=not observers.is_on(sketch))
@@ -55,7 +55,7 @@ class LiveManipulator:
         return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _known()]
 
     def modifyMenuBar(self) -> list[dict[str, str]]:
-        """In the menu of the sketcher too."""
+        """Add the command to the menu of the sketcher."""
         return [{"append": name, "menuItem": "Sketcher_ViewSection"} for name in _known()]
 
 
@@ -65,7 +65,7 @@ def _known() -> list[str]:
 
 
 def register() -> None:
-    """Make FreeCAD know the switch, and keep it in step with the overlay."""
+    """Register the command, and keep its check mark in step with the overlay."""
     if NAME not in Gui.listCommands():
         Gui.addCommand(NAME, LiveCommand())
     sketches.listeners.append(_show_state)

@@ -30,8 +30,8 @@ SOUGHT_MS = 50  # until work in another thread is asked for again
 
 
 class LaterResults:
-    """Tells of recomputed strips how far they stray, of models what overlaps in them, of nests what they leave out,
-    one at a time.
+    """Computes results that need not delay a recompute, one after the other: how far strips stray, which overlap in
+    a model, what a nest leaves out.
     """
 
     def __init__(self) -> None:
@@ -43,33 +43,33 @@ class LaterResults:
         self._timer.timeout.connect(self._next)
 
     def slotRecomputedObject(self, obj: Any) -> None:
-        """It is not asked for before the last of many is made."""
+        """Queue a strip or a model; work begins after the last object is recomputed."""
         if is_strip(obj) or is_model(obj):
             self._wait_for(obj)
 
     def slotUndoDocument(self, document: Any) -> None:
-        """What was written after a step was closed is not undone with it."""
+        """Queue every model: late results were written outside of the step that is undone."""
         for obj in filter(is_model, document.Objects):
             self._wait_for(obj)
         self.slotRecomputedDocument(document)
 
     def slotRecomputedDocument(self, document: Any) -> None:
-        """A nest is not made from what follows its strips."""
+        """Queue every nest, for a nest may depend on strips that FreeCAD does not link to it."""
         self._nests[document.Name] = nests = [obj for obj in document.Objects if is_nest(obj)]
         for obj in nests:
             self._wait_for(obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """It may have followed a strip, and nothing is recomputed."""
+        """Queue the nests of the document: the object may have followed a strip, and nothing is recomputed."""
         for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
             self._wait_for(nest)
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """Its nests are gone."""
+        """Forget the nests of the document."""
         self._nests.pop(document.Name, None)
 
     def slotRedoDocument(self, document: Any) -> None:
-        """As after undo."""
+        """Queue the same as after an undo."""
         self.slotUndoDocument(document)
 
     def _wait_for(self, obj: Any) -> None:
@@ -122,7 +122,7 @@ _installed: list[Any] = []
 
 
 def install() -> None:
-    """Begin to watch."""
+    """Install the observers."""
     if not _installed:
         _installed.extend([Edits(), Changes(), LaterResults()])
         Gui.addDocumentObserver(_installed[0])
@@ -137,7 +137,7 @@ def is_on(sketch: Any) -> bool:
 
 
 def switch(sketch: Any, *, on: bool) -> None:
-    """Turn the overlay of an open sketch on or off, and let the sketch remember."""
+    """Turn the overlay of an open sketch on or off, and store that in the sketch."""
     from freecad.elastica_wb.live import session
 
     remember(sketch, on)
@@ -153,16 +153,16 @@ def start_if_wanted(sketch: Any) -> None:
 
 
 class Edits:
-    """Beginning and end of edits."""
+    """Starts the overlay when a sketch is opened, and ends it when the sketch is closed."""
 
     def slotInEdit(self, provider: Any) -> None:
-        """A sketch is opened; the sketcher draws its points after this signal."""
+        """Start the overlay after the sketcher has drawn its points, which it does after this signal."""
         sketch = getattr(provider, "Object", None)
         if is_sketch(sketch) and wants_overlay(sketch):
             QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
 
     def slotResetEdit(self, provider: Any) -> None:
-        """It is closed."""
+        """End the overlay when its sketch is closed."""
         session = _session()
         if session is not None and getattr(provider, "Object", None) is session.sketch:
             sketch = session.sketch
@@ -170,7 +170,7 @@ class Edits:
             QtCore.QTimer.singleShot(0, lambda: _hide_failed(sketch))
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """The document goes, and its view with it."""
+        """End the overlay when its document is closed."""
         session = _session()
         if session is not None and session.sketch.Document.Name == document.Document.Name:
             _stop()
@@ -226,7 +226,7 @@ class Changes:
         self._after_undo(document)
 
     def slotRedoDocument(self, document: Any) -> None:
-        """As after undo."""
+        """Do the same as after an undo."""
         self._after_undo(document)
 
     def slotRecomputedDocument(self, document: Any) -> None:
@@ -297,8 +297,12 @@ def _shared(work: str, *subject: Any) -> None:
 
 
 def _renamed(obj: Any, old: str) -> None:
-    """Sentences that speak of an object under its old name are told anew."""
+    """What is called after an object follows its name; sentences that speak of the old one are told anew."""
     module = _proxies()
+    if old and not obj.Document.Transacting and not _is_importing(obj.Document):
+        for user in filter(is_feature, obj.InList):
+            if user.Label.startswith(f"{old} "):
+                user.Label = f"{obj.Label}{user.Label[len(old) :]}"
     told = module.telling(obj, old) if module is not None and old not in ("", obj.Label) else []
     if told:
         QtCore.QTimer.singleShot(0, lambda: recompute(told))

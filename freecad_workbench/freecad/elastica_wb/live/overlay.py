@@ -4,9 +4,11 @@
 """The overlay in the 3D view: a few Coin nodes whose points are replaced, never rebuilt."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.curve_picture import Picture
 from freecad.elastica_wb.live.verdict import Verdict
@@ -17,18 +19,49 @@ from elastica_cad._types import FloatArray
 from elastica_cad.refusals import Length, note
 
 LIFT_MM = 0.02  # above the sketch's own lines
-DASHED = 0xF0F0
-COLORS = {
-    "comb": (0.13, 0.49, 0.83),
-    "line": (0.71, 0.42, 0.05),
-    "nearest": (0.62, 0.35, 0.85),
-    "width": (0.66, 0.44, 0.20),
+FULL, DASHED = 0xFFFF, 0xF0F0
+DOT, DIAMOND = coin.SoMarkerSet.CIRCLE_FILLED_9_9, coin.SoMarkerSet.DIAMOND_FILLED_9_9
+Color = tuple[float, float, float]
+COLORS: dict[Verdict, Color] = {
     Verdict.CAN: (0.08, 0.53, 0.24),
     Verdict.BREAKS: (0.78, 0.36, 0.0),
     Verdict.CANNOT: (0.85, 0.18, 0.18),
     Verdict.NOTHING: (0.42, 0.42, 0.45),
 }
 """Red, green, blue; of middle lightness, so that they stand out from light backgrounds and from dark ones."""
+LABEL, LABEL_GROUND, LABEL_SIZE = (1.0, 1.0, 1.0), (0.13, 0.13, 0.15), 10
+
+
+@dataclass(frozen=True)
+class Part:
+    """Lines of a width and a pattern, or marks; in the legend a sign and what they mean."""
+
+    color: Color
+    sign: str
+    words: str
+    width: float = 0.0
+    pattern: int = FULL
+    marker: int = DOT
+
+
+PARTS = {
+    "comb": Part((0.13, 0.49, 0.83), "▬", QT_TRANSLATE_NOOP("Elastica", "curvature"), 1.0),
+    "strained": Part(
+        COLORS[Verdict.CANNOT], "▬", QT_TRANSLATE_NOOP("Elastica", "more than the sheet bears"), 1.0
+    ),
+    "width": Part((0.66, 0.44, 0.20), "▬", QT_TRANSLATE_NOOP("Elastica", "the strip laid flat"), 2.0),
+    "line": Part(COLORS[Verdict.CAN], "▬", QT_TRANSLATE_NOOP("Elastica", "inflection line"), 2.0),
+    "nearest": Part((0.62, 0.35, 0.85), "╍", QT_TRANSLATE_NOOP("Elastica", "nearest curve"), 3.0, DASHED),
+    "on line": Part(COLORS[Verdict.CAN], "●", QT_TRANSLATE_NOOP("Elastica", "inflection on the line")),
+    "off line": Part(COLORS[Verdict.CANNOT], "●", QT_TRANSLATE_NOOP("Elastica", "inflection off it")),
+    "crossings": Part(
+        COLORS[Verdict.CANNOT],
+        "◆",
+        QT_TRANSLATE_NOOP("Elastica", "the line must not meet the curve here"),
+        marker=DIAMOND,
+    ),
+}
+"""What the overlay is made of, in the order in which it is drawn."""
 
 
 class Overlay:
@@ -47,105 +80,84 @@ class Overlay:
         depth.test = False
         for node in (pick, plain, depth, plane_node(placement)):
             self.root.addChild(node)
-        self._comb = self._lines(COLORS["comb"], 1.0)
-        self._width = self._lines(COLORS["width"], 2.0)
-        self._line = self._lines(COLORS["line"], 2.0)
-        self._nearest = self._lines(COLORS["nearest"], 3.0, DASHED)
-        self._good = self._marks(COLORS[Verdict.CAN], coin.SoMarkerSet.CIRCLE_FILLED_9_9)
-        self._bad = self._marks(COLORS[Verdict.CANNOT], coin.SoMarkerSet.CIRCLE_FILLED_9_9)
-        self._crossings = self._marks(COLORS[Verdict.CANNOT], coin.SoMarkerSet.DIAMOND_FILLED_9_9)
-        self._texts = coin.SoSeparator()
-        self.root.addChild(self._texts)
+        self._parts = {name: _Points(self.root, part) for name, part in PARTS.items()}
+        self._labels = coin.SoSeparator()
+        self.root.addChild(self._labels)
         self._scene.addChild(self.root)
 
     def show(self, picture: Picture) -> None:
-        """Curvature, inflections and line of a curve."""
-        self._comb.set(picture.comb)
-        self._line.set([] if picture.line is None else [picture.line])
-        self._line.color(COLORS[Verdict.CAN] if picture.realizable else COLORS["line"])
-        self._good.set([picture.on_line])
-        self._bad.set([picture.off_line])
-        self._crossings.set([picture.crossings])
-        self._write(picture.distances)
+        """Show curvature, inflections and inflection line of a curve."""
+        self._set(
+            comb=picture.comb,
+            strained=picture.strained,
+            line=() if picture.line is None else (picture.line,),
+            **{"on line": (picture.on_line,), "off line": (picture.off_line,)},
+            crossings=(picture.crossings,),
+        )
+        self._write(picture.labels)
 
     def clear(self) -> None:
         """Show nothing."""
-        for part in (
-            self._comb,
-            self._width,
-            self._line,
-            self._nearest,
-            self._good,
-            self._bad,
-            self._crossings,
-        ):
-            part.set([])
+        self._set(**dict.fromkeys(self._parts, ()))
         self._write(())
 
     def show_width(self, edges: Sequence[FloatArray]) -> None:
-        """Both edges of the strip; none hides them."""
-        self._width.set(edges)
+        """Show both edges of the strip; an empty sequence hides them."""
+        self._set(width=edges)
 
     def show_nearest(self, points: FloatArray | None) -> None:
         """The nearest curve that can be bent; None hides it."""
-        self._nearest.set([] if points is None else [points])
+        self._set(nearest=() if points is None else (points,))
 
     def shown(self) -> dict[str, int]:
-        """How many points each part shows: for tests and for the curious."""
-        parts = {
-            "comb": self._comb, "width": self._width, "line": self._line, "nearest": self._nearest,
-            "on line": self._good, "off line": self._bad, "crossings": self._crossings,
-        }  # fmt: skip
-        return {name: part.count for name, part in parts.items()}
+        """How many points each part shows."""
+        return {name: part.count for name, part in self._parts.items()}
 
     def remove(self) -> None:
-        """Take everything off the view."""
+        """Remove everything from the view."""
         self._scene.removeChild(self.root)
 
-    def _lines(self, color: tuple[float, float, float], width: float, pattern: int = 0xFFFF) -> "_Points":
-        style = coin.SoDrawStyle()
-        style.lineWidth, style.linePattern = width, pattern
-        return _Points(self.root, color, style, coin.SoLineSet())
+    def _set(self, **pieces: Sequence[FloatArray]) -> None:
+        for name, lines in pieces.items():
+            self._parts[name].set(lines)
 
-    def _marks(self, color: tuple[float, float, float], marker: int) -> "_Points":
-        shape = coin.SoMarkerSet()
-        shape.markerIndex.setValue(marker)
-        return _Points(self.root, color, None, shape)
-
-    def _write(self, texts: Iterable[tuple[tuple[float, float], Length]]) -> None:
-        self._texts.removeAllChildren()
-        for (x, y), far in texts:
-            part, color, place = coin.SoSeparator(), coin.SoBaseColor(), coin.SoTranslation()
-            color.rgb = COLORS[Verdict.BREAKS]
+    def _write(self, labels: Iterable[tuple[tuple[float, float], Length]]) -> None:
+        self._labels.removeAllChildren()
+        for (x, y), far in labels:
+            part, place, label = coin.SoSeparator(), coin.SoTranslation(), _label()
             place.translation = (x, y, LIFT_MM)
-            text, font = coin.SoText2(), coin.SoFont()
-            font.size = 14.0
-            text.string = f"  {worded(note('{far}', far=far))}"
-            for node in (color, place, font, text):
-                part.addChild(node)
-            self._texts.addChild(part)
+            label.string.setValue(worded(note("{far}", far=far)))
+            part.addChild(place)
+            part.addChild(label)
+            self._labels.addChild(part)
+
+
+def _label() -> Any:
+    """FreeCAD's own: words on a ground of their own, readable over whatever is drawn below."""
+    label = coin.SoType.fromName("SoFrameLabel").createInstance()
+    label.textColor, label.backgroundColor, label.size = LABEL, LABEL_GROUND, LABEL_SIZE
+    return label
 
 
 class _Points:
     """Lines or marks of one colour; the fields are kept, since every look for one costs as much as filling it."""
 
-    def __init__(self, root: Any, color: tuple[float, float, float], style: Any, shape: Any) -> None:
-        points, self._paint, group = coin.SoCoordinate3(), coin.SoBaseColor(), coin.SoSeparator()
+    def __init__(self, root: Any, part: Part) -> None:
+        points, paint, group = coin.SoCoordinate3(), coin.SoBaseColor(), coin.SoSeparator()
+        shape, style = coin.SoLineSet() if part.width else coin.SoMarkerSet(), coin.SoDrawStyle()
+        paint.rgb, style.linePattern = part.color, part.pattern
+        if part.width:
+            style.lineWidth = part.width
+        else:
+            shape.markerIndex.setValue(part.marker)
         self._places = points.point
-        self._lengths = shape.numVertices if isinstance(shape, coin.SoLineSet) else None
-        self._count = None if self._lengths is not None else shape.numPoints
-        self._color: tuple[float, float, float] | None = None
+        self._lengths = shape.numVertices if part.width else None
+        self._count = None if part.width else shape.numPoints
         self.count = -1
-        self.color(color)
-        for node in (self._paint, style, points, shape):
-            if node is not None:
-                group.addChild(node)
+        for node in (paint, style, points, shape):
+            group.addChild(node)
         root.addChild(group)
         self.set([])
-
-    def color(self, color: tuple[float, float, float]) -> None:
-        if color != self._color:
-            self._paint.rgb = self._color = color
 
     def set(self, pieces: Sequence[FloatArray]) -> None:
         """Replace the points; each piece is one line."""

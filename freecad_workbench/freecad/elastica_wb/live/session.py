@@ -10,6 +10,7 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, is_blank, sketch_curve
 from freecad.elastica_wb.features.strip_request import nearest_spec_of, spec_of
 from freecad.elastica_wb.host import preferences
@@ -26,7 +27,12 @@ from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.live.verdict import Answer, Verdict, refusal_answer, strip_answer
 from freecad.elastica_wb.live.verdict_card import VerdictCard
 from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
-from freecad.elastica_wb.solving.strip_cache import find_nearest_now, solve_strip
+from freecad.elastica_wb.solving.strip_cache import (
+    SEARCHING,
+    find_nearest_now,
+    find_nearest_to_drag,
+    solve_strip,
+)
 from pivy import coin
 
 from elastica_cad.fabrication.strip_spec import StripSpec
@@ -35,8 +41,10 @@ from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.refusals import Length, note, sentences
 
-FREE_RATIO = 10.0  # of a strip without limits of its own: about what can be cut
+FREE_RATIO = 9.5  # of a strip without limits of its own: 30 mm wide, it can just be cut where it is narrowest
 REST_MS = 40  # without a move, after which the slower answers are computed
+NO_POLES = np.zeros((0, 2))
+SEEN = 24  # points of a curve that the card keeps off
 PEEK_MS = 60  # between looks whether the nearest curve was found
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
@@ -51,10 +59,12 @@ class Session:
         self.sketch = sketch
         self.overlay = Overlay(view, sketch.getGlobalPlacement())
         self.card = VerdictCard(view, self.use_nearest)
+        self._placement = sketch.getGlobalPlacement()
         self.times: list[float] = []
         self.moves = 0
         self.sentence = ""
         self.near: NearestRod | None = None
+        self._placed, self._cost = NO_POLES, ""
         self._scale: float | None = None
         self._asks: StripSpec | None = None
         self._allows: RodSpec | None = None
@@ -78,7 +88,7 @@ class Session:
         self._show(None)
 
     def close(self) -> None:
-        """End of the edit."""
+        """Remove the overlay at the end of the edit."""
         for timer in (self._soon, self._rest, self._answer):
             timer.stop()
         if self._sensor is not None:
@@ -91,9 +101,15 @@ class Session:
         """Draw the nearest curve in place of the one that is refused, in one undo step."""
         if self.near is None:
             return
-        document, near = self.sketch.Document, self.near
+        document = self.sketch.Document
+        try:
+            curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
+        except FAILURES as error:  # stopped by the user
+            self._say(replace(self.card.answer, sentence=str(explained(error))))
+            return
+        self._placed = curve.control_points
         record_step(document, translate("Elastica", "Use the nearest curve"))
-        recorded(curve_into, self.sketch, near.curve)
+        recorded(curve_into, self.sketch, curve)
         record_call(self.sketch, "solve")  # it moves points: a part of the step
         record_end_of_step(document)
         self.refresh()
@@ -168,6 +184,8 @@ class Session:
         """The mouse rests: widths."""
         if self._curve is None:
             return
+        places = np.concatenate([self._curve.control_points, self._curve.sample(SEEN).position])
+        self.card.keep_off([self._placement.multVec(App.Vector(x, y, 0)) for x, y in places.tolist()])
         try:
             spec = self._spec().changed(curve=self._curve, limits=None, keep=None)
             strip = solve_strip(spec)
@@ -188,26 +206,33 @@ class Session:
         if self._asked is None or self._asked.done():
             self._asked_for = self._curve
             self._asked = begun(find_nearest_now, replace(self._allows, curve=self._curve))
+        self.card.offer(translate("Elastica", SEARCHING), usable=False)
         self._answer.start()
 
     def _look(self) -> None:
         """Is the answer there?"""
         if not self._asked.done():
             self._answer.start()
-        elif self._asked_for is not self._curve:
+            return
+        if self._asked_for is not self._curve:
             self._finish()
-        elif self._asked.exception() is None and self._asked.result().met:
-            self.near = near = self._asked.result()
+            return
+        self.card.offer("")
+        if self._asked.exception() is not None:
+            return
+        near = self._asked.result()
+        told = note(near.status.value)
+        if near.met:
+            self.near = near
             self.overlay.show_nearest(near.rod.position)
             told = note("The nearest curve is {far} away.", far=Length(near.deviation))
-            self._say(replace(self.card.answer, sentence=sentences([self.card.answer.sentence, told], "\n")))
-            self.card.offer(nearest=True)
+            self.card.offer(translate("Elastica", "Use the nearest curve"))
+        self._say(replace(self.card.answer, sentence=sentences([self.card.answer.sentence, told], "\n")))
 
     def _forget_nearest(self) -> None:
-        if self.near is not None:
-            self.near = None
-            self.card.offer(nearest=False)
-            self.overlay.show_nearest(None)
+        self.near = None
+        self.card.offer("")
+        self.overlay.show_nearest(None)
 
     def _spec(self) -> StripSpec:
         """What the strip of this sketch is asked for; it cannot change while the mouse is down."""
@@ -222,8 +247,10 @@ class Session:
         return self._asks
 
     def _say(self, answer: Answer) -> None:
-        self.sentence = worded(answer.sentence)
-        self.card.show(answer, self.sentence)
+        poles = NO_POLES if self._curve is None else self._curve.control_points
+        cost = self._cost if poles.shape == self._placed.shape and np.allclose(poles, self._placed) else ""
+        self.sentence = worded(sentences([answer.sentence, cost], "\n"))
+        self.card.show(answer, self.sentence, self.overlay.shown())
 
 
 class _OwnComb:
@@ -242,7 +269,7 @@ class _OwnComb:
 
 
 def session() -> Session | None:
-    """The session that runs now."""
+    """Return the running session, or None."""
     return _session
 
 
@@ -259,7 +286,7 @@ def start(sketch: Any) -> Session | None:
 
 
 def stop() -> None:
-    """Take the overlay off."""
+    """Remove the overlay."""
     global _session  # noqa: PLW0603
     if _session is not None:
         _session.close()

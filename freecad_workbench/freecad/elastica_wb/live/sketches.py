@@ -36,12 +36,12 @@ def edited_sketch() -> Any:
 
 
 def followers(sketch: Any) -> list[Any]:
-    """The strips that follow a sketch."""
+    """Return the strips that follow a sketch."""
     return [obj for obj in sketch.InList if is_strip(obj) and obj.Curve and obj.Curve[0] is sketch]
 
 
 def remember(sketch: Any, on: bool) -> None:
-    """Keep in the sketch whether it wants the overlay."""
+    """Store in the sketch whether it shows the overlay."""
     if MEMORY not in sketch.PropertiesList:
         words = App.Qt.translate("App::Property", "Show live feedback while this sketch is open")
         sketch.addProperty("App::PropertyBool", MEMORY, "Elastica", words, 8)  # no reason for a recompute
@@ -49,7 +49,7 @@ def remember(sketch: Any, on: bool) -> None:
 
 
 def wants_overlay(sketch: Any) -> bool:
-    """What the sketch remembers; else those that strips follow have it, and no others."""
+    """Tell whether a sketch shows the overlay: as it was stored, else where a strip follows it."""
     if not preferences.get("LiveMode"):
         return False
     if MEMORY in sketch.PropertiesList:

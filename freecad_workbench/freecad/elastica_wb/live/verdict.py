@@ -22,7 +22,7 @@ SLENDER = 2.0  # times its width a strip must be long before it bends as a rod d
 
 
 class Verdict(Enum):
-    """Can a flat strip take the curve?"""
+    """Whether a flat strip can take the curve."""
 
     CAN = "can"
     BREAKS = "breaks"
@@ -32,7 +32,7 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Answer:
-    """A verdict, its few words, and the sentence that explains it."""
+    """A verdict with its short text, and the sentence that explains it."""
 
     verdict: Verdict
     words: str
@@ -42,7 +42,7 @@ class Answer:
 def quick_answer(
     curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
 ) -> Answer:
-    """What can be said at once: balance, the skin's strain, whether the strip is one."""
+    """Return the verdict that needs no search: equilibrium, strain of the skin, widths."""
     if not check.realizable:
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(check))
     spoiled = _too_wide(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
@@ -50,7 +50,7 @@ def quick_answer(
 
 
 def strip_answer(strip: Strip) -> Answer:
-    """What a strip says of itself."""
+    """Return the verdict on a strip that was made."""
     spoiled = _too_wide(strip.rod.length, strip.width.extremes[1])
     if spoiled is not None:
         return spoiled
@@ -70,7 +70,7 @@ def refusal_answer(error: ElasticaError) -> Answer:
 
 
 def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
-    """One sentence for the status bar."""
+    """Return an answer as one sentence for the status bar."""
     if isinstance(answer, Strip):
         return note(
             "A strip bent beforehand takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain "

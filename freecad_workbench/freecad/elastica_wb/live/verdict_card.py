@@ -1,87 +1,113 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The verdict in the view: a card that wraps its sentence, tells the colours and offers a way out."""
+"""The verdict in the view: a card that wraps its sentence, explains what is shown and offers a way out."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
 import FreeCADGui as Gui
+from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, surface_of
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.live.overlay import COLORS
-from freecad.elastica_wb.live.verdict import Answer, Verdict
+from freecad.elastica_wb.live.overlay import COLORS, PARTS
+from freecad.elastica_wb.live.verdict import Answer
+from pivy import coin
 
-GAP_PX = 12  # from the view's edges
-WIDEST_PX = 620  # a line that is longer reads badly
-SHARE = 0.62  # of the view's width: the navigation cube and the axes keep their corners
+GAP_PX = 12  # from the view's edges, and around the places to keep off
+CUBE_PX = 140  # at the right edge are the navigation cube and the axes
+WIDEST_PX, FOLDED_PX = 480, 240
+SHARE = 0.45  # of the view's width: beside it a curve has room
+LOOKED_MS = 100  # after the last move of the camera
+FOLDED = "CardFolded"
 
 
 class VerdictCard(QtCore.QObject):
-    """A frame over a view; `wanted` is called when the user asks for the nearest curve."""
+    """A frame over a view that the mouse goes through, with two buttons; `wanted` is called by the lower one.
+
+    It lies in the corner of the view where it hides fewest of the places that it is to keep off.
+    """
 
     def __init__(self, view: Any, wanted: Callable[[], None]) -> None:
         # without a surface of its own the card lies on the area of all views
-        self._over = surface_of(view) or Gui.getMainWindow().centralWidget()
+        self._view, self._over = view, surface_of(view) or Gui.getMainWindow().centralWidget()
         super().__init__(self._over)
         self.frame = QtWidgets.QFrame(self._over)
         self.frame.setObjectName("ElasticaVerdict")
+        self.frame.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
         self.heading, self.words, self.legend = (QtWidgets.QLabel(self.frame) for _ in range(3))
-        self.button = QtWidgets.QPushButton(translate("Elastica", "Use the nearest curve"), self.frame)
-        self.button.setObjectName("useNearest")
-        self.button.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go on to the sketcher
-        self.button.clicked.connect(lambda *_: wanted())
-        self.words.setWordWrap(True)
         layout = QtWidgets.QVBoxLayout(self.frame)
-        layout.setContentsMargins(0, 0, 0, 6)
         layout.setSpacing(4)
-        for widget in (self.heading, self.words, self.button, self.legend):
-            layout.addWidget(widget)
-        layout.setAlignment(self.button, QtCore.Qt.AlignLeft)
-        self.frame.setStyleSheet(STYLE)
-        self.legend.setText(_legend())
-        self.button.hide()
-        self._over.installEventFilter(self)
+        for label in (self.heading, self.words, self.legend):
+            label.setWordWrap(label is not self.heading)
+            layout.addWidget(label)
+        # not inside the frame: the mouse would go through them too
+        self.button, self.fold = QtWidgets.QPushButton(self._over), QtWidgets.QPushButton(self._over)
+        self.button.setObjectName("useNearest")
+        self.fold.setObjectName("foldVerdict")
+        self.fold.setToolTip(translate("Elastica", "Fold or unfold the card"))
+        self.button.clicked.connect(lambda *_: wanted())
+        self.fold.clicked.connect(self._turn)
+        for part in (self.frame, self.button, self.fold):
+            part.setStyleSheet(STYLE)
+            part.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go on to the sketcher
         self.answer: Answer | None = None
-        self._tall = 0
+        self._tall = self._corner = 0
+        self._removed = False
+        self._places: Sequence[Any] = ()
+        self._over.installEventFilter(self)
+        self._soon = QtCore.QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._place)
+        self._camera = coin.SoNodeSensor(lambda *_: self._soon.start(LOOKED_MS), None)
 
-    def show(self, answer: Answer, sentence: str) -> None:
-        """Another verdict; `sentence` is in the user's units."""
+    def show(self, answer: Answer, sentence: str, shown: Mapping[str, int]) -> None:
+        """Another verdict; `sentence` is in the user's units, `shown` tells how many points each part has."""
         with suppress(RuntimeError):  # the view was closed
-            self._show(answer, sentence)
+            self._show(answer, sentence, _legend(shown))
         self.answer = answer
 
-    def _show(self, answer: Answer, sentence: str) -> None:
-        if self.answer is None or answer.words != self.answer.words:
-            self.heading.setText(answer.words)
+    def _show(self, answer: Answer, sentence: str, legend: str) -> None:
+        self.heading.setText(answer.words)
         if self.answer is None or answer.verdict is not self.answer.verdict:
             color = hex_of(COLORS[answer.verdict])
             self.heading.setStyleSheet(
                 f"background: {color}; color: white; font-weight: bold; padding: 4px 8px;"
             )
-            self.legend.setVisible(answer.verdict is Verdict.CAN)
-        if sentence != self.words.text():
+        if (sentence, legend) != (self.words.text(), self.legend.text()):
             self.words.setText(sentence)
-            tall = self.words.heightForWidth(self.words.width())
+            self.legend.setText(legend)
+            tall = sum(label.heightForWidth(label.width()) for label in (self.words, self.legend))
             if tall != self._tall:  # most moves of the mouse change figures only
                 self._tall = tall
                 self._place()
         self.frame.show()
 
-    def offer(self, *, nearest: bool) -> None:
-        """Is there a nearest curve to be used?"""
+    def offer(self, words: str, *, usable: bool = True) -> None:
+        """What the button says; nothing takes it away."""
         with suppress(RuntimeError):
-            if self.button.isVisibleTo(self.frame) != nearest:
-                self.button.setVisible(nearest)
+            if words != self.button.text():
+                self.button.setText(words)
+                self.button.setEnabled(usable)
                 self._place()
+
+    def keep_off(self, places: Sequence[Any]) -> None:
+        """Points in space that are to be seen, and taken by the mouse."""
+        with suppress(RuntimeError):
+            self._places = places
+            self._place()  # first, as it tells whether the view is still there
+            self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
         """Take it off the view, which may be closed already."""
+        self._removed = True
+        self._camera.detach()
         with suppress(RuntimeError):
             self._over.removeEventFilter(self)
-            self.frame.hide()
-            self.frame.deleteLater()
+            for part in (self.frame, self.button, self.fold):
+                part.hide()
+                part.deleteLater()
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
         """The view has another size."""
@@ -89,36 +115,72 @@ class VerdictCard(QtCore.QObject):
             self._place()
         return False
 
+    def _turn(self, *_: Any) -> None:
+        preferences.put(FOLDED, not preferences.get(FOLDED))
+        self._place()
+
     def _place(self) -> None:
-        """In the lower left corner, as wide as reads well."""
-        width = min(WIDEST_PX, round(SHARE * self._over.width()))
-        self.frame.setFixedWidth(max(width, 200))
-        self.frame.layout().activate()
-        height = self.frame.layout().totalHeightForWidth(self.frame.width())
-        self.frame.setFixedHeight(max(height, self.frame.sizeHint().height() if height < 0 else height))
-        self.frame.move(GAP_PX, self._over.height() - self.frame.height() - GAP_PX)
+        """As wide as reads well, in one of the corners, with the buttons where the frame has room for them."""
+        if self._removed:  # FreeCAD's view is gone soon, and a camera that moved is told late
+            return
+        folded, over = preferences.get(FOLDED), self._over
+        self.fold.setText("▴" if folded else "▾")
+        self.fold.setFixedSize(self.fold.sizeHint())
+        self.button.setFixedSize(self.button.sizeHint())
+        self.button.setVisible(bool(self.button.text()) and not folded)
+        self.words.setVisible(not folded)
+        self.legend.setVisible(bool(self.legend.text()) and not folded)
+        layout, room = self.frame.layout(), self.button.height() + GAP_PX if self.button.isVisible() else 0
+        layout.setContentsMargins(0, 0, 0, room + (0 if folded else GAP_PX // 2))
+        width = FOLDED_PX if folded else max(min(WIDEST_PX, round(SHARE * over.width())), FOLDED_PX)
+        self.frame.setFixedWidth(width)
+        layout.activate()
+        tall = self.heading.sizeHint().height() if folded else layout.totalHeightForWidth(width)
+        self.frame.setFixedHeight(tall)
+        x, y = self._free_corner()
+        self.frame.move(x, y)
+        self.fold.move(x + width - self.fold.width() - 2, y + 2)
+        self.button.move(x + GAP_PX, y + self.frame.height() - self.button.height() - GAP_PX // 2)
+        self.fold.show()
+
+    def _free_corner(self) -> tuple[int, int]:
+        """Upper left corner of the frame where it hides fewest places; it moves only to hide fewer."""
+        over, size = self._over, self.frame.size()
+        right, bottom = over.width() - size.width() - CUBE_PX, over.height() - size.height() - GAP_PX
+        corners = [(GAP_PX, bottom), (GAP_PX, GAP_PX), (right, GAP_PX), (right, bottom)]
+        scale = self._view.getSize()[1] / over.height()
+        seen = [
+            (x / scale, over.height() - y / scale) for x, y in map(self._view.getPointOnScreen, self._places)
+        ]
+
+        def hidden(corner: int) -> int:
+            left, top = corners[corner]
+            wide, tall = size.width() + GAP_PX, size.height() + GAP_PX
+            return sum(left - GAP_PX < x < left + wide and top - GAP_PX < y < top + tall for x, y in seen)
+
+        self._corner = min(range(len(corners)), key=lambda one: (hidden(one), one != self._corner))
+        return corners[self._corner]
 
 
-def _legend() -> str:
-    """One line: what the colours of the overlay mean."""
-    names = (
-        ("comb", translate("Elastica", "curvature")),
-        ("width", translate("Elastica", "the strip laid flat")),
-        (Verdict.CAN, translate("Elastica", "inflections on their line")),
-    )
+def _legend(shown: Mapping[str, int]) -> str:
+    """What the colours mean that are shown now."""
     return " &nbsp; ".join(
-        f'<span style="color: {hex_of(COLORS[key])};">&#9644;</span> {name}' for key, name in names
+        f'<span style="color: {hex_of(part.color)};">{part.sign}</span>'
+        f"&nbsp;{translate('Elastica', part.words).replace(' ', '&nbsp;')}"
+        for name, part in PARTS.items()
+        if shown[name]
     )
 
 
 def hex_of(color: tuple[float, float, float]) -> str:
-    """A colour as style sheets write it."""
+    """Return a colour as style sheets write it, "#rrggbb"."""
     return "#" + "".join(f"{round(255 * part):02x}" for part in color)
 
 
 STYLE = """
 #ElasticaVerdict { background: rgba(32, 33, 38, 230); border: 1px solid rgba(255, 255, 255, 60); }
 #ElasticaVerdict QLabel { padding: 1px 8px; color: #f2f2f2; background: transparent; }
-#useNearest { margin-left: 8px; padding: 3px 10px; }
+#useNearest { padding: 3px 10px; }
+#foldVerdict { border: none; padding: 3px 8px; color: white; background: transparent; }
 """
 """White on dark whatever the theme: style sheets do not tell their colours, and the view behind may be anything."""

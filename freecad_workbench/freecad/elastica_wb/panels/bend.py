@@ -53,7 +53,7 @@ class BendPanel(Panel):
             self._safely_changed()
 
     def changed(self) -> None:
-        """Bend to what the widgets say, from the present shape."""
+        """Bend from the present shape to the ends that the widgets give."""
         self.rod = self._bent(1.0, self.rod)
         self._show(self.rod)
 
@@ -66,7 +66,7 @@ class BendPanel(Panel):
         self._safely_changed()
 
     def play(self, *_: Any) -> None:
-        """Go the whole way in small steps, seen on the screen: kinetic."""
+        """Show the whole way in small steps."""
         from freecad.elastica_wb.host.qt import QtWidgets
 
         rod = self.rest

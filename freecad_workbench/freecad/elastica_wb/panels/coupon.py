@@ -44,7 +44,7 @@ class CouponPanel(Panel):
         self.changed()
 
     def changed(self) -> None:
-        """The overhang to use, and what the readings say."""
+        """Show the overhang to use, and what the readings give."""
         sheet = sheet_called(self.form.sheet.currentText())
         longest = Length(coupon_overhang(sheet))
         words: list[str] = [note("Longest overhang of the coupon: {longest:g}", longest=longest)]
@@ -69,11 +69,11 @@ class CouponPanel(Panel):
             self.tell(str(explained(error)))
 
     def make(self) -> None:
-        """The coupon as a flat body."""
+        """Make the coupon as a flat body."""
         recorded(add_coupon, self.document, self.form.sheet.currentText())
 
     def write(self) -> None:
-        """Its cutting file."""
+        """Write the cutting file of the coupon."""
         drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
         path = ask_file(
             translate("Elastica", "Save the coupon"), f"{drawing.name}.dxf", "DXF (*.dxf);;SVG (*.svg)"
@@ -82,11 +82,11 @@ class CouponPanel(Panel):
             self.tell(f"{translate('Elastica', 'wrote')} {save_drawing(drawing, path)}")
 
     def keep(self) -> None:
-        """The calibrated sheet into the user's library."""
+        """Save the calibrated sheet among the user's own."""
         self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
 
     def kept(self) -> str:
-        """Keep the sheet and say its name."""
+        """Save the sheet, and return its name."""
         if self.calibration is None:
             raise InputError(
                 translate(
@@ -110,7 +110,7 @@ class CouponPanel(Panel):
 
 
 def add_coupon(document: Any, sheet_name: str) -> Any:
-    """The coupon of a sheet as a flat body."""
+    """Add the coupon of a sheet to the document, as a flat body."""
     sheet = sheet_called(sheet_name)
     drawing = coupon_drawing(sheet)
     (outline,) = drawing.on(CUT_OUTER)

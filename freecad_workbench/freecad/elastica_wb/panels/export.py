@@ -68,7 +68,7 @@ class ExportPanel(Panel):
         self.tell(sentences(words, "\n"))
 
     def browse(self, *_: Any) -> None:
-        """Choose the folder."""
+        """Let the user choose the folder."""
         folder = ask_folder(translate("Elastica", "Folder for the files"))
         if folder:
             self.form.folder.setText(folder)

@@ -3,7 +3,7 @@
 
 """What the panels of the features show, and how."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from freecad.elastica_wb.curves.plane_sections import FAMILIES
@@ -35,17 +35,18 @@ from elastica_cad.refusals import Length, note
 
 def _strip_numbers(obj: Any) -> Told:
     return (
-        (translate("Elastica", "Length"), Length(obj.Length.Value)),
-        (translate("Elastica", "Narrowest place"), Length(obj.NarrowestWidth.Value)),
-        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio)),
+        (translate("Elastica", "Length"), Length(obj.Length.Value), "Length"),
+        (translate("Elastica", "Narrowest place"), Length(obj.NarrowestWidth.Value), "NarrowestWidth"),
+        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio), "Ratio"),
         (
             translate("Elastica", "Largest strain"),
             note("{strain:.2f} % ({used} %)", strain=obj.LargestStrain, used=obj.StrainUse),
+            "LargestStrain",
         ),
-        (translate("Elastica", "Stability margin"), note("{margin:.3g}", margin=obj.Margin)),
-        (translate("Elastica", "Sideways margin"), _sideways_margin(obj)),
-        (translate("Elastica", "Held deviation"), _held_deviation(obj)),
-        (translate("Elastica", "Mass"), note("{mass:.3g} g", mass=obj.Mass)),
+        (translate("Elastica", "Stability margin"), note("{margin:.3g}", margin=obj.Margin), "Margin"),
+        (translate("Elastica", "Sideways margin"), _sideways_margin(obj), "SidewaysMargin"),
+        (translate("Elastica", "Held deviation"), _held_deviation(obj), "HeldDeviation"),
+        (translate("Elastica", "Mass"), note("{mass:.3g} g", mass=obj.Mass), "Mass"),
     )
 
 
@@ -172,7 +173,7 @@ MODEL = Layout(
     ),
     ModelFeature.properties,
     dict.fromkeys(("Clearance", "Fit", "Relief"), _where("Interlock", True)),
-    told=lambda obj: ((translate("Elastica", "Joints"), str(obj.Joints)),),
+    told=lambda obj: ((translate("Elastica", "Joints"), str(obj.Joints), "Joints"),),
     footnote=lambda obj: "\n".join(obj.Overlaps),
 )
 
@@ -244,7 +245,7 @@ NEST = Layout(
         ),
     ),
     NestFeature.properties,
-    told=lambda obj: ((translate("Elastica", "Sheets"), str(obj.Sheets)),),
+    told=lambda obj: ((translate("Elastica", "Sheets"), str(obj.Sheets), "Sheets"),),
     footnote=lambda obj: "\n".join(obj.LeftOut),
 )
 
@@ -278,8 +279,8 @@ NEAREST = Layout(
     {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
     "Curve",
     lambda obj: (
-        (translate("Elastica", "Largest distance"), Length(obj.Deviation.Value)),
-        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio)),
+        (translate("Elastica", "Largest distance"), Length(obj.Deviation.Value), "Deviation"),
+        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio), "Ratio"),
     ),
     (
         (QT_TRANSLATE_NOOP("Elastica", "Draw it into the sketch"), draw_into),
@@ -320,7 +321,7 @@ SECTION = Layout(
         **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _where("Family", FAMILIES[1])),
     },
     "Path",
-    lambda obj: ((translate("Elastica", "Curves"), str(obj.Curves)),),
+    lambda obj: ((translate("Elastica", "Curves"), str(obj.Curves), "Curves"),),
     ((QT_TRANSLATE_NOOP("Elastica", "Make sketches to edit"), section_sketches_of),),
 )
 
@@ -336,8 +337,8 @@ LAYOUTS = {
 }
 
 
-def panel_of(obj: Any) -> Panel:
-    """The panel of a feature."""
+def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
+    """The panel of a feature, for others of its kind too."""
     if isinstance(obj.Proxy, BentFeature):
         return BendPanel(obj.Strip, obj)
-    return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")])
+    return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")], others)

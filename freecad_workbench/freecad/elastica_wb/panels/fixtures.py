@@ -37,21 +37,24 @@ class FixturesPanel(Panel):
 
     def finished(self) -> None:
         """Make them; what cannot be made says why and keeps the panel open."""
-        form, made = self.form, []
-        if form.blocks.isChecked():
-            blocks = recorded(fixtures.create, self.document, self.sources)
-            for name in ("Clearance", "Wall", "Foot", "Screw"):
-                record_value(blocks, name, self.value(name.lower()))
-            made.append(blocks)
-        if form.plate.isChecked():
-            plate = recorded(baseplate.create, self.document, self.sources)
-            record_value(plate, "Sheet", form.sheet.currentText())
-            record_value(plate, "Placement.Base.z", self.value("plateHeight"))
-            for name, field in (("Play", "play"), ("Clearance", "slot"), ("Border", "border")):
-                record_value(plate, name, self.value(field))
-            made.append(plate)
-        if not made:
+        form = self.form
+        if not (form.plate.isChecked() or form.blocks.isChecked()):
             raise InputError(translate("Elastica", "tick what is to be made"))
+        made = []
+        if form.plate.isChecked():  # first: what is refused must not wait for blocks
+            made.append(recorded(baseplate.create, self.document, self.sources))
+            record_value(made[-1], "Sheet", form.sheet.currentText())
+            record_value(made[-1], "Placement.Base.z", self.value("plateHeight"))
+            for name, field in (("Play", "play"), ("Clearance", "slot"), ("Border", "border")):
+                record_value(made[-1], name, self.value(field))
+            self._make(made)
+        if form.blocks.isChecked():
+            made.append(recorded(fixtures.create, self.document, self.sources))
+            for name in ("Clearance", "Wall", "Foot", "Screw"):
+                record_value(made[-1], name, self.value(name.lower()))
+            self._make(made)
+
+    def _make(self, made: list[Any]) -> None:
         self.document.recompute()
         failed = list(dict.fromkeys(filter(None, map(why_not_made, made))))
         if failed:

@@ -31,6 +31,8 @@ class Panel:
     icon_name = "Elastica"
     step = ""
     only_tells = False
+    done = "Ok"
+    """The button of the task panel that calls `finished`."""
     preview: Any = None
     opened: "Panel | None" = None
 
@@ -63,7 +65,7 @@ class Panel:
         return form
 
     def value(self, name: str) -> Any:
-        """What a widget shows; lengths in mm."""
+        """Return the value that a widget shows; lengths in mm."""
         return value_of(getattr(self.form, name))
 
     def accept(self) -> bool:
@@ -91,7 +93,7 @@ class Panel:
         return True
 
     def abandon(self) -> None:
-        """Its document was closed: nothing is left to be changed, nor a view to be tidied."""
+        """Close the panel after its document was closed, without touching the document or its view."""
         if self.form is None:
             return
         if self.step:
@@ -101,9 +103,9 @@ class Panel:
         gc.collect()
 
     def getStandardButtons(self) -> int:
-        """OK and Cancel, or for a panel that only tells something Close."""
+        """OK (or Save) and Cancel, or for a panel that only tells something Close."""
         kinds = QtWidgets.QDialogButtonBox
-        wanted = [kinds.Close] if self.only_tells else [kinds.Ok, kinds.Cancel]
+        wanted = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
         return sum(int(getattr(button, "value", button)) for button in wanted)
 
     def isAllowedAlterSelection(self) -> bool:
@@ -115,13 +117,13 @@ class Panel:
         return True
 
     def changed(self) -> None:
-        """Show what the widgets ask for."""
+        """Compute and show what the widgets request."""
 
     def finished(self) -> None:
-        """The user said OK; raise to stay open."""
+        """Apply the panel after OK; an exception keeps it open."""
 
     def closed(self) -> None:
-        """Take the preview off the view."""
+        """Remove the preview from the view."""
         if self.preview is not None:
             self.preview.remove()
             self.preview = None
@@ -130,7 +132,7 @@ class Panel:
         """The document is about to be closed: keep nothing of it."""
 
     def tell(self, sentence: str) -> None:
-        """A sentence in the panel, worded in mm."""
+        """Show a sentence in the panel; lengths are in mm."""
         self.form.message.setText(printable(worded(sentence)))
 
     def watch(self, *names: str) -> None:
@@ -139,11 +141,11 @@ class Panel:
             on_change(getattr(self.form, name), self.soon)
 
     def soon(self, *_: Any) -> None:
-        """Call `changed` after a pause."""
+        """Call `changed` after a pause in the user's input."""
         self._timer.start()
 
     def now(self) -> None:
-        """Do what waits, now."""
+        """Call `changed` at once if a call is waiting."""
         if self._timer.isActive():
             self._timer.stop()
             self._safely_changed()
@@ -214,7 +216,7 @@ def active_view() -> Any:
 
 
 def placement_of_strip(obj: Any) -> App.Placement:
-    """Where the plane of a strip's curve lies in the document."""
+    """Return the placement, in the document, of the plane in which a strip's curve lies."""
     from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 
     return drawn_curve(obj.Curve, obj).world

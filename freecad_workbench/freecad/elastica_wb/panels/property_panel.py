@@ -4,8 +4,8 @@
 """The panel of a feature: a widget for each property, in both directions."""
 
 import gc
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import FreeCAD as App
@@ -30,12 +30,12 @@ from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.refusals import note
 
-Told = tuple[tuple[str, object], ...]
+Told = tuple[tuple[str, object, str], ...]
 
 
 @dataclass(frozen=True)
 class Layout:
-    """What the panel of a kind of feature shows.
+    """The contents of the panel for one kind of feature.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Layout:
     source : str
         Property with the curve, that can be picked anew; empty for none.
     told : callable
-        Numbers below the message: label and value.
+        Numbers below the message: label, value, and the property that says in its help what they mean.
     actions : tuple of (label, callable)
         Buttons that put something else in the feature's place, and end the panel.
     footnote : callable
@@ -69,12 +69,16 @@ class Layout:
 
 
 class PropertyPanel(Panel):
-    """Edits the properties of one feature, with its numbers and its shape following.
+    """Edits the properties of one feature, with its numbers and its shape following; or those of several alike.
 
-    A widget writes its own property and nothing else; what is changed elsewhere meanwhile is shown.
+    A widget writes its own property and nothing else; what is changed elsewhere meanwhile is shown. Of several
+    features the boxes show the first one's, and what is touched is written into all.
     """
 
-    def __init__(self, obj: Any, layout: Layout) -> None:
+    def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
+        self.objects = list(dict.fromkeys([obj, *others]))
+        if len(self.objects) > 1:  # each has a curve and numbers of its own
+            layout = replace(layout, source="", told=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
         self.icon_name, self.step = layout.icon_name, layout.step
         self.fields: dict[str, Any] = {}
@@ -82,7 +86,7 @@ class PropertyPanel(Panel):
         self._touched: dict[str, None] = {}
         self._changed: dict[str, None] = {}
         self._writing = False
-        super().__init__(obj.Document, [obj])
+        super().__init__(obj.Document, self.objects)
         for name, widget in self.fields.items():
             on_change(widget, lambda *_, name=name: self._touch(name))
         self._refresh = QtCore.QTimer(self.form)
@@ -93,7 +97,7 @@ class PropertyPanel(Panel):
         self._show()
 
     def make_form(self) -> Any:
-        """Message and numbers on top, then the groups of properties."""
+        """Make the form: message and numbers on top, then the groups of properties."""
         form = QtWidgets.QWidget()
         form.setWindowTitle(translate("Elastica", self.layout.title))
         outer = QtWidgets.QVBoxLayout(form)
@@ -138,14 +142,13 @@ class PropertyPanel(Panel):
         return form
 
     def changed(self) -> None:
-        """What was touched goes into its properties, then the document is recomputed."""
+        """Write the changed widgets into their properties, and recompute the document."""
         self._writing = True
         try:
-            bound = {path for path, *_ in self.object.ExpressionEngine}
-            for name in [name for name in self._touched if name not in bound]:
+            for obj, name in self._unbound(self._touched):
                 value = value_of(self.fields[name])
-                if _plain(getattr(self.object, name)) != value:
-                    setattr(self.object, name, value)
+                if _plain(getattr(obj, name)) != value:
+                    setattr(obj, name, value)
                     self._changed[name] = None
         finally:
             self._touched.clear()
@@ -154,17 +157,20 @@ class PropertyPanel(Panel):
         self._show()
 
     def finished(self) -> None:
-        """Nothing may wait."""
+        """Apply the changes that still wait, and record them for macros."""
         self.now()
         self._record()
 
     def _record(self) -> None:
         """Macros get the last of many values."""
-        if self._changed:
-            bound = {path for path, *_ in self.object.ExpressionEngine}
-            for name in [name for name in self._changed if name not in bound]:
-                record_value(self.object, name, _plain(getattr(self.object, name)))
+        for obj, name in self._unbound(self._changed):
+            record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
+
+    def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
+        """The features with those of these properties that no formula gives."""
+        bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
+        return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
     def closed(self) -> None:
         """Watch the document no longer; boxes that are bound to an object must not outlive it."""
@@ -183,16 +189,16 @@ class PropertyPanel(Panel):
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """A property was changed: by the property editor, an expression, undo, or the recompute."""
-        if self.form is None or obj is not self.object:
+        if self.form is None or obj not in self.objects:
             return
-        if name in self.fields and not self._writing:
+        if obj is self.object and name in self.fields and not self._writing:
             # an expression moves its box too: what waits there is older than this
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
 
     def addSelection(self, document: str, name: str, element: str, _place: Any) -> None:
-        """The user picks another curve."""
+        """Take a curve that the user picks in the view."""
         source = App.getDocument(document).getObject(name)
         if source is None:
             return
@@ -228,8 +234,10 @@ class PropertyPanel(Panel):
         told = () if failed else layout.told(obj)
         rows = "".join(
             f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{worded(note('{given}', given=value))}</b></td></tr>"
-            for name, value in told
+            for name, value, _ in told
         )
+        helps = {entry.name: entry.translated_help for entry in layout.table}
+        self.form.numbers.setToolTip("\n".join(f"{name}: {helps[entry]}" for name, _, entry in told))
         self.form.numbers.setText(f"<table>{rows}</table>" if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(
@@ -248,6 +256,8 @@ class PropertyPanel(Panel):
 
     def _words(self) -> str:
         obj = self.object
+        if len(self.objects) > 1:
+            return "\n".join(f"{one.Label}: {why_not_made(one) or one.Verdict}" for one in self.objects)
         if hasattr(obj, "Verdict"):
             return "\n".join([obj.Verdict, *obj.Reasons])
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
@@ -256,7 +266,8 @@ class PropertyPanel(Panel):
         return all(self.is_there(subject) for subject in self.subjects)
 
     def _use_nearest(self, *_: Any) -> None:
-        self.object.Follow = "Nearest"
+        for obj in self.objects:
+            obj.Follow = "Nearest"
         self._changed["Follow"] = None
         self.document.recompute()
         self._show()

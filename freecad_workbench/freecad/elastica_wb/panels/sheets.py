@@ -12,7 +12,6 @@ from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sh
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import set_value
 
-from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length, note
 
@@ -20,10 +19,11 @@ NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "pois
 
 
 class SheetsPanel(Panel):
-    """Shows one sheet; a changed one is kept under a name of its own. Cancel keeps nothing."""
+    """Shows one sheet; Save keeps a changed one under a name of its own, and Cancel nothing."""
 
     file = "sheets"
     icon_name = "Elastica_Sheets"
+    done = "Save"
 
     def __init__(self) -> None:
         super().__init__()
@@ -32,12 +32,11 @@ class SheetsPanel(Panel):
         self.seen = sheet_called(sheet_list()[0])
         self._list()
         self.form.sheets.currentIndexChanged.connect(self.shown)
-        self.form.keep.clicked.connect(self.keep)
         self.form.remove.clicked.connect(self.remove)
         self.shown()
 
     def shown(self, *_: Any) -> None:
-        """The numbers of the chosen sheet."""
+        """Show the numbers of the chosen sheet."""
         name = self.form.sheets.currentText()
         if not name:
             return
@@ -54,25 +53,15 @@ class SheetsPanel(Panel):
             length=Length(sheet.elasto_gravity_length),
         ))  # fmt: skip
 
-    def keep(self, *_: Any) -> None:
-        """Keep the numbers as a sheet of the user's own."""
-        try:
-            sheet = self.sheet()
-        except InputError as error:
-            self.tell(str(error))
-            return
-        self.own[sheet.name] = sheet
-        self._list(sheet.name)
-
     def remove(self, *_: Any) -> None:
-        """Take a sheet of the user's own out."""
+        """Remove one of the user's sheets."""
         if self.own.pop(self.form.sheets.currentText(), None) is None:
             self.tell(translate("Elastica", "Built-in sheets stay: keep yours under another name."))
             return
         self._list()
 
     def sheet(self) -> Sheet:
-        """The sheet that the widgets describe."""
+        """Return the sheet that the widgets describe."""
         # boxes round: what was not changed is as exact as it was, and a nominal number stays one
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
         # what is found in practice about another number says nothing of this one
@@ -83,7 +72,10 @@ class SheetsPanel(Panel):
         return replace(self.seen, name=name, source=source, **typed, **ranges)
 
     def finished(self) -> None:
-        """Write the user's sheets."""
+        """Write the user's sheets, with the one that was changed."""
+        sheet = self.sheet()
+        if sheet != self.seen:
+            self.own[sheet.name] = sheet
         changed = {name: sheet for name, sheet in self.own.items() if self.before.get(name) != sheet}
         removed = self.before.keys() - self.own.keys()
         if changed or removed:
@@ -92,9 +84,7 @@ class SheetsPanel(Panel):
             save_own_sheets(sheet for name, sheet in now.items() if name not in removed)
             keep_sheets()
 
-    def _list(self, chosen: str = "") -> None:
+    def _list(self) -> None:
         self.form.sheets.clear()
         names = list(self.own) + [n for n in sheet_list() if n not in self.own and n not in self.before]
         self.form.sheets.addItems(names)
-        if chosen:
-            self.form.sheets.setCurrentText(chosen)

@@ -33,7 +33,7 @@ class TolerancePanel(Panel):
         self.tell(translate("Elastica", "Ranges are those of the sheet."))
 
     def run(self, *_: Any) -> None:
-        """Bend them all."""
+        """Bend all samples, and show how far they stray."""
         try:
             self.study = tolerance_study(
                 self.strip.rod,
@@ -71,7 +71,7 @@ class TolerancePanel(Panel):
 
 
 class Stopped(Exception):  # noqa: N818 - no error: the user said so
-    """The user pressed Cancel."""
+    """Raised when the user presses Cancel."""
 
 
 class Watched:
@@ -81,7 +81,7 @@ class Watched:
         self._title = title
 
     def map(self, work: Callable[..., Any], *arguments: Iterable[Any]) -> Iterator[Any]:
-        """The answers one by one.
+        """Yield the answers one by one.
 
         Raises
         ------

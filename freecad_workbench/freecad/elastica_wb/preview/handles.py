@@ -41,7 +41,7 @@ class Preview:
         self._scene.addChild(self.root)
 
     def show(self, before: FloatArray, after: FloatArray, frame: FloatArray | None = None) -> None:
-        """Replace both curves (n, 2), and the frame that the handles stand on."""
+        """Show both curves (n, 2), mm, and the frame that the handles stand on, in place of the former."""
         for points, line in (
             (before, self._before),
             (after, self._after),
@@ -67,7 +67,7 @@ class Preview:
         self.handles = Handles(self._view, self._placement, places, moved, released)
 
     def remove(self) -> None:
-        """Take everything off the view."""
+        """Remove everything from the view."""
         self._scene.removeChild(self.root)
         if self.handles is not None:
             self.handles.remove()
@@ -147,7 +147,7 @@ class Handles:
         self.put(places)
 
     def put(self, places: ArrayLike) -> None:
-        """Show the handles at other places (n, 2)."""
+        """Move the handles to other places (n, 2), mm."""
         self.places: FloatArray = np.array(places, dtype=float)
         rows = np.column_stack([self.places, np.zeros(len(self.places))])
         self._points.point.setNum(len(rows))
@@ -167,7 +167,7 @@ class Handles:
         return spots
 
     def remove(self) -> None:
-        """Take them off the view."""
+        """Remove the handles from the view."""
         self._soon.stop()
         self._mouse.leave()
         self._scene.removeChild(self.root)
@@ -219,7 +219,7 @@ class Handles:
 
 
 def plane_node(placement: Any) -> Any:
-    """A Coin node that carries x and y into a plane."""
+    """Return a Coin node that places x and y in a plane."""
     node = coin.SoMatrixTransform()
     rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
     node.matrix.setValue(*rows.ravel().tolist())

@@ -28,12 +28,12 @@ ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
-    """A path as a wire in the plane of `frame` (the xy plane unless told)."""
+    """Make a wire of a path in the plane of `frame`, which is the xy plane unless given."""
     return _read(wire_brep(path, frame or Frame())).Wires[0]
 
 
 def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSplineCurve:
-    """A plane curve as Part geometry with the same poles, knots and weights."""
+    """Return a plane curve as Part geometry with the same poles, knots and weights."""
     spline = Part.BSplineCurve()
     knots, counts = knot_runs(curve.knots)
     points = [App.Vector(*p) for p in (frame or Frame()).point(curve.control_points).tolist()]
@@ -43,7 +43,7 @@ def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSpli
 
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Part.Face:
-    """A plane face with holes."""
+    """Make a plane face with holes."""
     frame = frame or Frame()
     return _read(face_brep(outline, holes, frame, _plane_of(frame))).Faces[0]
 
@@ -62,7 +62,7 @@ def _frame_about(normal: tuple[float, float, float]) -> Frame:
 
 
 def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
-    """A record as a solid."""
+    """Make a solid of a record."""
     if isinstance(record, PrismSolid):
         first, *rest = (make_solid(prism) for prism in record.added)
         whole = first.multiFuse(rest) if rest else first

@@ -5,6 +5,7 @@
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
+from contextlib import suppress
 from dataclasses import replace
 from functools import wraps
 from threading import Lock
@@ -13,6 +14,7 @@ from typing import Any, TypeVar
 import FreeCAD as App
 import numpy as np
 import Part
+from freecad.elastica_wb.curves.sketch_curves import MOST_DRAGGED
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.shapes.part_shapes import make_solid
@@ -22,6 +24,7 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.nearest.editable_curve import coarse_curve
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
@@ -30,6 +33,7 @@ from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_
 from elastica_cad.mechanics.material.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+from elastica_cad.refusals import Length, note
 
 LEAST = 64  # answers that are kept whatever is open
 PER_OBJECT = 2  # answers for each object of the documents: the present one and the one before, for undo
@@ -88,6 +92,7 @@ def sharpest_bend(
 MANY_HOLES = 100
 HEADROOM = 1.003  # times less curvature than its limit allows has a rod whose curve is to be drawn
 STRICTER, BEYOND = 4, 1.3  # times that search is repeated at most; of what its curve was beyond the limit
+AS_DRAWN_MM = 0.05  # a curve whose nearest one is no farther keeps all limits
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
@@ -115,13 +120,13 @@ def find_nearest(asked: RodSpec) -> NearestRod:
 
 
 def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
-    """The same, for its curve to be drawn: as a spline it keeps the limits too."""
+    """Find the nearest rod for a curve to be drawn, which keeps the limits as a spline too."""
     return in_background(SEARCHING, find_nearest_now, asked)
 
 
 @growing_cache
 def find_nearest_now(asked: RodSpec) -> NearestRod:
-    """As `find_nearest_to_draw`, for threads of their own: no progress bar.
+    """Find the nearest rod as `find_nearest_to_draw` does, but in a thread and without a progress bar.
 
     A spline strays from its rod by some thousandths of the curvature, so the rod keeps as much away from its limit.
     """
@@ -141,8 +146,64 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
     return _found(asked)
 
 
+ROOMS = (1.1, 1.25, 1.5)  # times stricter limits, tried in turn: a curve of few poles strays from its rod
+FARTHER, NEAR_SHARE = 3, 0.01  # times as far away, or in lengths: so much few poles are worth
+SPANS = (8, 12, 16, 20)
+
+
+def find_nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
+    """The nearest curve within the limits whose poles a hand can drag, and a sentence on what that costs.
+
+    Where few poles cannot keep the limits it is the nearest one with all its poles.
+    """
+    return in_background(SEARCHING, _nearest_to_drag, asked)
+
+
+@growing_cache
+def _nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
+    nearest = find_nearest_now(asked)
+    if not nearest.met or len(nearest.curve.control_points) <= MOST_DRAGGED:
+        return nearest.curve, ""
+    farthest = max(FARTHER * nearest.deviation, NEAR_SHARE * asked.curve.length)
+    for room in ROOMS:
+        limits = asked.limits.tightened(curvature=room, strain=room)
+        near = _found(
+            replace(asked, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / room)))
+        )
+        for spans in SPANS if near.met and near.deviation <= farthest else ():
+            with suppress(NotConvergedError):
+                curve = coarse_curve(near.rod, spans, tangents=near.keep.both_tangents)
+                if _keeps_limits(replace(asked, curve=curve)):
+                    return curve, note(
+                        "Drawn with {count} poles to drag, {far} from the curve before; with {most} poles, too "
+                        "many to drag, it would be {near} away.",
+                        count=len(curve.control_points), far=Length(near.deviation),
+                        most=len(nearest.curve.control_points), near=Length(nearest.deviation),
+                    )  # fmt: skip
+    return nearest.curve, note(
+        "Drawn with {count} poles, too many to drag: with fewer it would break its limits.",
+        count=len(nearest.curve.control_points),
+    )
+
+
+def _keeps_limits(asked: RodSpec) -> bool:
+    """Can the curve itself be bent within the limits?"""
+    most, ratio = asked.limits.largest_curvature, asked.limits.ratio
+    if most is not None and sharpest_bend(asked.curve, asked.natural_curvature)[0] > most * (
+        1 + STRAIN_SLACK
+    ):
+        return False
+    try:
+        if ratio is not None and _found(replace(asked, limits=None, keep=None)).ratio > ratio:
+            return False
+        again = _found(asked)  # it searches, so it comes last
+    except ElasticaError:
+        return False
+    return bool(again.met and again.deviation <= AS_DRAWN_MM)
+
+
 def judged(rod: Rod) -> Stability | None:
-    """Its stability, None where it cannot be decided."""
+    """Return the stability of a rod; None where it cannot be decided."""
     try:
         return _stability(rod)
     except ElasticaError:
@@ -160,7 +221,7 @@ def held_shape(strip: Strip) -> HeldShape | None:
 
 @growing_cache
 def bent_shape(strip: Strip) -> Part.Shape:
-    """The strip bent, its curve in the xy plane; of a laminate both layers."""
+    """Return the bent strip, its curve in the xy plane; of a laminate both layers."""
     # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
     many = len(strip.holes) > MANY_HOLES
     layers = (
@@ -183,7 +244,7 @@ def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
 
 @growing_cache
 def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
-    """One layer of the strip as cut, lying on the xy plane."""
+    """Return one layer of the strip as cut, lying on the xy plane."""
     records = FlatSolid.layers(strip)
     if strip.layout.stack is not None:
         return Part.Compound([make_solid(record) for record in records])

@@ -31,7 +31,7 @@ DIFFERENT_MM = 1e-6
 
 
 class BetweenClamps:
-    """Two ends, two tangents and a length, over an open sketch."""
+    """Draws the curve of a strip between two clamps in the open sketch: two ends, two tangents and a length."""
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
@@ -69,7 +69,7 @@ class BetweenClamps:
             stop()
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """Its document is closed."""
+        """End when the document is closed."""
         if getattr(document, "Document", document) is self.sketch.Document:
             stop()
 
@@ -184,7 +184,7 @@ def running() -> BetweenClamps | None:
 
 
 def switch() -> None:
-    """Begin over the open sketch, or end."""
+    """Begin in the open sketch, or end."""
     if running() is not None:
         stop()
         return

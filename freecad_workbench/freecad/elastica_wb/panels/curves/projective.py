@@ -16,8 +16,8 @@ from freecad.elastica_wb.curves.sketch_curves import (
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
-from freecad.elastica_wb.live.curve_picture import TEETH
-from freecad.elastica_wb.live.verdict import quick_answer, sentence_of, strip_answer
+from freecad.elastica_wb.live.curve_picture import curve_picture
+from freecad.elastica_wb.live.verdict import sentence_of, strip_answer
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.preview.handles import Preview
@@ -28,7 +28,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.projective_maps import four_point_map
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.refusals import sentences
 
 FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
@@ -58,7 +57,7 @@ class ProjectivePanel(Panel):
         self.reset()
 
     def reset(self, *_: Any) -> None:
-        """The handles back to the box around the drawn curve."""
+        """Put the handles back to the box around the drawn curve."""
         self._fill(self.corners)
         self._safely_changed()
 
@@ -90,9 +89,7 @@ class ProjectivePanel(Panel):
         pulled = self.drawn if same else self.drawn.transformed(four_point_map(self.corners, self.handles))
         self.curve = pulled
         self._draw()
-        answer = quick_answer(
-            self.curve, self.curve.sample(TEETH), self._spec(), check_equilibrium(self.curve)
-        )
+        answer = curve_picture(self.curve, self._spec()).answer
         self.tell(sentences([answer.sentence, self._warning()], ""))
 
     def finished(self) -> None:

@@ -15,7 +15,7 @@ ROW, LEFT, WIDTH = 24, 105, 300  # px: height of a bar's row, room for names, wh
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
-    """A picture of rows (name, usual, worst), mm: a dark bar for the usual, a light one for the worst."""
+    """Draw rows (name, usual, worst), mm: a dark bar for the usual value, a light one for the worst."""
     largest = max((worst for _, _, worst in rows), default=0.0) or 1.0
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
     picture.fill(QtGui.QColor("white"))

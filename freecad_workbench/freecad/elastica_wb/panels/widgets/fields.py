@@ -57,7 +57,7 @@ def put_away(widget: Any) -> None:
 
 
 def put_choices(box: Any, choices: list[str]) -> None:
-    """Let a list offer these, in the user's language."""
+    """Fill a list widget with choices, shown in the user's language."""
     if [box.itemData(i) for i in range(box.count())] != choices:
         blocked = box.blockSignals(True)
         box.clear()
@@ -67,7 +67,7 @@ def put_choices(box: Any, choices: list[str]) -> None:
 
 
 def value_of(widget: Any) -> Any:
-    """What a widget shows; lengths in mm."""
+    """Return the value that a widget shows; lengths in mm."""
     if isinstance(widget, QtWidgets.QComboBox):
         return widget.currentText() if widget.currentData() is None else widget.currentData()
     if isinstance(widget, QtWidgets.QAbstractButton):
@@ -82,7 +82,7 @@ def value_of(widget: Any) -> Any:
 
 
 def set_value(widget: Any, value: Any) -> None:
-    """Show a value without telling anybody."""
+    """Set a widget's value without sending a signal."""
     blocked = widget.blockSignals(True)
     if isinstance(widget, QtWidgets.QComboBox):
         widget.setCurrentIndex(max(widget.findData(value), widget.findText(value)))
@@ -100,7 +100,7 @@ def set_value(widget: Any, value: Any) -> None:
 
 
 def on_change(widget: Any, slot: Callable[..., Any]) -> None:
-    """Call the slot after the user changed the value of a widget."""
+    """Call `slot` whenever the user changes the value of a widget."""
     if _is_quantity(widget):
         QtCore.QObject.connect(widget, NUMBER_CHANGED, slot)
     else:
@@ -108,7 +108,7 @@ def on_change(widget: Any, slot: Callable[..., Any]) -> None:
 
 
 def send_change(widget: Any, value: Any) -> None:
-    """Tell those who wait for a change of a widget."""
+    """Send the signal of a changed widget."""
     if _is_quantity(widget):
         widget.emit(NUMBER_CHANGED, value)
     else:
@@ -155,7 +155,7 @@ def _loader() -> Any:
 
 
 def quantity_box() -> Any:
-    """FreeCAD's box for quantities.
+    """Make FreeCAD's input field for quantities.
 
     PySide may take the Python face of a deleted widget for a new one at the same address: such a box is put aside,
     where it keeps its address, and another one is made.

@@ -16,17 +16,17 @@ from elastica_cad.fabrication.drawings.drawing import Drawing
 
 
 def ask_file(title: str, name: str, kinds: str) -> str:
-    """A file to write; empty when the user cancels."""
+    """Ask for a file to write; empty when the user cancels."""
     return str(QtWidgets.QFileDialog.getSaveFileName(Gui.getMainWindow(), title, name, kinds)[0])
 
 
 def ask_folder(title: str) -> str:
-    """A folder; empty when the user cancels."""
+    """Ask for a folder; empty when the user cancels."""
     return str(QtWidgets.QFileDialog.getExistingDirectory(Gui.getMainWindow(), title))
 
 
 def save_drawing(drawing: Drawing, path: str | Path, **options: Any) -> Path:
-    """Write a drawing as the preferences say."""
+    """Write a drawing with kerf, curves, tolerance and version as the preferences give them."""
     path = Path(path)
     given = {
         "kerf": preferences.get("Kerf"),

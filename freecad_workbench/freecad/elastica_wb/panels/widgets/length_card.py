@@ -21,7 +21,7 @@ PAUSE_MS = 150  # after the last key
 
 
 class LengthCard(QtCore.QObject):
-    """Over the upper left corner of a view: length, the other side, done."""
+    """A card over the upper left corner of a view: a length, a button for the other side, and one to finish."""
 
     def __init__(
         self,

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Opened by `make freecad`: a drawn arch, the strip that bends into it, and the flat part to cut."""
+"""A drawn arch, the strip that bends into it, and the flat part to cut: to be changed by whoever looks around."""
 
-from pathlib import Path
+from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
-from PySide import QtCore
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
@@ -17,10 +17,11 @@ SPAN = 400.0
 LEFT = [(0, 0), (40, 5), (80, 40), (125, 160), (SPAN / 2, 175)]
 
 
-def draw() -> None:
-    """The same arch as in examples/arch, standing upright."""
+def open_example() -> Any:
+    """Draw the arch of examples/arch, standing upright in a document of its own."""
     document = App.newDocument("Arch")
     sketch = document.addObject("Sketcher::SketchObject", "Curve")
+    sketch.Label = translate("Elastica", "Curve")
     sketch.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(1, 0, 0), 90))
     curve = PlaneCurve.spline([*LEFT, *((SPAN - x, y) for x, y in reversed(LEFT[:-1]))])
     sketch.exposeInternalGeometry(sketch.addGeometry(spline_geometry(curve), False))
@@ -30,18 +31,12 @@ def draw() -> None:
     bent.EngravedText = "ARCH"
     flat.create(document, bent)
     document.recompute()
-
-
-def look() -> None:
-    """The view from the front, and the toolbar of the workbench."""
-    Gui.activateWorkbench("ElasticaWorkbench")
     view = Gui.ActiveDocument.ActiveView
     view.viewIsometric()
     view.fitAll()
-    App.Console.PrintMessage(
-        f"Elastica ({Path(__file__).parents[1]}): double-click Curve under Strip, drag its poles, watch.\n"
-    )
+    return document
 
 
-draw()
-QtCore.QTimer.singleShot(500, look)
+if __name__ == "__main__":  # freecad example.py, as `make freecad` does
+    Gui.activateWorkbench("ElasticaWorkbench")
+    open_example()
