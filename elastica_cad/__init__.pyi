@@ -18,6 +18,7 @@ from elastica_cad.fabrication.flexure import Flexure as Flexure
 from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits as FabricationLimits
 from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.fabrication.model.strip_model import Model as Model
+from elastica_cad.fabrication.model.touching_widths import touching_widths as touching_widths
 from elastica_cad.fabrication.placed_strip import Placed as Placed
 from elastica_cad.fabrication.slots.slot import Slot as Slot
 from elastica_cad.fabrication.strip.lamination import Laminated as Laminated

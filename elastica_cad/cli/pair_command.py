@@ -11,12 +11,14 @@ from elastica_cad.cli.asking.options import (
     asked_sheet,
     given_of,
     join_options,
+    option_of,
     output_options,
     sheet_options,
 )
 from elastica_cad.cli.asking.settings import PairKeys, parsed_settings, set_option
 from elastica_cad.cli.asking.strip_options import with_settings
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
+from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
@@ -30,33 +32,21 @@ from elastica_cad.kit.pair_kit import PairKit, write_pair
 
 FILE = click.Path(path_type=Path)
 
+_WISHED = [one for one in declared(FlexureSpec) if one.asked.common and one.name != "sheet"]
+
 _WISHES = (
     click.option("--first", "first_curve", metavar="N|ID", help="Which curve of FIRST, where it holds several."),
-    click.option("--second", "second_curve", metavar="N|ID", help="Which curve of SECOND."),
+    click.option("--second", "second_curve", metavar="N|ID", help="Which curve of SECOND, or the other of FIRST."),
     unit_option,
     sheet_options(required=False, use="Material, whose thickness is the depth of the part"),
-    click.option("--match", type=click.Choice(["ends", "shape", "none"]),
-                 help="Make both curves equally long: by bending them a little with their ends where they are, by "
-                 "scaling, or not at all  [default: ends]."),
-    click.option("--free", type=click.Choice(["first", "second"]), help="The state that needs no holding."),
+    *(option_of(one, default=one.default if one.kind.name == "choice" else "") for one in _WISHED),
     click.option("--ratio", type=float, help="Largest ratio of stiffness; 8 is a ratio of 2 in thickness."),
-    click.option("--objective", type=click.Choice(["thickness", "ratio"]),
-                 help="The thickest part that the strain allows, or the most even one  [default: thickness]."),
-    click.option("--least-thickness", type=LENGTH, metavar="MM",
-                 help="Thinnest place in the plane  [default: the most that the sheet's strain allows]."),
-    click.option("--fillet", type=LENGTH, metavar="MM", help="Radius at the roots  [default: 1]."),
-    click.option("--push-at", type=LENGTH, metavar="MM", help="Where it is pushed over  [default: its middle]."),
-    click.option("--printed", is_flag=True, help="For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts."),
-    click.option("--ignore-limits", is_flag=True, help="Make it although it is too thin or touches itself."),
-    click.option("--label", metavar="TEXT", help="Engraved on the first pad."),
     click.option("--name", help="What the files are called  [default: as FIRST]."),
     click.option("--kerf", type=LENGTH, default=DEFAULT_KERF_MM, metavar="MM",
                  help=f"Width of the cut  [default: {DEFAULT_KERF_MM:g}]."),
     set_option(PairKeys),
     output_options,
 )  # fmt: skip
-
-_OF_SPEC = ("match", "free", "objective", "least_thickness", "fillet", "push_at", "label")
 
 
 @click.command()
@@ -66,6 +56,7 @@ _OF_SPEC = ("match", "free", "objective", "least_thickness", "fillet", "push_at"
 def pair(**chosen: Any) -> None:
     """Make a part from a sheet that rests in the curve of FIRST and in that of SECOND: a clip, a catch, a stand.
 
+    Without SECOND, FIRST draws both curves.
     The part is cut flat, as it is unloaded, and its thickness in the plane of the sheet varies along it. Where both
     curves have the same ends, directions there included, it is bistable and snaps from one to the other; else its
     end has two settings. A second drawing is the plate that holds it. FIRST may be a design file with a table
@@ -93,17 +84,34 @@ def pair(**chosen: Any) -> None:
 
 
 def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
-    if chosen["second"] is None or chosen["sheet"] is None:
-        raise InputError("a part needs two curves and a sheet: elastica pair FIRST SECOND --sheet NAME")
-    table = given_of(chosen, _OF_SPEC) | {flag: True for flag in ("printed", "ignore_limits") if chosen[flag]}
+    if chosen["sheet"] is None:
+        raise InputError("a part needs a sheet: elastica pair FIRST SECOND --sheet NAME")
+    table = given_of(chosen, (one.name for one in _WISHED))
     table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
     given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
-    return FlexureSpec(_curve(chosen, "first"), _curve(chosen, "second"), asked_sheet(chosen), **given)
+    return FlexureSpec(*_curves(chosen), asked_sheet(chosen), **given)
 
 
-def _curve(chosen: dict[str, Any], which: str) -> PlaneCurve:
-    (asked,) = asked_curves(chosen[which], chosen["unit"], chosen[f"{which}_curve"], None)
-    return asked.bendable(None)
+def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
+    """Both; curves of one drawing whose ends meet were joined in reading it, and part at the corner."""
+    path, unit = chosen["first"], chosen["unit"]
+    if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
+        drawn = asked_curves(path, unit, None, None, every=True, split=True)
+        if len(drawn) != 2:
+            raise InputError(
+                "a part rests in two curves, and {path} holds {count}: choose them by --first and --second, or "
+                "give two files",
+                path=path,
+                count=len(drawn),
+            )
+        return drawn[0].bendable(None), drawn[1].bendable(None)
+
+    def one(file: Path, which: str) -> PlaneCurve:
+        how = f"--{which} 1 .. --{which} {{count}}, or --{which} ID"
+        (asked,) = asked_curves(file, unit, chosen[f"{which}_curve"], None, how=how)
+        return asked.bendable(None)
+
+    return one(path, "first"), one(chosen["second"] or path, "second")
 
 
 def _tell(kit: PairKit) -> None:

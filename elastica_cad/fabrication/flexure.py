@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.declared import Asked
-from elastica_cad.errors import InputError, NotConvergedError, StrainError
+from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
@@ -64,7 +64,7 @@ class Pad:
     Attributes
     ----------
     length, width : float
-        Along the part and across it, mm.
+        Along the part and across it, mm; wider where the end of the part and its fillets need it.
     hole : float
         Diameter of the holes, mm; 3.2 for M3.
     inset : float
@@ -135,7 +135,7 @@ class Flexure:
     sheet : Sheet or str
         Its thickness is the depth of the part; its `max_strain` bounds both states and the way between them.
     least_thickness : float, optional
-        Of the part in its plane, mm; unless given the largest that the strain allows.
+        Of the part in its plane, mm; unless given the largest that the strain of states and way allows.
     pad : Pad
         At both ends.
     fillet : float
@@ -222,13 +222,14 @@ class Flexure:
             return float(self._strains(self._bends, scale).max()) - most
 
         scale = high if excess(high) <= 0 else float(brentq(excess, high / 3, high, xtol=1e-9 * high))
-        if self.pair.bistable:
-            try:
-                path = self._push(self.pair.first, scale)
-            except NotConvergedError:
-                return scale  # which `warnings` tells
-            scale *= min(1.0, SPARE * most / float(self._strains(self._nodal(path), scale).max()))
-        return scale
+        try:
+            if self.pair.bistable:
+                bends, spare = self._nodal(self._push(self.pair.first, scale)), SPARE
+            else:
+                bends, spare = self._bends_of(self._led_rods), 1.0
+        except NotConvergedError:
+            return scale  # which `warnings` tells
+        return scale * min(1.0, spare * most / float(self._strains(bends, scale).max()))
 
     @property
     def thickness_range(self) -> tuple[float, float]:
@@ -254,17 +255,17 @@ class Flexure:
     @cached_property
     def _bends(self) -> FloatArray:
         """Largest |kappa - kappa_0| (n,) of both states, 1/mm."""
-        bends = [np.abs(rod.curvature - self.pair.natural_curvature) for rod in self.pair.states]
-        return np.asarray(np.max(bends, axis=0))
+        return np.asarray(np.abs(self._bends_of(self.pair.states)).max(axis=0))
+
+    def _bends_of(self, rods: Iterable[Rod]) -> FloatArray:
+        """kappa - kappa_0 (k, n), 1/mm, of shapes of the part."""
+        return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
     @cached_property
     def strain(self) -> tuple[float, float]:
         """Largest strain of both states."""
-        first, second = (
-            float(self._strains(rod.curvature - self.pair.natural_curvature, self.scale).max())
-            for rod in self.pair.states
-        )
-        return first, second
+        first, second = self._strains(self._bends_of(self.pair.states), self.scale).max(axis=1)
+        return float(first), float(second)
 
     @property
     def stretch(self) -> float:
@@ -358,10 +359,16 @@ class Flexure:
         root = h + 2 * r
         return r - give - HALF_PLANE * root * (h / root) ** 3
 
+    @cached_property
+    def pad_width(self) -> float:
+        """Of the pads as they are cut, mm."""
+        thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
+        return max(self.pad.width, thickest + 5 * self.fillet)  # each root and corner takes one
+
     def _pad_corners(self, line: "CentreLine", s: float, way: int) -> list[FloatArray]:
         """The four corners of a pad from the right side on, anticlockwise."""
         position, along, across = self._root(line, s, way)
-        half = self.pad.width / 2 * across
+        half = self.pad_width / 2 * across
         far = position + self.pad.length * along
         return [position - half, far - half, far + half, position + half]
 
@@ -395,7 +402,7 @@ class Flexure:
             room = float(np.hypot(*(far - near))) - self.pad.hole - 2
             middle = (near + far) / 2
             texts = (fit_label(self.label, (float(middle[0]), float(middle[1])), angle=0.0, room=room,
-                               across=self.pad.width - 2),)  # fmt: skip
+                               across=self.pad_width - 2),)  # fmt: skip
         return Drawing(self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
 
     def holder(self) -> Drawing:
@@ -405,7 +412,7 @@ class Flexure:
         if not self.pair.bistable:
             groups.append((places[1][1], "2"))
         middles = np.concatenate([group for group, _ in groups])
-        margin = self.pad.width / 2 + self.pad.hole
+        margin = self.pad_width / 2 + self.pad.hole
         low, high = middles.min(axis=0) - margin, middles.max(axis=0) + margin
         plate = round_corners(Path.rectangle(*(high - low), corner=low), self.pad.hole)
         distinct = _distinct(middles)
@@ -476,11 +483,11 @@ class Flexure:
         """kappa - kappa_0 (k, n), 1/mm, at the rod's nodes."""
         return np.array([np.interp(self.pair.first.s, path.s, bend) for bend in path.bend])
 
-    def _led(self) -> FlexureTravel:
+    @cached_property
+    def _led_rods(self) -> Sequence[Rod]:
         """The end led along a straight line while it turns evenly, the start staying where it is."""
         first, second = self.rods
         end, angle = second.position[-1], float(second.angle[-1])
-        shares = np.linspace(0.0, 1.0, TRAVEL_STEPS // 2 + 1)
         steps = [
             {
                 "end": first.position[-1] + share * (end - first.position[-1]),
@@ -489,17 +496,19 @@ class Flexure:
                     float(first.angle[-1] + share * (angle - first.angle[-1])),
                 ),
             }
-            for share in shares
+            for share in np.linspace(0.0, 1.0, TRAVEL_STEPS // 2 + 1)
         ]
-        rods = bend_path(first, steps)
-        B = self.bending_stiffness
-        bends = np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
+        return bend_path(first, steps)
+
+    def _led(self) -> FlexureTravel:
+        first, second = self.rods
+        rods, B = self._led_rods, self.bending_stiffness
         astray = float(np.hypot(*(rods[-1].position - second.position).T).max())
         energy = B * np.array([rod.bending_energy for rod in rods])
         force = B * np.array([np.hypot(*rod.force[-1]) for rod in rods])
         return FlexureTravel(
-            shares, force, energy, np.array([rod.position for rod in rods]),
-            self._strains(bends, self.scale).max(axis=1), None, float(energy[-1] - energy[0]),
+            np.linspace(0.0, 1.0, len(rods)), force, energy, np.array([rod.position for rod in rods]),
+            self._strains(self._bends_of(rods), self.scale).max(axis=1), None, float(energy[-1] - energy[0]),
             astray <= REACHED_SHARE * first.length,
         )  # fmt: skip
 
@@ -520,10 +529,10 @@ class Flexure:
         """Least distance of two stretches of the part, its pads with them, that are no neighbours, mm."""
         length = self.pair.length
         s = np.linspace(0.0, length, CONTACT_POINTS)
-        beyond = np.arange(self.pad.width / 2, self.pad.length + 1e-9, self.pad.width / 4)
+        beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
         outer = [self.overhang(0.0), self.overhang(length)]
         s = np.concatenate([-(outer[0] + beyond)[::-1], s, length + outer[1] + beyond])
-        half = np.where((s < 0) | (s > length), self.pad.width / 2, self.thickness_at(s) / 2)
+        half = np.where((s < 0) | (s > length), self.pad_width / 2, self.thickness_at(s) / 2)
         position = line.at(s)[0]
         apart = (
             np.hypot(*(position[:, None] - position[None]).transpose(2, 0, 1)) - half[:, None] - half[None]
@@ -546,13 +555,13 @@ class Flexure:
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
         if thin < least * (1 - 1e-6):
             made = "printed" if self.printed else "cut"
-            needs = self.pair.length * least / thin
+            share = rounded_up(least / thin, 3)
             yield InputError(
                 "at the strain that {sheet} bears, {strain:.2g} %, the part may be {thin:.3g} thick at most where "
-                "it is thinnest, and {least:g} are {made} soundly: draw both curves {share:.2g} times as large, "
-                "{needs:.0f} long, or closer to each other, or take a sheet that bears more",
+                "it is thinnest, and {least:g} are {made} soundly: draw both curves {share:g} times as large, "
+                "{needs} long, or closer to each other, or take a sheet that bears more",
                 sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
-                made=made, share=least / thin, needs=Length(needs),
+                made=made, share=share, needs=Length(share * self.pair.length),
             )  # fmt: skip
         worst = max(self.strain)
         verdict = judge_strain(self.sheet, worst)

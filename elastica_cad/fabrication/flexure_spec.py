@@ -9,7 +9,7 @@ from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.flexure import Flexure, Pad
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.forming.matched_pair import MatchedPair, matched_pair
+from elastica_cad.forming.matched_pair import MatchedPair, matched_pair, same_way
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.two_states.two_state_rod import (
@@ -78,7 +78,7 @@ class FlexureSpec:
     least_thickness: Annotated[
         float | None,
         Asked(
-            "Thinnest place in the plane; the most that the sheet's strain allows.",
+            "Thinnest place in the plane, else the most that the sheet's strain allows.",
             "mm",
             least=0,
             common=True,
@@ -88,7 +88,7 @@ class FlexureSpec:
     fillet: Annotated[float, Asked("Radius at the roots of the pads.", "mm", least=0, common=True)] = 1.0
     push_at: Annotated[
         float | None,
-        Asked("Where a bistable part is pushed over; its middle.", "mm", least=0, common=True),
+        Asked("Where a bistable part is pushed over, else at its middle.", "mm", least=0, common=True),
     ] = None
     printed: Annotated[
         bool, Asked("For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts.", common=True)
@@ -112,9 +112,9 @@ class FlexureSpec:
 
     @cached_property
     def faired(self) -> tuple[PlaneCurve, PlaneCurve]:
-        """Both curves with a smooth curvature."""
+        """Both curves with a smooth curvature, from the same end on."""
         first, second = (smooth_curve(one, self.smooth).curve for one in (self.first, self.second))
-        return first, second
+        return same_way(first, second)
 
     @cached_property
     def pair(self) -> TwoStateRod:

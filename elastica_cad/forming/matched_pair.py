@@ -76,6 +76,20 @@ class MatchedPair:
         )
 
 
+def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve]:
+    """Both curves, turned round where only so they begin in one place or have the same clamps.
+
+    A curve is drawn from either of its ends, and curves of a drawing that meet are read as one.
+    """
+    for one in (first, first.reversed()):
+        for other in (second, second.reversed()):
+            drawn = _Drawn.of(one), _Drawn.of(other)
+            apart = float(np.hypot(*(drawn[0].clamps[0] - drawn[1].clamps[0])))
+            if apart <= ALIKE_SHARE * first.length or _are_alike(*drawn):
+                return one, other
+    return first, second
+
+
 def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> MatchedPair:
     """The two curves with equal lengths, changed as little as can be.
 

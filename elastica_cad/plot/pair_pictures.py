@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad.fabrication.flexure import Flexure
+from elastica_cad.geometry.paths.path import Path
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
@@ -32,8 +33,9 @@ def pair_sheet(part: Flexure) -> Figure:
         bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
     for line, colour, name in zip(lines, (FIRST, SECOND), ("first", "second"), strict=True):
         bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=name)
-        for x, y in part.hole_places(line).reshape(-1, 2):
-            bent.plot(x, y, "o", ms=3, color="white", mec=INK, mew=0.6)
+        for place in part.hole_places(line).reshape(-1, 2):
+            hole = Path.circle(place, part.pad.hole / 2)
+            bent.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
     bent.legend(frameon=False, fontsize=8, loc="best")
     held = "the same clamps" if part.pair.bistable else "two settings of the end"
     _even(bent, f"both states, {held}; strained by {100 * max(part.strain):.2f} % at most")

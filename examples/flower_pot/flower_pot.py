@@ -54,7 +54,7 @@ def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
     hanging = layers.bending_stiffness(40.0, 20.0) / layers.weight_per_length(40.0, 20.0)
     limits = ec.Limits(ratio=RATIO, margin=5.0, curvature=1 / least_radius if least_radius else None)
     found = ec.nearest_rods([c.curve for c in curves], limits, gravity=ec.Gravity(float(hanging) ** (1 / 3)))
-    widths = ec.fabrication.touching_widths(
+    widths = ec.touching_widths(
         [(near.curve, c.frame) for near, c in zip(found, curves, strict=True)], GAP, closed=True
     )
     placed = []

@@ -45,9 +45,7 @@ def build():
         sections, tolerance=0.1, false_turn=0.0
     )  # gentle bends are meant
     found = ec.nearest_rods([c.curve for c in curves], ec.Limits(ratio=RATIO, margin=5.0))
-    widths = ec.fabrication.touching_widths(
-        [(near.curve, c.frame) for near, c in zip(found, curves, strict=True)], GAP
-    )
+    widths = ec.touching_widths([(near.curve, c.frame) for near, c in zip(found, curves, strict=True)], GAP)
     placed = []
     for near, c, width in zip(found, curves, widths, strict=True):
         style = ec.Perforated(width, columns=2, rows=3, hole_ratio=0.9)

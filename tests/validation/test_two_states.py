@@ -6,6 +6,7 @@ from scipy.optimize import minimize
 
 from elastica_cad import PlaneCurve, Rod, check_equilibrium, matched_pair, optimal_rod, stability
 from elastica_cad.errors import InputError
+from elastica_cad.forming.matched_pair import same_way
 from elastica_cad.geometry.curves.unit_speed import integrate_tangents
 from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -48,7 +49,7 @@ def require_as_dense(first: PlaneCurve, second: PlaneCurve) -> TwoStateRod | Non
         return None
     pair = two_state_rod(first, second)
     assert pair.ratio == pytest.approx(dense.least_ratio(), rel=1e-3)
-    between = two_state_rod(first, second, samples=2401)  # a march interpolates stiffness between the nodes
+    between = two_state_rod(first, second, samples=9601)  # a march interpolates stiffness between the nodes
     for rod, drawn, found in zip(pair.states, (first, second), pair.stability, strict=True):
         assert rod.residual < 1e-8
         place = drawn.at(rod.s * drawn.length / rod.length).position
@@ -251,6 +252,13 @@ def test_clamps_that_are_nearly_the_same_become_the_same():
     assert np.abs(np.diff(first.position, axis=0) - np.diff(second.position, axis=0)).max() < 1e-6
     assert np.abs(first.angle - second.angle).max() < 1e-7
     assert check_pair(*matched).bistable
+
+
+@pytest.mark.parametrize("turned", [(False, True), (True, False), (True, True)])
+def test_a_curve_may_be_drawn_from_either_end(turned):
+    first, second = (c.reversed() if back else c for c, back in zip((ARCH, WAVE), turned, strict=True))
+    starts = [one.at([0.0]).position[0] for one in same_way(first, second)]
+    assert np.abs(starts[0] - starts[1]).max() < 1e-9
 
 
 def test_scaled_curves_keep_their_shape():

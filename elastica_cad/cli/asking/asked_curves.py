@@ -176,17 +176,20 @@ def asked_curves(
     *,
     every: bool = False,
     split: bool = False,
+    how: str = CHOICE,
 ) -> tuple[AskedCurve, ...]:
     """Return the one curve that number, id or layer select, or every one so selected; with `split` their pieces.
+
+    `how` tells what to choose one of several by.
 
     Raises
     ------
     InputError
         No such curve, or several of which one is asked for; the file is named.
     """
-    drawing = drawn_curves(path, unit, number, layer)
+    drawing = drawn_curves(path, unit, number, layer, how)
     several = every and len(drawing) > 1 and number is None
-    found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, CHOICE),)
+    found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
     return tuple(
         AskedCurve(
             path,
@@ -204,7 +207,9 @@ def asked_curves(
     )
 
 
-def drawn_curves(path: Path, unit: str | None, number: str | None, layer: str | None) -> DrawnFile:
+def drawn_curves(
+    path: Path, unit: str | None, number: str | None, layer: str | None, how: str = CHOICE
+) -> DrawnFile:
     """Read a file, print a note where something was left out, and return what number, id or layer may select from.
 
     Raises
@@ -217,7 +222,7 @@ def drawn_curves(path: Path, unit: str | None, number: str | None, layer: str | 
         if told:
             warn(f"{path.name}: {told}")
     if not drawing.chosen(number, layer):
-        drawing.one(number, layer, CHOICE)
+        drawing.one(number, layer, how)
     return drawing
 
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from elastica_cad._units import MILLIMETRES, MM_PER_INCH, read_number
+from elastica_cad.declared import Field
+from elastica_cad.formats.design_files.records import written
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.material.sheet import Sheet
@@ -71,6 +73,38 @@ F = TypeVar("F", bound=Callable[..., Any])
 def option_name(name: str) -> str:
     """Return the option that sets a parameter, as it is typed: `--max-width`."""
     return f"--{name.replace('_', '-')}"
+
+
+def option_of(
+    field: Field, name: str = "", *, default: str = "", switch: bool = False, required: bool = False
+) -> Callable[[Any], Any]:
+    """The option of a declared field, called as the field unless told otherwise.
+
+    Parameters
+    ----------
+    default : str
+        What help tells of an option that is not given.
+    switch : bool
+        It can only be turned on.
+    """
+    told = f"  [default: {default}]" if default else ""
+    typed, help = option_name(name or field.name), f"{field.help.rstrip('.')}.{told}"
+    if switch or field.kind.name == "flag":
+        words = typed if switch else f"{typed}/--no-{typed[2:]}"
+        return click.option(words, is_flag=True, default=None, help=help)
+    kind, shown = _typed_as(field)
+    return click.option(typed, type=kind, metavar=shown, required=required, help=help)
+
+
+def _typed_as(field: Field) -> tuple[Any, str | None]:
+    """What is typed behind an option, and how help shows it."""
+    kinds = written(field.kind).alternatives
+    words = tuple(word for one in kinds for word in one.choices)
+    if any(one.name == "number" for one in kinds):
+        if field.asked.unit != "mm":
+            return float, "NUMBER"
+        return (Length(words=words), "|".join(("MM", *words))) if words else (LENGTH, "MM")
+    return (click.Choice(words), None) if words else (str, "NAME" if field.name == "sheet" else "TEXT")
 
 
 def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:

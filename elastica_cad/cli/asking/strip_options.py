@@ -9,11 +9,10 @@ import click
 from elastica_cad.cli.asking.asked_curves import unit_option
 from elastica_cad.cli.asking.options import (
     IDLE_DOWN,
-    LENGTH,
     POINT,
-    Length,
     join_options,
     option_name,
+    option_of,
     output_options,
 )
 from elastica_cad.cli.asking.settings import (
@@ -25,13 +24,12 @@ from elastica_cad.cli.asking.settings import (
 )
 from elastica_cad.cli.asking.support_options import END_NAMES, Blank, read_curves_told
 from elastica_cad.cli.running.suggestions import typed_length
-from elastica_cad.declared import Field
 from elastica_cad.errors import Change, InputError
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.key_paths import paths_of, put
-from elastica_cad.formats.design_files.records import Reader, written
+from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.strip_table import read_request
 from elastica_cad.formats.design_files.tables import Table, merged
 from elastica_cad.forming.limits import BOTH_ENDS
@@ -113,25 +111,9 @@ DEFAULTS = {
 def _option(path: str, name: str) -> Callable[[Any], Any]:
     """The option of a common key."""
     field = paths_of(CommandKeys)[path]
-    default = f"  [default: {DEFAULTS[path]}]" if path in DEFAULTS else ""
-    typed, help = option_name(name), f"{field.help.rstrip('.')}.{default}"
-    if path in FLAGS:
-        return click.option(typed, is_flag=True, default=None, help=help)
-    if field.kind.name == "flag":
-        return click.option(f"{typed}/--no-{typed[2:]}", default=None, help=help)
-    kind, shown = _type(field)
-    return click.option(typed, type=kind, metavar=shown, required=path == "sheet", help=help)
-
-
-def _type(field: Field) -> tuple[Any, str | None]:
-    """What is typed behind an option, and how help shows it."""
-    kinds = written(field.kind).alternatives
-    words = tuple(word for one in kinds for word in one.choices)
-    if any(one.name == "number" for one in kinds):
-        if field.asked.unit != "mm":
-            return float, "NUMBER"
-        return (Length(words=words), "|".join(("MM", *words))) if words else (LENGTH, "MM")
-    return (click.Choice(words), None) if words else (str, "NAME" if field.name == "sheet" else "TEXT")
+    return option_of(
+        field, name, default=DEFAULTS.get(path, ""), switch=path in FLAGS, required=path == "sheet"
+    )
 
 
 _HAND_MADE: dict[str, tuple[Any, ...]] = {

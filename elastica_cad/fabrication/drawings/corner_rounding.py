@@ -53,9 +53,9 @@ def round_corners(path: Path, radius: float) -> Path:
 
 
 def too_small_for(radius: float, path: Path) -> InputError:
-    """The refusal of a hole that the radius does not fit."""
+    """The refusal of a path that the radius does not fit."""
     return InputError(
-        "a corner radius of {radius:g} does not fit the hole at {place}: make it smaller",
+        "a corner radius of {radius:g} does not fit at {place}: make it smaller",
         radius=Length(radius),
         place=place(path.bounds.mean(axis=0)),
     )
@@ -84,9 +84,10 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
         corners = _corners(table, before, after, np.array([bool(gap) for gap in gaps]), radius)
         first, last = np.zeros(len(segments)), np.ones(len(segments))
         last[corners.before], first[corners.after] = corners.leaving, corners.entering
-        short = set(np.flatnonzero(first > last).tolist())
+        beyond = np.maximum(-first, last - 1) * sizes > CLOSE_MM
+        short = set(np.flatnonzero((first > last) | beyond).tolist())
         last = np.where((last - first) * sizes > CLOSE_MM, last, first)
-        parts = trim_all(segments, first, last)
+        parts = trim_all(segments, *np.clip([first, last], 0, 1))
         arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
         following: dict[int, _Ring] = {}
         for i, ring in left.items():

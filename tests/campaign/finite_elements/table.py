@@ -57,8 +57,9 @@ the strip, is glued over the joint. Shares of the length, held by the tabs in th
 
 FLEXURES = """Cut in the plane of a sheet, meshed from their DXF and put into each state, then let go but for their
 pads: the largest distance of the centre line from the drawn curve, as a share of the length; asked are 3e-03.
-Bistable ones are pushed at their middle from either state into the other: the largest push, which is to be within
-a tenth of what is told."""
+Bistable ones are pushed at their middle from either state: the largest push, which is to be within a tenth of
+what is told. Behind the snap they are let go, as in something viscous (implicit steps along the slope of the
+energy), and rest in the other state, as near to its curve as those that were put there."""
 
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
@@ -171,7 +172,8 @@ def written(everything: dict[str, list[dict[str, Any]]]) -> str:
         lines += _table(head, everything["joined"], _joined)
     if everything.get("flexures"):
         lines += ["", "## Parts with two states", "", FLEXURES, ""]
-        head = ("strip", "first state", "second state", "push told (N)", "found", "back told (N)", "found")
+        head = ("strip", "first state", "second state", "push told (N)", "found", "back told (N)", "found",
+                "snapped")  # fmt: skip
         lines += _table(head, everything["flexures"], _flexed)
     if everything.get("pockets"):
         lines += ["", "## In pockets with play", "", POCKETS, ""]
@@ -234,7 +236,8 @@ def _flexed(row: dict[str, Any]) -> tuple[str, ...]:
         for both in zip(row["told"], row["found"], strict=True)
         for force in both
     ]
-    return row["name"], *(f"{share:.1e}" for share in row["deviation"]), *pushes
+    snapped = ["yes" if one else "no" for one in row["snapped"]] if any(row["told"]) else []
+    return row["name"], *(f"{share:.1e}" for share in row["deviation"]), *pushes, ", ".join(snapped)
 
 
 def _pocketed(row: dict[str, Any]) -> tuple[str, ...]:

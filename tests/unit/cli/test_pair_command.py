@@ -20,11 +20,10 @@ def typed(*words, **options):
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """The files of the clip, drawn twice in one file."""
+    """The files of the clip, whose curves are the two of one drawing."""
     folder = tmp_path_factory.mktemp("clip")
     drawing = EXAMPLES / "clip.svg"
-    asked = ("--first", "up", "--second", "down", "--sheet", "pom-3", "--label", "CLIP", "-o", folder)
-    return folder, typed(drawing, drawing, *asked)
+    return folder, typed(drawing, "--sheet", "pom-3", "--label", "CLIP", "-o", folder)
 
 
 def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
@@ -52,6 +51,20 @@ def test_a_design_file_asks_for_the_same(made, tmp_path):
     assert reports[0]["least_thickness_mm"] == pytest.approx(reports[1]["least_thickness_mm"], rel=1e-9)
 
 
+MEETING = """<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="160mm" viewBox="0 0 200 160">
+<path d="M20,20 C60,20 110,30 130,110"/><path d="M20,20 C70,10 120,40 100,120"/></svg>"""
+
+
+def test_curves_that_meet_in_their_drawing_begin_where_they_meet(tmp_path):
+    """They are as thick as wider pads take."""
+    (tmp_path / "finger.svg").write_text(MEETING)
+    said = typed(tmp_path / "finger.svg", "--sheet", "pom-3", "-o", tmp_path / "out", "--json")
+    assert said.exit_code == 0, said.output
+    report = json.loads(said.output)["pair"]
+    assert report["largest_thickness_mm"] > 6
+    assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"] * (1 + 1e-9)
+
+
 @pytest.mark.parametrize("words", [("clip.toml",), ("clip.svg", "clip.svg", "--first", "up", "--second", "down",
                                                     "--sheet", "pom-3")])  # fmt: skip
 def test_other_keys_are_set(words, tmp_path):
@@ -75,7 +88,10 @@ def test_a_printed_stand_has_two_settings(tmp_path):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (("clip.svg",), "needs two curves and a sheet"),
+        (("clip.svg",), "needs a sheet"),
+        (("up.svg", "--sheet", "pom-3"), "up.svg holds 1"),
+        (("clip.svg", "clip.svg", "--sheet", "pom-3"), "--first 1 .. --first 2"),
+        (("clip.svg", "--sheet", "pom-3", "--fillet", "12"), "does not fit"),
         (("clip.toml", "clip.svg", "--sheet", "pom-3"), "give it alone"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3", "--match", "none"),
          "--match ends"),
@@ -87,6 +103,8 @@ def test_a_printed_stand_has_two_settings(tmp_path):
 def test_what_cannot_be_made_is_refused_in_one_sentence(words, told, tmp_path, monkeypatch):
     for file in EXAMPLES.iterdir():
         shutil.copy(file, tmp_path)
+    drawn = (tmp_path / "clip.svg").read_text()
+    (tmp_path / "up.svg").write_text(drawn.replace('id="down"', 'display="none"'))
     wrong = (tmp_path / "clip.toml").read_text().replace("[pair]", "[pair]\nthickness = 2")
     (tmp_path / "wrong.toml").write_text(wrong)
     (tmp_path / "model.toml").write_text("schema = 1\n")
