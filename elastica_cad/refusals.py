@@ -143,6 +143,7 @@ class Wording(Formatter):
     def _digits(self, value: float, spec: str) -> str:
         """Digits without an exponent where a person would write none, and no trace of rounding for 0."""
         text = float.__format__(float(value), spec)
+        text = text if text.strip("-0.") else text.lstrip("-")
         if "e" in text:
             text = format(Decimal(text), "f") if 1e-12 < abs(value) < 1e9 else text
             text = "0" if abs(value) <= 1e-12 else text

@@ -84,6 +84,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 
     \b
       elastica bend arch.dxf --to 350 0                        the arch with its feet 50 mm closer
+      elastica bend out/arch.json --to 350 0                   the same, of the report that `elastica strip` wrote
       elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
 
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
@@ -119,6 +120,11 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError("--set changes the strip that is made of a CURVE: name one, and its --sheet")
     strip = _strip(curve, chosen, settings)
     rod = _rod(curve, chosen) if strip is None else strip.rod
+    held = Supports(chosen["hold_start"], chosen["hold_end"])
+    if curve is not None and held != rod.supports:
+        designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
+        now = f"here its start is {chosen['hold_start']}, its end {chosen['hold_end']}"
+        say(f"the strip is the one designed for {curve.name} {designed}; {now}")
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
     name = f"{curve.stem if curve is not None else 'straight'}-bent"
     moved = None
@@ -205,7 +211,9 @@ def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
         None if given is None else np.radians(given) for given in (chosen["start_angle"], chosen["end_angle"])
     ]
     supports = Supports(chosen["hold_start"], chosen["hold_end"])
-    parts = np.arange(1, chosen["steps"] + 1) / chosen["steps"]
+    # forces are listed from travel 0 on; of a straight strip they are any there, up to that at which it buckles
+    listed = chosen["max_width"] is not None and chosen["steps"] > 1 and chosen["straight"] is None
+    parts = np.arange(0 if listed else 1, chosen["steps"] + 1) / chosen["steps"]
     return [
         {
             "start": here[0] + part * (there[0] - here[0]),
@@ -253,7 +261,7 @@ def _tell_forces(moved: Travel) -> None:
     """Forces, energy and strain of every shape in a line."""
     for k in range(len(moved.rods)):
         size = float(np.hypot(*moved.end_force[k]))
-        x, y = np.where(np.abs(moved.end_force[k]) < 1e-9 * size, 0.0, moved.end_force[k])
+        x, y = np.where(np.abs(moved.end_force[k]) <= 1e-9 * size, 0.0, moved.end_force[k])
         say(
             f"travel {moved.travel[k]:.4g} mm: end pushed by ({x:.4g}, {y:.4g}) N and {moved.end_moment[k]:.4g} "
             f"N mm, energy {moved.energy[k]:.4g} N mm, strain {100 * moved.strain[k]:.3g} %, "

@@ -61,6 +61,9 @@ GONE_VALUES = {
 }  # fmt: skip
 """What is written for values that are no single word."""
 
+ALIKE = {"name": "label"}
+"""Options of one command by what others call them."""
+
 FILES = {
     "curve": "give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or - for standard input",
     "first": "give the file in which the first rest shape is drawn, or a design file with a table [pair]",
@@ -165,18 +168,19 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     typed = problem.option_name
     name = typed.lstrip("-").replace("-", "_")
     context = problem.ctx
-    if (new := RENAMED.get(name)) is not None:
+    if (new := (RENAMED | ALIKE).get(name)) is not None:
         typed_new = option_name(new)
         known = context is not None and any(typed_new in one.opts for one in context.command.params)
-        name = new
         if known:
-            return f"{typed} is now called {typed_new}"
+            return f"{typed} is {'now ' if name in RENAMED else ''}called {typed_new}"
+        name = new
     if context is not None and any(one.name == "settings" for one in context.command.params):
-        from elastica_cad.cli.asking.settings import KEYS_OF
+        from elastica_cad.cli.asking.settings import DEEPEST, KEYS_OF
         from elastica_cad.formats.design_files.key_paths import near_path, paths_of
 
         keys = paths_of(KEYS_OF[str(context.command.name)])
-        if path := GONE[typed] if GONE.get(typed) in keys else near_path(name, keys):
+        listed = [path for path in keys if path.count(".") <= DEEPEST]
+        if path := GONE[typed] if GONE.get(typed) in keys else near_path(name, listed):
             example = GONE_VALUES.get(path, "VALUE")
             return f"{typed} is given by --set {path}={example} now: `elastica help {path}` explains it"
     return problem.format_message()

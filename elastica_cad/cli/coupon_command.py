@@ -15,12 +15,16 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.write_files import write_text, write_together
+from elastica_cad.mechanics.material.section_limits import OUTCOMES
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import library_folders, plausible_number
 from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
 """Of a sheet that nobody knows: E between card and plywood, for the length of its coupon; what most boards bear."""
+
+LEAST_DROOP_MM = 10.0
+"""Readings of less are mostly error: where the clamp begins, and how level it is, are hardly known to half a mm."""
 
 SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
 """Readings contradict each other that differ by so many uncertainties, and by such a share."""
@@ -46,6 +50,8 @@ SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
               help="Least radius that left no lasting bend [default: by the sheet's largest strain].")  # fmt: skip
 @click.option("--grain", type=click.Choice(["along", "across", "none"]),
               help="How the coupon lies to the grain [default: as the sheet's].")  # fmt: skip
+@click.option("--kind", type=click.Choice(list(OUTCOMES)),
+              help="What it is made of, which says how it breaks [default: as the sheet's].")  # fmt: skip
 @click.option("--kerf", type=LENGTH, metavar="MM", help="Width of the cut, measured [default: the sheet's].")
 @click.option("--name", help="What to call the measured sheet [default: my-NAME].")
 @click.option("--keep", is_flag=True, help="Write the measured sheet into the library, for every command.")
@@ -61,6 +67,7 @@ def coupon(
     density: float | None,
     least_radius: float | None,
     grain: str | None,
+    kind: str | None,
     kerf: float | None,
     name: str | None,
     keep: bool,
@@ -86,7 +93,7 @@ def coupon(
         own = {
             "grain": grain or known.grain,
             "kerf": known.kerf if kerf is None else kerf,
-            "kind": known.kind,
+            "kind": kind or known.kind,
         }
         folder = _kept() if keep else output
         _calibrate(
@@ -101,7 +108,13 @@ def coupon(
             listed=sheet is not None,
         )
         return
-    own_options = {"--least-radius": least_radius, "--kerf": kerf, "--grain": grain, "--keep": keep or None}
+    own_options = {
+        "--least-radius": least_radius,
+        "--kerf": kerf,
+        "--grain": grain,
+        "--kind": kind,
+        "--keep": keep or None,
+    }
     for option, value in own_options.items():
         if value is not None:
             raise InputError(
@@ -217,6 +230,11 @@ def _calibrate(
     answer({"sheet": found, "measured": result})
     say(str(result))
     _warn_of_contradiction(measured, result)
+    if (least := min(abs(droop) for _, droop in measured)) < LEAST_DROOP_MM:
+        warn(
+            f"a droop of {least:g} mm says little of the stiffness: hang more of it, so that it droops "
+            f"{LEAST_DROOP_MM:g} mm at least"
+        )
     if listed and least_radius is None and found.grain != sheet.grain:
         warn(
             f"the largest strain, {100 * sheet.max_strain:.2g} %, is that of {sheet.name}, which is bent "

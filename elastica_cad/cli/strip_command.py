@@ -198,12 +198,17 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
 
 
 def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Candidate]":
-    """Of a strip that would break: the thickest sheet that bears this curve, and the size that its own bears."""
+    """Of a strip that would break: the thickest sheet that bears this curve, and the size that its own bears.
+
+    Sheets of its kind come first, and those alone where the user's own is in no list.
+    """
     if not isinstance(problem, StrainError):
         return
     used, own = problem.refusal.values["percent"] / 100, spec.material
     bears = used * own.max_strain / own.thickness
-    sheets = sorted(map(Sheet.named, sheet_names()), key=lambda one: -one.thickness)
+    listed = sheet_names()
+    known = (one for one in map(Sheet.named, listed) if one.kind == own.kind or own.name in listed)
+    sheets = sorted(known, key=lambda one: (one.kind != own.kind, -one.thickness))
     other = next((one for one in sheets if one.max_strain / one.thickness >= bears), None)
     if other is not None:
         yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
@@ -269,14 +274,14 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     with suppress(NotConvergedError):
         say(str(made.held()))
         _tell_compensation(kit)
-    run_ins = kit.spec.run_ins.told
-    if run_ins is not None:
-        say(run_ins)
+    tabs = kit.spec.tabs_told
+    if tabs is not None:
+        say(tabs)
     say(made.joint or tell_ends(made))
     if blank := tell_blank(made):
         say(blank)
     for warning in made.warnings:
-        if warning == run_ins or (near is not None and warning == near.status.value):
+        if warning == tabs or (near is not None and warning == near.status.value):
             continue  # told above
         warn(f"Warning: {warning}", told=is_told(warning))
     if kit.asked.pictures and "png" not in kit.files:

@@ -51,6 +51,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
 from elastica_cad.mechanics.theorem1.curvature_conditions import begin_at, flattest_place
+from elastica_cad.refusals import Refusal, note
 
 SAME_LENGTH = 1e-9
 """Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""
@@ -403,6 +404,22 @@ class StripSpec(EqualByValue):
         return first, last
 
     @property
+    def tabs_told(self) -> Refusal | None:
+        """What is said of straight ends that became tabs, and of circles on them; None where there are none."""
+        told = self.run_ins.told
+        drilled = sum(
+            len(made.holes) - len(own.holes) for made, own in zip(self.tabs, self.ends, strict=True)
+        )
+        if told is None or not drilled:
+            return told
+        return note(
+            "{tabs} Circles drawn on them became holes: {count}.",
+            tabs=told,
+            count=drilled,
+            severity="warning",
+        )
+
+    @property
     def _largest_stiffness(self) -> float | None:
         """Of a plain strip as wide as it may be, N mm2: masses settle how wide it is."""
         if self.max_width is None or self.law is not None or not isinstance(self.style, Plain):
@@ -502,8 +519,8 @@ class StripSpec(EqualByValue):
             rod = replace(rod, section=self._width_law)
         if isinstance(self.style, Laminated):  # which makes the section itself, as stiff as the rod was found
             rod = replace(rod, section=None)
-        run_ins = self.run_ins.told
-        notes = (*([] if run_ins is None else [run_ins]), *self.rod_spec.smoothing.notes)
+        told = self.tabs_told
+        notes = (*([] if told is None else [told]), *self.rod_spec.smoothing.notes)
         made = Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,
             self.material,

@@ -7,16 +7,19 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from elastica_cad._counts import counted
+import numpy as np
+
+from elastica_cad._counts import and_more, counted
 from elastica_cad._garbage_collection import rare_collections
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs
+from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
-from elastica_cad.fabrication.sheets.nesting import NestedSheet
+from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
@@ -244,14 +247,25 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
 
 
 def _draw_pages(kit: Kit, path: Path) -> None:
-    """Every part once at full size; how often it is needed stands in its name."""
-    from elastica_cad.plot.template_pages import save_templates
+    """Every part once at full size, small ones together; how often each is needed stands in the page's name."""
+    from elastica_cad.plot.template_pages import printed_size, save_templates
 
-    drawings = [
-        replace(piece.drawing, name=f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name)
+    paper, margin = str(kit.spec.pages), kit.spec.nesting.margin
+    size, plain = printed_size(paper), replace(kit.pieces[0].sheet, grain="none")
+    called = {
+        piece.name: f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name
         for piece in kit.pieces
-    ]
-    save_templates(drawings, path, title=f"{kit.model.name}: parts", paper=str(kit.spec.pages))
+    }
+    small, drawings = [], []
+    for piece in kit.pieces:
+        if np.all(np.sort(piece.size) + 2 * margin <= size):
+            small.append(replace(piece, count=1, sheet=plain))  # paper has no grain
+        else:
+            drawings.append(replace(piece.drawing, name=called[piece.name]))
+    for nest in nest_pieces(small, sheet_size=size, margin=margin, kerf=0.0):
+        cut = tuple(one for one in nest.paths if one.layer != SHEET)
+        drawings.append(Drawing(f"{called[nest.pieces[0]]}{and_more(nest.pieces)}", cut, nest.texts))
+    save_templates(drawings, path, title=f"{kit.model.name}: parts", paper=paper)
 
 
 def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:

@@ -30,6 +30,12 @@ POINTS_PER_MM = 72 / MM_PER_INCH
 MOST_TILES = 400  # sheets of paper: more are a slip
 
 
+def printed_size(paper: str) -> tuple[float, float]:
+    """Width and height, mm, of what home printers print on one of `PAPERS`, upright."""
+    wide, high = PAPERS[paper]
+    return wide - 2 * MARGIN_MM, high - 2 * MARGIN_MM
+
+
 @dataclass(frozen=True, eq=False)
 class Tiling:
     """How a drawing lies on pages.

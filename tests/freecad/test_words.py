@@ -27,7 +27,7 @@ SPOKEN = """
     mechanics/stiffness/optimal_rod.py mechanics/studies/calibration.py forming/fairing_request.py
     forming/limits.py forming/nearest/nearest_record.py forming/nearest/nearest_task.py
     forming/plane_sections/mesh_sections.py forming/plane_sections/section_curves.py
-    forming/plane_sections/section_lines.py forming/rod_spec.py forming/splitting.py
+    forming/plane_sections/section_lines.py forming/rod_spec.py forming/splitting.py forming/straight_ends.py
     fabrication/drawings/cutting.py fabrication/holders/end_fixtures.py fabrication/holders/held_tabs.py
     fabrication/holders/plates.py fabrication/holding fabrication/interlocking/collisions.py
     fabrication/interlocking/interlock.py fabrication/makeability fabrication/model/strip_model.py

@@ -71,6 +71,8 @@ def test_old_names_are_refused_with_the_new_ones():
         "--anyway is now called --ignore-limits"
         in CliRunner().invoke(elastica, ["strip", "a.dxf", "--anyway"]).output
     )
+    said = CliRunner().invoke(elastica, ["strip", "a.dxf", "--name", "x"]).output
+    assert said.endswith("--name is called --label\n")
 
 
 def test_sentences_that_are_put_together_can_be_taken_apart():

@@ -2,7 +2,7 @@
 
 import re
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -196,7 +196,9 @@ def asked_curves(
             one,
             whole,
             len(drawing),
-            _file_stem(path, str(one.number) if every else number, one.piece if one.pieces > 1 else None),
+            _file_stem(
+                path, _own_name(whole, found) if every else number, one.piece if one.pieces > 1 else None
+            ),
             ("--curve", str(one.number)) if several else (),
             unit,
         )
@@ -222,6 +224,12 @@ def drawn_curves(
     if not drawing.chosen(number, layer):
         drawing.one(number, layer, how)
     return drawing
+
+
+def _own_name(one: DrawnCurve, found: Sequence[DrawnCurve]) -> str:
+    """The id that a person can give it, where it is the only one of that name; else its number."""
+    alone = sum(other.name.casefold() == one.name.casefold() for other in found) == 1
+    return one.name if alone and re.fullmatch(r"[A-Za-z_][-.\w]*", one.name, re.ASCII) else str(one.number)
 
 
 def _file_stem(path: Path, number: str | None, piece: int | None) -> str:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -105,20 +106,48 @@ def distance_between(ends: Sequence[HeldEnd]) -> float:
     return float(np.linalg.norm(ends[1].position - ends[0].position))
 
 
+def distance_of_tips(ends: Sequence[HeldEnd]) -> float:
+    """Distance of the end points of both tabs, mm."""
+    return float(np.linalg.norm(ends[1].tip - ends[0].tip))
+
+
+def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
+    """Middles (n, 2) of the holes of either end, mm, from the start of the line between the ends: along it, and
+    to its left.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.strip.outline import Hole, Tab
+    >>> from elastica_cad.fabrication.strip_spec import make_strip
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> tabs = Tab(20, holes=(Hole(10, 3),)), Tab(20)
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 100, np.pi, 0), "card-200gsm", max_width=20, ends=tabs)
+    >>> [places.round(6).tolist() for places in hole_places(held_ends(arch))]
+    [[[0.0, -10.0]], []]
+    """
+    first, last = (end.position for end in ends)
+    x, y = (last - first) / (np.linalg.norm(last - first) or 1.0)
+    aside = np.array([[x, -y], [y, x]])
+    start, end = (
+        np.reshape([one.position + hole.at * one.outward - first for hole in one.holes], (-1, 2)) @ aside
+        for one in ends
+    )
+    return start, end
+
+
 def tell_ends(strip: Strip) -> Refusal:
     """One sentence that says where and in which direction to hold the ends."""
     ends = held_ends(strip)
-    (x, y), (u, v) = (end.position + 0.0 for end in ends)
-    places = {"x": x, "y": y, "u": u, "v": v, "apart": Length(distance_between(ends))}
+    far: dict[str, Any] = {"apart": Length(distance_between(ends)), "tips": Length(distance_of_tips(ends))}
     if all(end.support.angle for end in ends):
         return note(
-            "hold the ends {apart:.1f} apart, at ({x:.1f}, {y:.1f}) and ({u:.1f}, {v:.1f}) mm; against the line "
+            "hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip); against the line "
             "between them the strip starts at {start:.1f} degrees and arrives at {end:.1f} degrees",
             start=ends[0].tilt,
             end=ends[1].tilt,
-            **places,
+            **far,
         )
-    return note("hold the ends {apart:.1f} apart, at ({x:.1f}, {y:.1f}) and ({u:.1f}, {v:.1f}) mm", **places)
+    return note("hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip)", **far)
 
 
 def holding_template(strip: Strip) -> Drawing:
@@ -146,12 +175,14 @@ def holding_template(strip: Strip) -> Drawing:
     left = float(min(first.position[0], last.position[0]))
     told = [
         engravable(strip.label or "strip"),
-        f"ends {distance_between(ends):.1f} mm apart",
+        f"bends begin {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
-            f"{name} ({end.position[0]:.1f}, {end.position[1]:.1f}) mm"
-            + (f", {end.tilt:.1f} degrees from the line" if end.support.angle else ", free to turn")
-            for name, end in zip(("start", "end"), ends, strict=True)
+            f"{name} "
+            + (f"{end.tilt:z.1f} degrees from the line" if end.support.angle else "free to turn")
+            + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
+            for name, end, holes in zip(("start", "end"), ends, hole_places(ends), strict=True)
         ),
+        *(["mm; x along the line from its start"] if first.holes or last.holes else []),
     ]
     texts = [
         Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)

@@ -8,6 +8,7 @@ from typing import TypeAlias, TypeVar
 from elastica_cad._values import several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.holding_template import held_ends
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, tab_name
 from elastica_cad.fabrication.holders.plates import BasePlate, Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
@@ -162,7 +163,8 @@ class AssemblyStep:
     part : str
         The piece that is cut for it.
     ends : (str, str)
-        What holds end 1 and end 2, by name; "hold at (x, y, z)", mm, where nothing of the model does; "free".
+        What holds end 1 and end 2, by name; "hold at (x, y, z)", mm, and the angle from the line between both
+        ends, where nothing of the model does; "free".
     locks_into : tuple of str
         Strips that are there already and cross it in a slot.
     """
@@ -225,12 +227,14 @@ def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
 
 
 def _by_hand(one: Placed, end: StripEnd) -> str:
-    """Sentence on where to hold an end that no part of the model holds."""
-    support = one.strip.rod.supports.ends[ENDS.index(end)]
+    """Sentence on where, and how steeply, to hold an end that no part of the model holds."""
+    k = ENDS.index(end)
+    support = one.strip.rod.supports.ends[k]
     if one.strip.is_closed or not (support.x or support.y or support.angle):
         return FREE
-    x, y, z = PlacedTab.of(one.strip, end, one.frame).frame.origin + 0.0
-    return f"hold at ({x:.1f}, {y:.1f}, {z:.1f})"
+    x, y, z = PlacedTab.of(one.strip, end, one.frame).frame.origin
+    turned = f", {held_ends(one.strip)[k].tilt:z.1f} degrees from the line" if support.angle else ""
+    return f"hold at ({x:z.1f}, {y:z.1f}, {z:z.1f}){turned}"
 
 
 def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:

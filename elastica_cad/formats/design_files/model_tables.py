@@ -138,7 +138,10 @@ class Extras:
     ] = None
     pages: Annotated[
         Literal["A4", "A3", "letter"] | None,
-        Asked("Every part at full size on this paper, in one PDF with a bar to check the printer by."),
+        Asked(
+            "Every part once at full size, small ones together on this paper, in one PDF with a bar to check the "
+            "printer by."
+        ),
     ] = None
 
 

@@ -21,8 +21,10 @@ LONGEST_TOLD = 800
 LONGEST_KEY = 60
 """Letters of an unknown key that are told."""
 
-OTHER_WORDS = {"file": "curve", "path": "curve", "material": "sheet"}
-"""For keys: what others call them, by no letters that are alike."""
+OTHER_WORDS = {
+    "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",
+}  # fmt: skip
+"""For keys: what others call them, by no letters that are alike; some stand in another table."""
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
@@ -140,8 +142,8 @@ class Table:
                     place=self.where, key=key, near=RENAMED[key],
                 ))  # fmt: skip
             elif key not in keys:
-                meant = OTHER_WORDS.get(key.lower())
-                near = [meant] if meant in keys else near_names(key.lower(), keys, cutoff=0.5)
+                meant = OTHER_WORDS.get(key.lower(), "")
+                near = [meant] if meant in keys or "." in meant else near_names(key.lower(), keys, cutoff=0.5)
                 hint = (
                     note("did you mean {near}?", near=near[0])
                     if near

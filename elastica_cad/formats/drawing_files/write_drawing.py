@@ -78,7 +78,11 @@ def write_drawing(
     suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:
-        raise InputError("{path} can't be written as a drawing: end its name with .dxf or .svg", path=path)
+        raise InputError(
+            "{path} can't be written as a drawing: end its name with .dxf or .svg; pictures are drawn by ec.plot, "
+            "STEP files written by build123d or CadQuery",
+            path=path,
+        )
     cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))
     if holding is not None:
         cut = add_holding_tabs(cut, holding)

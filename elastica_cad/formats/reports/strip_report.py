@@ -6,7 +6,13 @@ import numpy as np
 
 from elastica_cad._values import is_whole, require_record
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication.holders.holding_template import distance_between, held_ends, tell_ends
+from elastica_cad.fabrication.holders.holding_template import (
+    distance_between,
+    distance_of_tips,
+    held_ends,
+    hole_places,
+    tell_ends,
+)
 from elastica_cad.fabrication.holding.held_shape import HeldShape, Reactions
 from elastica_cad.fabrication.measuring import Measuring
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -329,16 +335,19 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
     ends = held_ends(strip)
     found: dict[str, Any] = {
         "distance": round_numbers(distance_between(ends)),
+        "tips": round_numbers(distance_of_tips(ends)),
         "meaning": str(tell_ends(strip)),
     }
-    for name, end in zip(("start", "end"), ends, strict=True):
+    for name, end, places in zip(("start", "end"), ends, hole_places(ends), strict=True):
         found[name] = {
             "position": round_numbers(end.position + 0.0),
             "angle": round_numbers(end.angle),
             "from_the_line": round_numbers(end.tilt),
             "tab": round_numbers(end.tab),
             "holes": [
-                {"at": hole.at, "across": hole.across, "diameter": hole.diameter} for hole in end.holes
+                {"at": hole.at, "across": hole.across, "diameter": hole.diameter}
+                | {"from_the_start": round_numbers(np.round(place, 6) + 0.0)}
+                for hole, place in zip(end.holes, places, strict=True)
             ],
         }
     return found

@@ -218,6 +218,10 @@ KINK_SHARE = 0.01
 """Jump of the slope of the curvature, over the length, up to which nothing is reported: the edge of a strip a
 fifth as wide as long turns by at most 0.1 degree."""
 
+SHARP_SHARE = 5.0
+"""The same from which on the edge has a sharp point that everybody sees: of a strip a fifteenth as wide as long it
+turns by 10 degrees."""
+
 _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
 
@@ -464,7 +468,8 @@ def _warn_of_widths(
         and not any(abs(b.s - end) <= near for end in straight)
         and _is_seen(curve, b)
     ]
-    kinks = [b.s for b in breaks if b.continuity == 2 and _is_seen(curve, b)]
+    kinks = [b for b in breaks if b.continuity == 2 and _is_seen(curve, b)]
+    sharp = any(_is_seen(curve, b, SHARP_SHARE) for b in kinks)
     if steps:
         yield note(
             "The width of the strip steps at {places}, where the curvature jumps: smooth = 0.1 "
@@ -478,12 +483,12 @@ def _warn_of_widths(
             if curve.degree < 4 else
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
             "repeat the knot there.",
-            places=lengths(kinks),
+            places=lengths(b.s for b in kinks), severity="warning" if sharp else "note",
         )  # fmt: skip
 
 
-def _is_seen(curve: PlaneCurve, place: Break) -> bool:
-    """Whether the curvature or its slope jumps by so much that it can be seen in the width."""
+def _is_seen(curve: PlaneCurve, place: Break, share: float = KINK_SHARE) -> bool:
+    """Whether the curvature, or its slope by this share, jumps by so much that it can be seen in the width."""
     before = np.array(curve.domain[1] if place.t == curve.domain[0] else place.t)  # of a closed one's start
     after = np.array(place.t)
     kappa = float(curve.curvature_at(before, left=True)), float(curve.curvature_at(after))
@@ -491,7 +496,7 @@ def _is_seen(curve: PlaneCurve, place: Break) -> bool:
     size = max(map(abs, kappa))
     jump = abs(kappa[1] - kappa[0])
     kink = abs(slope[1] - slope[0]) * curve.length
-    return jump > STEP_SHARE * size or kink > KINK_SHARE * size
+    return jump > STEP_SHARE * size or kink > share * size
 
 
 def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:

@@ -42,7 +42,10 @@ def test_what_nobody_measured_is_told(tmp_path):
     guessed = run(*words, "-o", tmp_path / "guessed").output
     assert "largest strain 0.4 %: a guess" in guessed
     assert "in the list" not in guessed
-    assert "a guess" not in run(*words, "--least-radius", 60, "-o", tmp_path / "bent").output
+    bent = run(*words, "--least-radius", 60, "--kind", "wood", "--measured", 60, 2, "-o", tmp_path / "bent")
+    assert "a guess" not in bent.output
+    assert "a droop of 2 mm says little of the stiffness" in bent.stderr
+    assert ec.Sheet.named(str(tmp_path / "bent" / "felt.toml")).kind == "wood"
     (written,) = ec.load_sheets(tmp_path / "guessed" / "felt.toml").values()
     assert len(f"{written.youngs_modulus!r}") <= 7  # as many digits as readings can tell
 

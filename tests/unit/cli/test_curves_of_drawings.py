@@ -81,8 +81,8 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "-o", out)
     done = elastica("strip", drawing, "--all", *wishes)
     assert done.exit_code == 1
-    assert {"drawn-1.dxf", "drawn-3.dxf"} <= {path.name for path in out.iterdir()}
-    assert not (out / "drawn-2.dxf").exists()
+    assert {"drawn-arch.dxf", "drawn-bow.dxf"} <= {path.name for path in out.iterdir()}
+    assert not (out / "drawn-corner.dxf").exists()
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
     assert "1 of 3 curves made no strip" in done.stderr
 

@@ -1,5 +1,7 @@
 """Straight first and last pieces of a drawn curve are the strip's tabs, with the circles drawn on them as holes."""
 
+import re
+
 import ezdxf
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from elastica_cad.fabrication.holders.holding_template import held_ends, holding
 from elastica_cad.fabrication.model.assembly import list_assembly_steps
 from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec
 from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_files import write_kit
 
 BENT = [(60, 0), (110, 0), (160, 120), (250, 150), (340, 120), (390, 0), (440, 0)]
 
@@ -41,7 +44,8 @@ def test_straight_ends_become_tabs_of_that_length_with_holes_where_circles_are_d
     assert strip.rod.length == pytest.approx(bent.rod.length, abs=1e-6)
     assert np.allclose(strip.width.extremes, bent.width.extremes, atol=1e-6)
     assert len(strip.holes) == 4
-    assert any("straight first 60 mm and last 60 mm" in warning for warning in strip.warnings)
+    (told,) = (warning for warning in strip.warnings if "straight first 60 mm and last 60 mm" in warning)
+    assert told.endswith("Circles drawn on them became holes: 4.")
 
 
 def test_a_curve_that_is_to_be_bent_whole_is_refused_as_theorem_1_says(arch):
@@ -70,7 +74,7 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
     first, last = held_ends(strip)
     assert first.position == pytest.approx([60, 0], abs=1e-9)
     assert last.tip == pytest.approx([500, 0], abs=1e-9)
-    assert tell_ends(strip).values["apart"] == pytest.approx(380)
+    assert "ends 380.0 mm apart where the bend begins (500.0 mm from tip to tip);" in tell_ends(strip)
     drawing = holding_template(strip)
     curve_drawn = drawing.on("ENGRAVE")[0]
     assert np.abs(curve_drawn.points(0.01)[:, 1].max() - strip.rod.position[:, 1].max()) < 0.02
@@ -83,7 +87,9 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
         460,
         480,
     }
-    assert any("380.0 mm apart" in text.text for text in drawing.texts)
+    lettered = [text.text for text in drawing.texts]
+    assert "bends begin 380.0 mm apart, tips 500.0 mm" in lettered
+    assert "end 0.0 degrees from the line, hole at x 400.0, y 0.0, hole at x 420.0, y 0.0" in lettered
 
 
 def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
@@ -92,7 +98,7 @@ def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
     model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="up")
     base = model.base_plate(ec.Sheet.named("mdf-3"))
     (step,) = list_assembly_steps(model, [base])
-    assert step.ends == ("slot UP:1 of base", "hold at (220.0, 0.0, 50.0)")
+    assert step.ends == ("slot UP:1 of base", "hold at (220.0, 0.0, 50.0), -65.2 degrees from the line")
     spec = KitSpec(holders=(HolderSpec("base", ec.Sheet.named("mdf-3")),))
     kit = kit_of(model, spec, effects=True)
     assert kit.held == {}
@@ -106,3 +112,14 @@ def test_the_command_check_draws_and_judges_what_is_bent(arch, tmp_path, capsys)
         main(["check", str(arch), *words])
     assert "straight first 60 mm" in capsys.readouterr().out
     assert (tmp_path / "arch.png").stat().st_size > 10_000
+
+
+def test_parts_that_fit_share_a_page(tmp_path):
+    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (90, 60), (120, 0)], degree=3)
+    strips = [
+        ec.make_strip(arch, "card-200gsm", max_width=width, label=f"A{width}") for width in (20, 24, 28)
+    ]
+    placed = [ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1)) for strip in strips]
+    kit = kit_of(ec.Model(placed, name="class"), KitSpec(pages="A4"))
+    write_kit(kit, tmp_path, step=False, pictures=False, parts=False)
+    assert len(re.findall(rb"/Type /Page\b", (tmp_path / "class-pages.pdf").read_bytes())) == 1

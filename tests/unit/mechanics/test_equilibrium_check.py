@@ -108,6 +108,7 @@ class TestRealizable:
         assert kinks.realizable
         assert "has a kink at" in str(kinks)
         assert "degree 4" in str(kinks)
+        assert [one.severity for one in kinks.warnings] == ["warning"]
         assert check_equilibrium(ONE).warnings == ()
 
     def test_a_loop_is_announced(self):
