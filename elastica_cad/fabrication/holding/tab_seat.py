@@ -155,6 +155,9 @@ class TabSeat:
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
         least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
         # what fits at an angle need not fit at all smaller ones, but the first stop on the way out counts
-        jams = np.flatnonzero(least > most + 1e-12)
-        jams = jams[jams > 0]
-        return float(turn[jams[0] - 1]) if jams.size else float(STEEPEST_RAD)
+        room = most - least
+        jams = np.flatnonzero(room[1:] < -1e-12)
+        if not jams.size:
+            return float(STEEPEST_RAD)
+        k = jams[0]
+        return float(turn[k] + STOP_RAD * max(0.0, room[k]) / (max(0.0, room[k]) - room[k + 1]))
