@@ -37,7 +37,8 @@ NAMES = {
         "FabricationLimits", "Drawing", "save",
     ),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
-    "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through"),
+    "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
+               "touching_widths"),
     "Two drawn curves, one strip": (
         "matched_pair", "check_pair", "two_state_rod", "TwoStateRod", "PairLimits", "Flexure",
     ),

@@ -163,7 +163,7 @@ class PropertyPanel(Panel):
 
     def _record(self) -> None:
         """Macros get the last of many values."""
-        for obj, name in self._unbound(self._changed):
+        for obj, name in self._unbound(self._changed) if self._changed else ():  # objects may be gone by now
             record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
 
