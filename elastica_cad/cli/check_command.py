@@ -184,7 +184,8 @@ def _report(
     alone: bool,
 ) -> dict[str, Any]:
     ends, smoothing, found = _examined(asked, supports, natural_curvature, smooth)
-    told = report_check(found) | {"notes": [*([ends.told] if ends else []), *smoothing.notes]}
+    of_smoothing = [one for one in smoothing.notes if one not in found.told_of_points]
+    told = report_check(found) | {"notes": [*([ends.told] if ends else []), *of_smoothing]}
     if found.realizable and alone:
         told |= _told_sheets(smoothing.curve, supports, natural_curvature)
     return told

@@ -18,6 +18,9 @@ from elastica_cad.mechanics.rod.rod_record import csv_text
 ROWS = 21
 """Stations of a batten of which none are asked for, evenly from end to end."""
 
+DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
+"""Of a column in the table's file, by the unit in its name: as fine as a bench works."""
+
 LETTER_MM, TICK_MM = 4.0, 3.0
 
 
@@ -47,14 +50,23 @@ def bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, Fl
 
 
 def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
-    """The table as comma-separated text, without a safety where nothing is bent; of leaves their cut list."""
+    """The table as comma-separated text, the strain in percent, without a safety where nothing is bent; of leaves
+    their cut list.
+    """
     if strip.layout.stack:
         return LeafStack(strip).cut_list.csv
-    return csv_text(bench_table(strip, stations)).replace(",inf", ",")
+    table = bench_table(strip, stations)
+    *sizes, (_, strain), safety = table.items()
+    columns = dict([*sizes, ("strain_percent", 100 * strain), safety])
+    rounded = {name: column.round(DECIMALS[name.rsplit("_", 1)[-1]]) for name, column in columns.items()}
+    return csv_text(rounded).replace(",inf", ",")
 
 
 def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
-    """The side view at full size, with a tick and the size in mm at every station; of leaves their pattern."""
+    """The side view at full size; of leaves their pattern.
+
+    A tick at every station has its distance from the start and the size there, mm.
+    """
     if strip.layout.stack:
         return LeafStack(strip).drawing
     s, _, sizes, *_ = bench_table(strip, stations).values()
@@ -62,7 +74,7 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
     top = float(view.bounds[1, 1])
     ticks = [LayeredPath(MARK, Path((Line((x, top + 1.0), (x, top + 1.0 + TICK_MM)),))) for x in s.tolist()]
     texts = tuple(
-        Text((x, top + 2.0 + TICK_MM), f"{size:.2f}", LETTER_MM, np.pi / 2)
+        Text((x, top + 2.0 + TICK_MM), f"{x:.1f}: {size:.2f}", LETTER_MM, np.pi / 2)
         for x, size in zip(s.tolist(), sizes.tolist(), strict=True)
     )
     return Drawing(strip.label, (*ticks, LayeredPath(CUT_OUTER, view)), texts)

@@ -91,7 +91,7 @@ class Smoothing:
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:
-            return (*found, note(
+            return (*found, *points.stray, note(
                 "The points waver by about {waver}: smoothed, {far} from them at most.",
                 waver=points.shown, far=Length(self.moved), severity="warning",
             ))  # fmt: skip

@@ -21,6 +21,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
 from elastica_cad.geometry.pen_curves.tangent_healing import SURE, Healing, heal_tangents
+from elastica_cad.geometry.polynomials.spline_fits import smoothest_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans
 from elastica_cad.refusals import Length
 
@@ -347,7 +348,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     """
     drawn = curve.provenance
     if drawn is not None and drawn.measured is not None:
-        fitted = PlaneCurve.fit(drawn.measured.points, DEGREE, tolerance=smooth)
+        fitted = PlaneCurve(*smoothest_spline(drawn.measured.points, DEGREE, smooth), DEGREE)
         moved = _farthest(drawn.measured.points, fitted, 2 * len(drawn.measured.points))
         return fitted.drawn_as(drawn.of_part()), moved
     if not curve.has_corners or curve.degree < 2:

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import rounded_up
 from elastica_cad.geometry.running_sums import lengths_along
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Length, Point, note
 
 ORDERS = range(2, 8)
 """Of the divided differences that tell noise from shape."""
@@ -27,7 +27,10 @@ TOLD_MM = 0.01
 """Noise that is reported; less is within what a fit takes out."""
 
 REACH = 4.0
-"""Standard deviations from a smooth curve within which all of some hundred points lie."""
+"""Standard deviations from a smooth curve within which all of some hundred points lie; of fewer points, fewer."""
+
+STRAY_TIMES = 4.0
+"""A point stands out when it is this many times as far off its neighbours' curve as any point is without it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +57,27 @@ class MeasuredPoints:
     @property
     def reach(self) -> float:
         """How far from the points a smooth curve may be, mm, so that it need not follow the noise."""
-        return rounded_up(REACH * self.waver, 1)
+        return rounded_up(min(REACH, 2 * np.log10(len(self.points))) * self.waver, 2)
+
+    @property
+    def stray(self) -> tuple[str, ...]:
+        """A sentence about the one point that stands out, as a mistyped one does; none where none stands out.
+
+        It is far off the cubic through its four neighbours, and without it no other point is.
+        """
+        off = np.abs(_off_neighbours(self.points))
+        if len(off) < FEWEST:
+            return ()
+        far, at = off.max(), int(off.argmax()) + 2
+        rest = np.abs(_off_neighbours(np.delete(self.points, at, axis=0))).max()
+        if far <= STRAY_TIMES * rest:
+            return ()
+        return (note(
+            "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
+            "the others {rest:.2g} at most: measure it again.",
+            place=Point(self.points[at]), number=at + 1, count=len(self.points), far=Length(far), rest=Length(rest),
+            severity="warning",
+        ),)  # fmt: skip
 
     @property
     def shown(self) -> Length:
@@ -96,6 +119,17 @@ def estimate_waver(points: FloatArray) -> float:
 
 def _across(points: FloatArray, order: int) -> float:
     """Typical divided difference of this order across the curve, of unit variance for white noise of 1 mm."""
+    return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
+
+
+def _off_neighbours(points: FloatArray) -> FloatArray:
+    """Distances (n - 4,), mm, of points across the curve from the cubics through two neighbours on either side."""
+    across, weights = _differences(points, 4)
+    return across / weights[:, 2]
+
+
+def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
+    """Divided differences (m,) across the curve, and the weights (m, order + 1) of their points, of unit norm."""
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)
@@ -103,5 +137,4 @@ def _across(points: FloatArray, order: int) -> float:
     weights /= np.linalg.norm(weights, axis=1)[:, None]
     x, y = np.einsum("ij,ijk->ki", weights, near)
     chord_x, chord_y = (near[:, -1] - near[:, 0]).T
-    across = (chord_x * y - chord_y * x) / np.maximum(np.hypot(chord_x, chord_y), 1e-300)
-    return float(np.median(np.abs(across)) / 0.6745)
+    return (chord_x * y - chord_y * x) / np.maximum(np.hypot(chord_x, chord_y), 1e-300), weights

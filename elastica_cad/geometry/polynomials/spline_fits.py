@@ -247,8 +247,26 @@ def fit_spline(
         before = error.max()
         inner = np.concatenate([inner, added])
     if smoothing is None and alike <= 0.5:
-        control = _smoothed(problem, control, t, tolerance)
+        mean = float(np.sqrt((problem.distance(control, t) ** 2).mean()))
+        control = _smoothed(problem, control, t, tolerance, _ALLOWED_INCREASE * mean)
     return problem.knots, control
+
+
+def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of the clamped spline within `tolerance` of `points` (n, 2) that bends most evenly.
+
+    It has a knot at every point, and the largest penalty on its third derivative with which no point is farther
+    off: whatever the tolerance, it lies between the spline through all points and a parabola, and never swings
+    between the points, as least squares do with nearly as many control points as points. Of a hundred points and
+    more `fit_spline` tells noise from shape with few control points.
+    """
+    data = _cleaned(points)
+    if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
+        return fit_spline(data, degree, tolerance, None)
+    _check_options(degree, tolerance, None)
+    t = _chord_parameters(data)
+    problem = _Problem(np.concatenate([np.zeros(degree), t, np.ones(degree)]), degree, data)
+    return problem.knots, _smoothed(problem, problem.at(t, _LEAST_PENALTY), t, tolerance, np.inf)
 
 
 class _Problem:
@@ -325,9 +343,12 @@ class _Problem:
         return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
 
 
-def _smoothed(problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float) -> FloatArray:
-    """The control points under the largest penalty that data and tolerance bear."""
-    mean = np.sqrt((problem.distance(control, t) ** 2).mean())
+def _smoothed(
+    problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
+) -> FloatArray:
+    """The control points under the largest penalty with which no point is farther off than `tolerance`, mm, and the
+    root mean square is at most `mean`, mm.
+    """
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2
@@ -337,7 +358,7 @@ def _smoothed(problem: _Problem, control: FloatArray, t: FloatArray, tolerance: 
             high = middle
             continue
         error = problem.distance(candidate, t)
-        if error.max() <= tolerance and np.sqrt((error**2).mean()) <= _ALLOWED_INCREASE * mean:
+        if error.max() <= tolerance and np.sqrt((error**2).mean()) <= mean:
             low, control = middle, candidate
         else:
             high = middle

@@ -125,12 +125,12 @@ class EquilibriumCheck:
 
     @property
     def told_of_points(self) -> tuple[str, ...]:
-        """That the points waver to which a curve was fitted that no strip takes."""
+        """That the points waver to which a curve was fitted that no strip takes, and which of them stands out."""
         points = None if self.realizable else measured_points(self.curve)
         if points is None:
             return ()
         told = "The curve was fitted to points, and {points}."
-        return (note(told, points=points.told),)
+        return (*points.stray, note(told, points=points.told))
 
     @property
     def verdict(self) -> str:

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from elastica_cad.geometry.curve_editing.fairing import round_corners
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints, estimate_waver
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
@@ -38,3 +40,43 @@ def test_points_follow_their_curve():
     assert drawn.reversed().measured.points[0] == pytest.approx(points.points[-1])
     assert drawn.of_part().measured is None
     assert drawn.transformed(np.array([[1.0, 0, 0], [0, 1, 0], [1e-4, 0, 1]])).measured is None
+
+
+FEET = np.array([*range(11), 10.5])
+INCHES = np.array([1, 7.625, 13.125, 17.5, 20.625, 22.625, 23.4375, 23.125, 21.625, 19.25, 15.75, 13.625])
+"""A table of offsets: half-breadths of a boat."""
+
+
+def offsets(mistyped=0.0):
+    """The table (12, 2) in mm; 2-0-1 was typed for 1-11-1 with `mistyped` 1."""
+    return 25.4 * np.column_stack([12 * FEET, INCHES + mistyped * (np.arange(12) == 7)])
+
+
+@pytest.mark.parametrize("mistyped", [0.0, 1.0])
+@pytest.mark.parametrize("smooth", [0.5, 2.0, 3.0, 4.0, 6.0, 10.0, 20.0])
+def test_a_smoothed_curve_swings_no_more_between_its_points(smooth, mistyped):
+    """A fit with nearly as many control points as points was 500 mm longer at 4 mm, and 0.4 mm off the points."""
+    points = MeasuredPoints.of(offsets(mistyped))
+    through = PlaneCurve.fit(points.points, tolerance=0.01)
+    smoothed, moved = round_corners(through.drawn_as(Provenance(measured=points)), smooth)
+    bends = [np.abs(np.diff(one.sample(801).curvature)).sum() for one in (smoothed, through)]
+    assert moved <= 1.001 * smooth
+    assert bends[0] < bends[1]
+    assert smoothed.length < 1.0003 * through.length
+    beside = np.interp(smoothed.sample(801).position[:, 0], *through.sample(801).position.T)
+    assert np.abs(beside - smoothed.sample(801).position[:, 1]).max() < 3 * smooth + 1
+
+
+def test_smoothing_within_what_is_told_takes_all_inflections_out():
+    for mistyped in (0.0, 1.0):
+        points = MeasuredPoints.of(offsets(mistyped))
+        through = PlaneCurve.fit(points.points, tolerance=0.01).drawn_as(Provenance(measured=points))
+        assert points.reach < 12
+        assert not round_corners(through, points.reach)[0].curvature_zeros
+
+
+def test_the_mistyped_point_is_named():
+    (told,) = MeasuredPoints.of(offsets(1.0)).stray
+    assert "(2134, 612.8) mm, number 8 of 12, is 27 mm off" in told
+    assert MeasuredPoints.of(offsets()).stray == ()
+    assert not any(MeasuredPoints(wave(25, 0.5, seed), 0.5).stray for seed in range(40))
