@@ -46,7 +46,7 @@ class FlexedPart:
     deviation : (float, float)
         Largest distance of the centre line from the drawn curve, in lengths, of both states.
     told, found : (float, float)
-        Largest push there and back, N: what the program tells, and what elements found; (0, 0) where none was asked.
+        Largest push there and back, N: what the program tells, and what elements found; (0, 0) if none was asked.
     snapped : (bool, bool)
         Pushed over and let go, does it rest in the other state?
     """
