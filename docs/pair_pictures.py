@@ -35,8 +35,10 @@ def main() -> None:
     column(axes[:, 1], "They do not", *ec.matched_pair(spline(LOWER), spline(WAVY), keep="shape"))
     figure.savefig(DOCS / "explanation" / "two_states.png", dpi=110)
     for name, folder in (("clip", "tutorials"), ("stand", "explanation")):
-        part = read_pair(EXAMPLES / f"{name}.toml", read_curves).make()
-        save_figure(pair_sheet(part), DOCS / folder / f"{name}.png", force=True, resolution=100)
+        spec = read_pair(EXAMPLES / f"{name}.toml", read_curves)
+        save_figure(
+            pair_sheet(spec.make(), spec.faired), DOCS / folder / f"{name}.png", force=True, resolution=100
+        )
 
 
 def spline(points: list[tuple[int, int]]) -> ec.PlaneCurve:

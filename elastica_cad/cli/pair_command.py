@@ -7,7 +7,6 @@ import click
 
 from elastica_cad.cli.asking.asked_curves import asked_curves, unit_option
 from elastica_cad.cli.asking.options import (
-    LENGTH,
     asked_sheet,
     given_of,
     join_options,
@@ -29,10 +28,14 @@ from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import PairKit, write_pair
+from elastica_cad.mechanics.material.section_limits import judge_strain
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import note
 
 FILE = click.Path(path_type=Path)
 
 _WISHED = [one for one in declared(FlexureSpec) if one.asked.common and one.name != "sheet"]
+(_KERF,) = (one for one in declared(Cutting) if one.name == "kerf")
 
 _WISHES = (
     click.option("--first", "first_curve", metavar="N|ID", help="Which curve of FIRST, where it holds several."),
@@ -42,8 +45,7 @@ _WISHES = (
     *(option_of(one, default=one.default if one.kind.name == "choice" else "") for one in _WISHED),
     click.option("--ratio", type=float, help="Largest ratio of stiffness; 8 is a ratio of 2 in thickness."),
     click.option("--name", help="What the files are called  [default: as FIRST]."),
-    click.option("--kerf", type=LENGTH, default=DEFAULT_KERF_MM, metavar="MM",
-                 help=f"Width of the cut  [default: {DEFAULT_KERF_MM:g}]."),
+    option_of(_KERF, default=f"{DEFAULT_KERF_MM:g}"),
     set_option(PairKeys),
     output_options,
 )  # fmt: skip
@@ -71,12 +73,15 @@ def pair(**chosen: Any) -> None:
     else:
         spec = _asked(chosen, settings)
     name = chosen["name"] or path.stem
+    kerf = {None: DEFAULT_KERF_MM, "sheet": None}.get(chosen["kerf"], chosen["kerf"])
+    cutting = Cutting(kerf=kerf)
+    cutting.options(Sheet.of(spec.sheet))  # refuses a kerf that is not known before all the work
     if matched := spec.matched:
         say(str(matched))
     say_step("looking for the rod that rests in both curves")
     _ = spec.pair
     say_step("following it from one state to the other")
-    kit = PairKit(spec, spec.make(), name, Cutting(kerf=chosen["kerf"]))
+    kit = PairKit(spec, spec.make(), name, cutting)
     written = write_pair(kit, chosen["output"], force=chosen["force"])
     _tell(kit)
     answer({"pair": kit.report})
@@ -124,10 +129,12 @@ def _tell(kit: PairKit) -> None:
     )
     first, second = (100 * one for one in part.strain)
     way = part.travel
+    worst = max(*part.strain, float(way.strain.max()))
+    inside = "within" if judge_strain(part.sheet, worst).allowed else "beyond"
     say(
         f"largest strain {first:.2f} % in the first state, {second:.2f} % in the second, "
-        f"{100 * float(way.strain.max()):.2f} % on the way "
-        f"({part.sheet.name} bears {100 * part.sheet.max_strain:.2f} %)"
+        f"{100 * float(way.strain.max()):.2f} % on the way, "
+        f"{inside} the {100 * part.sheet.max_strain:.2f} % that {part.sheet.name} bears for long"
     )
     stays = [f"margin {one.margin:.3g} ({one.word})" for one in pair_.stability]
     side = [one.word for one in part.sideways]
@@ -135,14 +142,13 @@ def _tell(kit: PairKit) -> None:
     if pair_.bistable:
         at, _ = part.pushed
         back = part.travel_back
-        returns = "" if back is None else f", back {back.largest_force:.3g} N"
-        say(f"bistable: pushed at {at:.4g} mm it snaps at {way.largest_force:.3g} N{returns}")
+        returns = "" if back is None else note(", back at about {force:.2g} N", force=back.largest_force)
+        say(f"bistable: pushed at {at:.4g} mm it snaps at {part.force_text}{returns}")
         if way.snap is not None:
-            say(
-                f"from {way.snap:.3g} mm of travel on it goes by itself; {way.work:.3g} N mm were done by then"
-            )
+            work = note("about {work:.2g} N mm", work=way.work)
+            say(f"from {way.snap:.3g} mm of travel on it goes by itself; {work} were done by then")
     else:
-        say(f"two settings: its end is held with {way.largest_force:.3g} N at most on the way between them")
+        say(f"two settings: its end is held with at most {part.force_text} on the way between them")
     say(f"what the model leaves out: it stretches by {part.stretch:.2g} mm at most")
-    for warning in part.warnings:
+    for warning in kit.warnings:
         warn(f"Warning: {warning}.")

@@ -54,6 +54,9 @@ REACHED_SHARE = 0.02
 SPARE = 0.98
 """Of the strain on the way: its shapes hang on the thickness a little, for the part stretches."""
 
+OFF_MM = 0.1
+"""By which the part may be thicker or thinner in its plane than drawn: what careful cutting or printing leaves."""
+
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
 
@@ -296,14 +299,21 @@ class Flexure:
         return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
 
     @cached_property
-    def rods(self) -> tuple[Rod, Rod]:
-        """Both states, the second moved so that its start is held where that of the first is."""
+    def second_moved(self) -> FloatArray:
+        """From where the second state is drawn to where its start is held as that of the first, (3, 3)."""
         first, second = self.pair.states
         turn = float(first.angle[0] - second.angle[0])
         c, s = np.cos(turn), np.sin(turn)
         matrix = np.eye(3)
         matrix[:2, :2] = [[c, -s], [s, c]]
         matrix[:2, 2] = first.position[0] - matrix[:2, :2] @ second.position[0]
+        return matrix
+
+    @cached_property
+    def rods(self) -> tuple[Rod, Rod]:
+        """Both states, the second moved so that its start is held where that of the first is."""
+        first, second = self.pair.states
+        matrix, turn = self.second_moved, float(first.angle[0] - second.angle[0])
         moved = replace(
             second, position=second.position @ matrix[:2, :2].T + matrix[:2, 2], angle=second.angle + turn,
             force=second.force @ matrix[:2, :2].T, shape=second.curve.transformed(matrix),
@@ -337,7 +347,7 @@ class Flexure:
             return PlaneCurve(knots, rows, 3)
 
         right, left = Spline(side(-1)), Spline(side(1)).reversed()
-        end, start = self._pad_corners(line, high, 1), self._pad_corners(line, low, -1)
+        start, end = self.pads_along(line)
         chain = [
             right,
             *_lines([right.end, *end, left.start]),
@@ -364,6 +374,14 @@ class Flexure:
         """Of the pads as they are cut, mm."""
         thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
         return max(self.pad.width, thickest + 5 * self.fillet)  # each root and corner takes one
+
+    def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
+        """The corners of the pads at start and end of the part bent to a centre line, anticlockwise."""
+        length = self.pair.length
+        return (
+            self._pad_corners(line, -self.overhang(0.0), -1),
+            self._pad_corners(line, length + self.overhang(length), 1),
+        )
 
     def _pad_corners(self, line: "CentreLine", s: float, way: int) -> list[FloatArray]:
         """The four corners of a pad from the right side on, anticlockwise."""
@@ -456,6 +474,32 @@ class Flexure:
     def travel(self) -> FlexureTravel:
         """From the first state to the second: pushed where it is bistable, else its end led."""
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
+
+    @property
+    def force_range(self) -> tuple[float, float]:
+        """Least and largest that `travel.largest_force` may turn out, N.
+
+        Where the part is off by `OFF_MM` in its plane, of a sheet at the ends of its ranges: F ~ E t h^3.
+        """
+        h = sum(self.thickness_range) / 2
+        off = (1 + np.array([-OFF_MM, OFF_MM]) / h) ** 3
+        for name in ("youngs_modulus", "thickness"):
+            off = off * self.sheet.range_of(name) / getattr(self.sheet, name)
+        low, high = off * self.travel.largest_force
+        return float(low), float(high)
+
+    @property
+    def force_text(self) -> Refusal:
+        """The largest force with its range, as a text."""
+        low, high = self.force_range
+        return note(
+            "about {force:.2g} N ({low:.2g} to {high:.2g} N with {off} of thickness more or less and the sheet's "
+            "spread)"
+            if self.sheet.youngs_modulus_range
+            else "about {force:.2g} N ({low:.2g} to {high:.2g} N with {off} of thickness more or less; the spread "
+            "of the sheet is not known)",
+            force=self.travel.largest_force, low=low, high=high, off=Length(OFF_MM),
+        )  # fmt: skip
 
     @cached_property
     def travel_back(self) -> FlexureTravel | None:
@@ -636,6 +680,7 @@ class Flexure:
             "sideways": [one.word for one in self.sideways],
             "stretch_mm": self.stretch,
             "largest_force_N": way.largest_force,
+            "largest_force_range_N": list(self.force_range),
             "snap_travel_mm": way.snap,
             "work_N_mm": way.work,
             "reaches_second_state": way.reached,

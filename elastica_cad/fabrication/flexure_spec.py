@@ -47,7 +47,7 @@ class FlexureSpec:
     Examples
     --------
     >>> import numpy as np
-    >>> arch = PlaneCurve.spline([(0, 0), (30, 10), (90, 10), (120, 0)], degree=3)
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 8), (90, 8), (120, 0)], degree=3)
     >>> spec = FlexureSpec(arch, arch.transformed(np.diag([1.0, -1.0, 1.0])), "pom-2")
     >>> spec.make().pair.bistable
     False

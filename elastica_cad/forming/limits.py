@@ -18,6 +18,7 @@ Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
 UNLIMITED_RATIO = 1000.0  # widths of 0.1 mm beside 100 mm, which no machine cuts
+FAR_SHARE = 0.03  # of the diagonal of the drawn curve's box: one that is farther away is another curve
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,13 @@
 """Everything that a part with two states becomes: cutting files, bodies, picture and report."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.flexure import Flexure
@@ -13,6 +15,11 @@ from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.write_files import write_json, write_together
+from elastica_cad.forming.limits import FAR_SHARE
+from elastica_cad.refusals import Length, Refusal, note
+
+USUAL_KERF_MM = 0.2
+"""Width of a laser's cut, for a sheet that tells none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +68,45 @@ class PairKit:
         """All that was asked and found, ready for JSON."""
         matched = self.spec.matched
         told = {} if matched is None else {"moved_mm": list(matched.moved)}
-        return {"name": self.name, **told, **self.part.as_dict(), "files": list(self.files)}
+        reports = [str(one) for one in self.warnings]
+        return {
+            "name": self.name,
+            **told,
+            **self.part.as_dict(),
+            "reports": reports,
+            "files": list(self.files),
+        }
+
+    @cached_property
+    def warnings(self) -> tuple[Refusal, ...]:
+        """What a user should know about the part, its curves and its cutting files."""
+        return (*self._moved_far(), *self._cut_away(), *self.part.warnings)
+
+    def _moved_far(self) -> Iterator[Refusal]:
+        moved = (0.0, 0.0) if self.spec.matched is None else self.spec.matched.moved
+        sizes = [np.hypot(*np.ptp(drawn.bounds, axis=0)) for drawn in self.spec.faired]
+        share, far = max((far / size, far) for far, size in zip(moved, sizes, strict=True))
+        if share > FAR_SHARE:
+            yield note(
+                "a curve was moved by up to {far}, {percent:.2g} % of its size, to make both equally long; the "
+                "picture shows them dashed as they were drawn: draw both nearer to one length, or have them made "
+                "equal in another way (--match)",
+                severity="warning", far=Length(far), percent=100 * share,
+            )  # fmt: skip
+
+    def _cut_away(self) -> Iterator[Refusal]:
+        sheet, thin = self.part.sheet, self.part.scale
+        if self.part.printed or self.cutting.options(sheet)["kerf"]:
+            return
+        kerf = sheet.kerf or USUAL_KERF_MM
+        left = max(thin - kerf, 0.0)
+        yield note(
+            "the files hold the part's own outline: a laser's cut of {kerf} leaves {left} of {thin} where it is "
+            "thinnest, and {percent:.0f} % of the force: give the width of the cut (--kerf), unless the program of "
+            "the laser makes up for it",
+            severity="warning", kerf=Length(kerf), left=Length(left), thin=Length(thin),
+            percent=100 * (left / thin) ** 3,
+        )  # fmt: skip
 
     def _write_step(self, path: Path) -> None:
         from elastica_cad.kernel.occt import make_solid
@@ -79,7 +124,7 @@ class PairKit:
         from elastica_cad.plot.canvas import save_figure
         from elastica_cad.plot.pair_pictures import pair_sheet
 
-        save_figure(pair_sheet(self.part), path)
+        save_figure(pair_sheet(self.part, self.spec.faired), path)
 
 
 def write_pair(kit: PairKit, folder: Path, *, force: bool = False) -> tuple[Path, ...]:

@@ -1,17 +1,25 @@
 """A part with two states as one picture: as it is cut, in both states, and its force over travel."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from elastica_cad.fabrication.flexure import Flexure
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
 CHORD_SHARE = 1e-4  # of the length: how closely the picture follows splines
 
+PUSHED_SHARE = 0.3  # of the way from state to state: the arrow
 
-def pair_sheet(part: Flexure) -> Figure:
-    """Draw a two-state part flat, in both states with the holder's holes, and the push between them."""
+
+def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
+    """Draw a two-state part flat, in both states with the holder's holes, and the push between them.
+
+    Both curves as they were drawn are dashed, where they are given.
+    """
     chord = CHORD_SHARE * part.pair.length
     lines = part.states
     drawn = [
@@ -33,12 +41,24 @@ def pair_sheet(part: Flexure) -> Figure:
         bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
     for line, colour, name in zip(lines, (FIRST, SECOND), ("first", "second"), strict=True):
         bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=name)
+        for pad in part.pads_along(line):
+            bent.fill(*np.transpose(pad), color=CUT, lw=0.6, ec=INK)
         for place in part.hole_places(line).reshape(-1, 2):
             hole = Path.circle(place, part.pad.hole / 2)
             bent.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
-    bent.legend(frameon=False, fontsize=8, loc="best")
-    held = "the same clamps" if part.pair.bistable else "two settings of the end"
-    _even(bent, f"both states, {held}; strained by {100 * max(part.strain):.2f} % at most")
+    for n, (curve, moved) in enumerate(zip(drawn_as, (np.eye(3), part.second_moved), strict=False)):
+        there = curve.transformed(moved).survey.position
+        bent.plot(*there.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
+    if part.pair.bistable:
+        at, push_way = part.pushed
+        start = lines[0].at(np.array([at]))[0][0]
+        pushed = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
+        tip = start + PUSHED_SHARE * push_way
+        bent.annotate("", xy=tip, xytext=start, arrowprops=pushed)
+        bent.annotate("push", tip, (6, 0), textcoords="offset points", fontsize=8)
+    corner = (0.99, bent.get_position().y1)
+    figure.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=corner, ncols=3)
+    _even(bent, f"both states, strained by {100 * max(part.strain):.2f} % at most")
     push.plot(way.travel, way.force, color=FIRST, lw=1.2)
     push.axhline(0, color=INK, lw=0.5)
     if way.snap is not None:
@@ -47,7 +67,7 @@ def pair_sheet(part: Flexure) -> Figure:
     push.set_xlabel(label, fontsize=8)
     push.set_ylabel("N", fontsize=8)
     push.tick_params(labelsize=7)
-    push.set_title(f"force, {way.largest_force:.3g} N at most", fontsize=9, loc="left")
+    push.set_title(f"force, at most {part.force_text}", fontsize=9, loc="left")
     return figure
 
 

@@ -31,9 +31,11 @@ new MutationObserver(() => {
 @contextmanager
 def chromium(downloads, size=(1400, 1000), language="en"):
     options = webdriver.ChromeOptions()
+    # WebGL without a graphics card; the page itself is composed as on any machine without one, not through WebGL
     for flag in (
         "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
-        "--enable-unsafe-swiftshader", f"--window-size={size[0]},{size[1]}", f"--lang={language}",
+        "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
+        f"--window-size={size[0]},{size[1]}", f"--lang={language}",
     ):  # fmt: skip
         options.add_argument(flag)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})

@@ -80,9 +80,6 @@ TRIAL_S, TRIAL_BYTES = 2.0, 300 * 2**20
 LONGEST_REFUSED_S = 2.0
 """A request that took longer is not tried again otherwise."""
 
-FAR_SHARE = 0.03
-"""Of the diagonal of the drawn curve's box: a strip that is farther away is another one."""
-
 WIDEST_SHARE = 0.5
 """Of its length: what is wider bends as a plate."""
 
@@ -168,6 +165,7 @@ def _limits() -> Iterator[None]:
 
 def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
     """How near strips come and how far they are strained; empty where one is not made or does not hold."""
+    from elastica_cad.forming.limits import FAR_SHARE
     from elastica_cad.forming.nearest.nearest_record import NearestRod
     from elastica_cad.mechanics.stability.stability_verdict import stability
 

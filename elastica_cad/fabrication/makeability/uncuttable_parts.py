@@ -85,13 +85,12 @@ def _widths_across(
 
     Of all pairs of a point only the narrowest is kept.
     """
-    i, j = _near_opposite_pairs(points, normals, least)
+    i, j = _near_opposite_pairs(points, normals, least * (1 - 1e-9))
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
     with np.errstate(invalid="ignore", divide="ignore"):
         across = across / width[:, None]
     facing = (np.sum(across * normals[i], axis=1) > FACING) & (np.sum(across * normals[j], axis=1) < -FACING)
-    facing &= width < least * (1 - 1e-9)
     i, j, width = i[facing], j[facing], width[facing]
     narrowest = np.unique(np.concatenate([_narrowest(i, width), _narrowest(j, width)]))
     return i[narrowest], j[narrowest], width[narrowest]
@@ -104,8 +103,9 @@ def _near_opposite_pairs(points: FloatArray, normals: FloatArray, reach: float) 
     # one tree over places and directions: of facing points the normals' sum is at most 2 sin(acos(FACING)) long
     here, there = (cKDTree(np.hstack([points, sign * reach * normals])) for sign in (1.0, -1.0))
     found = here.sparse_distance_matrix(there, reach * np.sqrt(5 - 4 * FACING**2), output_type="ndarray")
-    once = found["i"] < found["j"]
-    return found["i"][once], found["j"][once]
+    i, j = found["i"], found["j"]
+    near = (i < j) & (np.hypot(*(points[i] - points[j]).T) < reach)
+    return i[near], j[near]
 
 
 def _near_pairs(points: FloatArray, reach: float) -> IntArray:

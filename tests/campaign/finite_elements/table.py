@@ -57,7 +57,7 @@ the strip, is glued over the joint. Shares of the length, held by the tabs in th
 
 FLEXURES = """Cut in the plane of a sheet, meshed from their DXF and put into each state, then let go but for their
 pads: the largest distance of the centre line from the drawn curve, as a share of the length; asked are 3e-03.
-Bistable ones are pushed at their middle from either state: the largest push, which is to be within a tenth of
+The clip is pushed at its middle from either state: the largest push, which is to be within a tenth of
 what is told. Behind the snap they are let go, as in something viscous (implicit steps along the slope of the
 energy), and rest in the other state, as near to its curve as those that were put there."""
 

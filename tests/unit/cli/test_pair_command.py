@@ -23,7 +23,7 @@ def made(tmp_path_factory):
     """The files of the clip, whose curves are the two of one drawing."""
     folder = tmp_path_factory.mktemp("clip")
     drawing = EXAMPLES / "clip.svg"
-    return folder, typed(drawing, "--sheet", "pom-3", "--label", "CLIP", "-o", folder)
+    return folder, typed(drawing, "--sheet", "pom-3", "--label", "CLIP", "--kerf", "0.2", "-o", folder)
 
 
 def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
@@ -45,10 +45,28 @@ def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
 
 
 def test_a_design_file_asks_for_the_same(made, tmp_path):
+    """What a laser takes is told, where no kerf makes up for it."""
     said = typed(EXAMPLES / "clip.toml", "-o", tmp_path)
     assert said.exit_code == 0, said.output
+    assert "a laser's cut of 0.2 mm leaves 0.736 mm of 0.936 mm where it is thinnest, and 49 %" in said.stderr
     reports = [json.loads((folder / "clip.json").read_text()) for folder in (made[0], tmp_path)]
     assert reports[0]["least_thickness_mm"] == pytest.approx(reports[1]["least_thickness_mm"], rel=1e-9)
+
+
+LOW = """<svg xmlns="http://www.w3.org/2000/svg" width="170mm" height="90mm" viewBox="0 0 170 90">
+<path d="M10,40 C38,40 58,18 84,18 C108,18 134,40 160,40"/>
+<path d="M10,50 C34,50 54,60 80,60 C108,60 136,50 160,50"/>
+</svg>"""
+
+
+def test_a_curve_that_was_changed_much_is_told(tmp_path):
+    (tmp_path / "low.svg").write_text(LOW)
+    said = typed(tmp_path / "low.svg", "--sheet", "pom-3", "--kerf", "0.2", "-o", tmp_path / "out", "--json")
+    assert said.exit_code == 0, said.output
+    report = json.loads(said.stdout)["pair"]
+    (told,) = report["reports"]
+    assert "moved by up to" in told
+    assert max(report["moved_mm"]) > 0.03 * 151.6  # the diagonal of the box of the larger one
 
 
 MEETING = """<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="160mm" viewBox="0 0 200 160">
@@ -60,7 +78,7 @@ def test_curves_that_meet_in_their_drawing_begin_where_they_meet(tmp_path):
     (tmp_path / "finger.svg").write_text(MEETING)
     said = typed(tmp_path / "finger.svg", "--sheet", "pom-3", "-o", tmp_path / "out", "--json")
     assert said.exit_code == 0, said.output
-    report = json.loads(said.output)["pair"]
+    report = json.loads(said.stdout)["pair"]
     assert report["largest_thickness_mm"] > 6
     assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"] * (1 + 1e-9)
 
@@ -79,6 +97,7 @@ def test_other_keys_are_set(words, tmp_path):
 def test_a_printed_stand_has_two_settings(tmp_path):
     said = typed(EXAMPLES / "stand.toml", "-o", tmp_path, "--json")
     assert said.exit_code == 0, said.output
+    assert "laser" not in said.stderr
     report = json.loads(said.output)["pair"]
     assert report["bistable"] is False
     assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"]
@@ -96,6 +115,7 @@ def test_a_printed_stand_has_two_settings(tmp_path):
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3", "--match", "none"),
          "--match ends"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),
+        (("clip.svg", "--sheet", "pom-3", "--kerf", "sheet"), "no kerf is known for pom-3"),
         (("wrong.toml",), "unknown key 'thickness'"),
         (("model.toml",), "no table [pair]"),
     ],

@@ -51,6 +51,16 @@ def test_what_the_way_asks_for_decides_how_thick_a_bistable_part_is(clip):
     assert clip.warnings == ()
 
 
+def test_a_force_is_told_with_what_thickness_and_sheet_leave_open(clip):
+    """Against the same part made a tenth of a mm thinner and thicker."""
+    low, high = clip.force_range
+    softest, stiffest = np.array(POM.youngs_modulus_range) / POM.youngs_modulus
+    for off, told in ((-0.1, low / softest), (0.1, high / stiffest)):
+        other = Flexure(clip.pair, POM, least_thickness=clip.scale + off, ignore_limits=True)
+        assert told == pytest.approx(other.travel.largest_force, rel=0.04)
+    assert f"about {clip.travel.largest_force:.2g} N ({low:.2g} to {high:.2g} N" in str(clip.force_text)
+
+
 def test_curved_beams_are_strained_more_inside():
     """Against the stress of a ring's inner side, r d(angle), integrated over the section."""
     h, R = 0.2, 1.0
