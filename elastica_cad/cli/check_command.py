@@ -54,6 +54,7 @@ WIDTHS_MM = (8.0, 120.0)
 MOST_SHEETS = 6
 """Named in a sentence: those that can just do it, and those that need the least larger curve."""
 
+EVEN = 1.005  # ratio of widths that nobody sees
 WIDE_MM = 40.0
 """A usual width, by which a ratio of widths is shown."""
 
@@ -232,7 +233,9 @@ def _told_sheets(
     can = [one for one in known if one.fits]
     larger = [one for one in known if not one.fits]
     sheets = [
-        f"The widest place of a plain strip is {ratio:.3g} times as wide as the narrowest: "
+        "A plain strip is as wide in all its length."
+        if ratio < EVEN
+        else f"The widest place of a plain strip is {ratio:.3g} times as wide as the narrowest: "
         f"{WIDE_MM:g} mm and {WIDE_MM / ratio:.3g} mm, for example."
     ]
     if can:

@@ -18,6 +18,7 @@ from elastica_cad.geometry.curves.curve_derivatives import (
     refuse_standstill,
 )
 from elastica_cad.geometry.curves.projective_maps import map_spline
+from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline, fit_spline
 from elastica_cad.geometry.polynomials.splines import (
@@ -183,7 +184,10 @@ class NurbsCurve:
     def fit(
         cls, points: ArrayLike, degree: int = 4, tolerance: float = 0.05, smoothing: float | None = None
     ) -> Self:
-        """A spline with few control points that passes all `points` (n, 2) within `tolerance` mm.
+        """Return a spline with few control points that passes all `points` (n, 2) within `tolerance` mm.
+
+        Of points that waver, such as measured ones, the curve keeps the noise: strips tell where it rules their
+        widths, and `smooth` of a strip takes it out.
 
         Parameters
         ----------
@@ -206,7 +210,9 @@ class NurbsCurve:
         300.0
         """
         knots, control_points = fit_spline(points, degree, tolerance, smoothing)
-        return cls(knots, control_points, degree)
+        measured = MeasuredPoints.of(np.asarray(points, dtype=float))
+        drawn = None if measured is None else Provenance(measured=measured)
+        return cls(knots, control_points, degree, provenance=drawn)
 
     @classmethod
     def fit_function(
