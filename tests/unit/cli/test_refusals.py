@@ -446,6 +446,18 @@ def test_points_that_waver_are_smoothed_first(count, words, tmp_path, monkeypatc
     assert json.loads(made.stdout)["strips"][0]["ratio"] < 2
 
 
+@pytest.mark.parametrize(("smooth", "code", "length"), [(0, 1, 3350), (4, 1, 3345), (12, 0, 3343)])
+def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path):
+    """2-0-1 for 1-11-1 at 7-0-0; smoothed or not, the curve is no longer for it."""
+    inches = "0-1-0,0-7-5,1-1-1,1-5-4,1-8-5,1-10-5,1-11-3+,2-0-1,1-9-5,1-7-2,1-3-6,1-1-5"
+    stations = [*(f"{foot}-0-0" for foot in range(11)), "10-6-0"]
+    rows = [f"{x},{y}" for x, y in zip(stations, inches.split(","), strict=True)]
+    (tmp_path / "bad.csv").write_text("\n".join(["Station,Half-breadth", *rows]))
+    told = CliRunner().invoke(elastica, ["check", str(tmp_path / "bad.csv"), "--smooth", str(smooth)])
+    assert (told.exit_code, told.output.count("(2134, 612.8) mm, number 8 of 12, is 27 mm off")) == (code, 1)
+    assert f"this curve of {length} mm" in told.output
+
+
 def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     x = np.linspace(0.0, 400.0, 40)
