@@ -1,11 +1,12 @@
 """The studio in Chromium, by mouse, keyboard and sight, as a person uses it."""
 
 import time
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib.resources import files
 
 import numpy as np
 from selenium import webdriver
+from selenium.common.exceptions import StaleElementReferenceException
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import Select
@@ -56,7 +57,7 @@ class Studio:
 
     def open(self, address):
         self.browser.get(address)
-        self.until(lambda: self.all(".tools button"))
+        self.until(lambda: self.all(".tools button") and "#" in self.browser.current_url)
 
     def until(self, seen, seconds=60):
         """What `seen` gives once that is something."""
@@ -75,8 +76,13 @@ class Studio:
         return self.browser.execute_script(read, selector)
 
     def click(self, text, selector="button"):
-        (one,) = [one for one in self.all(selector) if one.text == text and one.is_displayed()]
-        one.click()
+        def clicked():
+            with suppress(StaleElementReferenceException):  # the page has made its buttons anew meanwhile
+                (one,) = [one for one in self.all(selector) if one.text == text and one.is_displayed()]
+                one.click()
+                return True
+
+        self.until(clicked)
 
     def start(self, name):
         """Begin with one of the examples."""
@@ -172,4 +178,6 @@ class Studio:
         return self.browser.execute_async_script(AXE)
 
     def logged(self):
-        return [entry["message"] for entry in self.browser.get_log("browser")]
+        """What the browser complains of, but for what composing without a graphics card costs."""
+        said = [entry["message"] for entry in self.browser.get_log("browser")]
+        return [one for one in said if "GPU stall due to ReadPixels" not in one]
