@@ -41,7 +41,7 @@ from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
-from elastica_cad.refusals import note
+from elastica_cad.refusals import Refusal, note
 from elastica_cad.web.saved_design import OF_MODELS, curve_table, open_design
 
 Record = dict[str, Any]
@@ -345,7 +345,8 @@ def _frame(made: Strip, travel: Any, k: int, part: float) -> Record:
 def _model(request: Mapping[str, Any]) -> Record:
     """Every strip in its place, with what holds it."""
     design = _design(request)
-    kit = kit_of(design.model(), design.kit, entries=design.entries)
+    kit = kit_of(design.model(), design.kit, entries=design.entries, effects=True)
+    told = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
     strips: dict[int, int] = {}
     shapes: list[Record] = []
     places = []
@@ -380,7 +381,8 @@ def _model(request: Mapping[str, Any]) -> Record:
             cuts=listed.cut_length / 1000,
             mass=listed.mass,
         ),
-        "warnings": list(dict.fromkeys((*kit.notes, *kit.model.reports))),
+        "warnings": told,
+        "care": any(isinstance(one, Refusal) and one.severity == "warning" for one in told),
     }
 
 

@@ -101,6 +101,7 @@ def test_copies_between_rings_stand_in_their_places():
     told = answer({"do": "model", "design": lamp})
     assert len(told["places"]) == 12
     assert len(told["plates"]) == 2
+    assert told["care"]  # tabs rock in the slots of one thin ring
     half_a_turn = np.array(told["places"][6][1]).reshape(4, 4).T
     assert half_a_turn @ [60, 0, 0, 1] == pytest.approx([-60, 0, 0, 1], abs=1e-3)
 

@@ -194,7 +194,7 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
                 "{strip}{more}: in the {holder} the tab at its {end} rocks by {low:+.0f} to {high:+.0f} "
                 "degrees and does not hold the drawn angle; {shape}; {cure}",
                 strip=names[id(one)], more=and_more(rocking), holder=holder, end=end, low=low, high=high,
-                shape=_shape(one, tab_seats(holders)), cure=_cure(one, end, holders),
+                shape=_shape(one, tab_seats(holders)), cure=_cure(one, end, holders), severity="warning",
             ))  # fmt: skip
     return tuple(told)
 

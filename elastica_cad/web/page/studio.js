@@ -205,6 +205,8 @@ class Studio {
     this.forces.textContent = "";
     const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
     this.drawing.show({ points: this.points(design) });
+    const at = this.points(design)[this.chosen]; // its boxes follow the pointer and the keys
+    if (at) this.point.querySelectorAll("input").forEach((input, axis) => { input.value = +at[axis].toFixed(3); });
     if (axis !== this.drawing.axis) Object.assign(this.drawing, { axis }).fit();
     if (!this.drawing.fingers.size) {
       this.form.show();
@@ -253,6 +255,10 @@ class Studio {
     if (!answer || !this.whole.checked) return;
     this.space.showModel(answer);
     this.tell([answer.text, ...answer.warnings].join(" · "));
+    if (answer.care && this.verdict.classList.contains("yes")) { // the strip is well, but what holds it is not
+      Object.assign(this.verdict, { className: "verdict care", said: "" });
+      this.verdict.querySelector("strong").textContent = this.t("It can be made, with care");
+    }
   }
 
   // ---- what is answered
@@ -349,6 +355,7 @@ class Studio {
     const { t } = this;
     const point = () => this.points()[k];
     if (!point()) return;
+    this.chosen = k;
     const input = (axis) => html("input", { value: +point()[axis].toFixed(3), inputmode: "decimal", "aria-label": "xy"[axis], onchange: (event) => {
       const value = Number(event.target.value.replace(",", "."));
       if (Number.isFinite(value)) this.edit((curve) => { curve.spline[k][axis] = value; });
