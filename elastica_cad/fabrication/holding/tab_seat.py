@@ -48,7 +48,7 @@ class TabSeat:
     --------
     >>> seat = TabSeat.pocket(length=10, thickness=0.8, play=0.15)
     >>> [round(float(np.degrees(turn)), 2) for turn in seat.turning]
-    [-1.71, 1.71]
+    [-1.72, 1.72]
     """
 
     left: FloatArray
