@@ -148,12 +148,10 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
         paint_polygons(axes, polygons, facecolors=fills, edgecolors=INK, linewidths=0.4, rasterized=True)
     numbered = len(model.placed) * 2 <= MOST_NUMBERS
     targets = dict(_targets([*model.plates, *holders], far))
-    for tab in place_tabs(spread):
-        start = tab.tip @ screen
-        if tab.name in targets:
-            axes.plot(
-                *np.array([start, targets[tab.name] @ screen]).T, color=LEAD, linewidth=0.5, linestyle=":"
-            )
+    for tab, own in zip(place_tabs(spread), place_tabs(model.placed), strict=True):
+        start, target = tab.tip @ screen, targets.get(own.key, targets.get(own.name))
+        if target is not None:
+            axes.plot(*np.array([start, target @ screen]).T, color=LEAD, linewidth=0.5, linestyle=":")
         if numbered:
             text = tab.name.removeprefix("strip ")
             axes.text(*start, text, fontsize=6, color=INK, ha="center", va="center",
@@ -197,13 +195,13 @@ def _block(tab: PlacedTab) -> FloatArray:
     return np.asarray(tab.frame.point(corners), dtype=float)
 
 
-def _targets(holders: Sequence[Holder], far: float) -> Iterator[tuple[str, FloatArray]]:
-    """Where each tab goes, as drawn."""
+def _targets(holders: Sequence[Holder], far: float) -> Iterator[tuple[object, FloatArray]]:
+    """Where each tab goes, as drawn: by the tab's key, as equal strips have one name, else by its name."""
     for holder in single_holders(holders):
         shift = _shift(holder, far)
         if isinstance(holder, EndFixture):
-            yield holder.tab.name, holder.tab.frame.origin + shift
+            yield holder.tab.key, holder.tab.frame.origin + shift
         elif not isinstance(holder, Rib):
             for slot in holder.slots:
                 x, y = slot.corners.mean(axis=0)
-                yield slot.name, holder.frame.point((x, y, 0.0)) + shift
+                yield slot.name if slot.tab is None else slot.tab.key, holder.frame.point((x, y, 0.0)) + shift
