@@ -50,9 +50,7 @@ def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt"
     for word in rest:
         option, given, value = word.partition("=") if word.startswith("--") else ("", "", word)
         if (name := option or word) in _NOT_OF_DRAWINGS or word.startswith("-o"):
-            for _ in range(
-                0 if given or (word.startswith("-o") and word != "-o") else _NOT_OF_DRAWINGS[name]
-            ):
+            if not given and _NOT_OF_DRAWINGS.get(name):  # its value is the next word
                 next(rest, "")
             continue
         shown = path(value).name if path(value).is_absolute() else value

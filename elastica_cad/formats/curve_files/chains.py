@@ -15,6 +15,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
+from elastica_cad.geometry.polynomials.spline_fits import fit_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans, interpolation_sites
 from elastica_cad.geometry.running_sums import lengths_along
 
@@ -341,7 +342,7 @@ def _smooth(points: FloatArray, tolerance: float) -> PlaneCurve:
     along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T
     if np.abs(across).max() <= 1e-9 * np.abs(along).max() and np.all(np.diff(along) > 0):
         return PlaneCurve.line(points[0], points[-1])
-    return PlaneCurve.fit(points, tolerance=tolerance)
+    return PlaneCurve(*fit_spline(points, 4, tolerance), 4)
 
 
 def _exact(edge: Edge, fit_tolerance: float) -> Edge:

@@ -13,6 +13,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.point_distance import distances, polyline_distances
 from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.polynomials.spline_fits import fit_spline
 from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -159,7 +160,7 @@ def _curve(
     drawn = _filled(line.points)
     points = smooth_polyline(line.points, wavelength) if wavelength > 0 else drawn
     try:
-        curve = PlaneCurve.fit(points, degree=4, tolerance=tolerance)
+        curve = PlaneCurve(*fit_spline(points, 4, tolerance), 4)
     except NotConvergedError as error:
         raise NotConvergedError(_unfitted(line, tolerance) or str(error)) from error
     fitted, before = curve, curve.inflections.size
@@ -381,7 +382,7 @@ def remove_false_inflections(
         if np.hypot(*(even - points).T).max() > most:
             break
         try:
-            simpler = PlaneCurve.fit(even, degree=4, tolerance=most / 20)
+            simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)
         except NotConvergedError:  # kinks where the smoothed part begins: a longer wavelength may have none
             continue
         if not len(_false_bends(simpler, turn)):

@@ -14,6 +14,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.polynomials.spline_fits import fit_spline
 from elastica_cad.geometry.polynomials.splines import finite
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
@@ -251,7 +252,7 @@ class _Equations:
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
     """The unknowns of a smooth curve through the points, a and b by regression; and its length."""
-    curve = PlaneCurve.fit(points, degree=4, tolerance=1e-4)
+    curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position
     at = np.sort([s[int(np.argmin(np.hypot(*(line - p).T)))] for p in points])

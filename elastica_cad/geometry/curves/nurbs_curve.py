@@ -20,7 +20,7 @@ from elastica_cad.geometry.curves.curve_derivatives import (
 from elastica_cad.geometry.curves.projective_maps import map_spline
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline, fit_spline
+from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline, distinct_points, fit_spline
 from elastica_cad.geometry.polynomials.splines import (
     bezier_spans,
     check_knots,
@@ -210,7 +210,7 @@ class NurbsCurve:
         300.0
         """
         knots, control_points = fit_spline(points, degree, tolerance, smoothing)
-        measured = MeasuredPoints.of(np.asarray(points, dtype=float))
+        measured = MeasuredPoints.of(distinct_points(points))
         drawn = None if measured is None else Provenance(measured=measured)
         return cls(knots, control_points, degree, provenance=drawn)
 

@@ -50,8 +50,7 @@ class MeasuredPoints:
 
     @classmethod
     def of(cls, points: FloatArray) -> "MeasuredPoints | None":
-        """The points (n, 2) with their noise; None where it is too little to matter."""
-        points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
+        """The points (n, 2), no two in a row the same, with their noise; None where it is too little to matter."""
         waver = estimate_waver(points)
         return cls(points, waver) if waver >= TOLD_MM else None
 

@@ -199,7 +199,7 @@ def _parts(excess: FloatArray, degree: int) -> IntArray:
 
 
 def fit_spline(
-    points: ArrayLike, degree: int, tolerance: float, smoothing: float | None
+    points: ArrayLike, degree: int, tolerance: float, smoothing: float | None = None
 ) -> tuple[FloatArray, FloatArray]:
     """Knots and control points of a clamped spline within `tolerance` of `points` (n, 2).
 
@@ -209,7 +209,7 @@ def fit_spline(
     largest penalty on the third derivative that hardly increases the mean distance (parabolas, which have no
     inflection, cost nothing). Points that no such curve follows are interpolated.
     """
-    data = _cleaned(points)
+    data = distinct_points(points)
     _check_options(degree, tolerance, smoothing)
     ends = np.repeat([0.0, 1.0], degree + 1)
     if data.shape[0] == 2:
@@ -260,9 +260,9 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
     between the points, as least squares do with nearly as many control points as points. Of a hundred points and
     more `fit_spline` tells noise from shape with few control points.
     """
-    data = _cleaned(points)
+    data = distinct_points(points)
     if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
-        return fit_spline(data, degree, tolerance, None)
+        return fit_spline(data, degree, tolerance)
     _check_options(degree, tolerance, None)
     t = _chord_parameters(data)
     problem = _Problem(np.concatenate([np.zeros(degree), t, np.ones(degree)]), degree, data)
@@ -403,7 +403,14 @@ def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
     )  # fmt: skip
 
 
-def _cleaned(points: ArrayLike) -> FloatArray:
+def distinct_points(points: ArrayLike) -> FloatArray:
+    """Points (n, 2) to fit, each once in a row.
+
+    Raises
+    ------
+    InputError
+        No such rows, or fewer than two different points.
+    """
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
         raise InputError("points to fit must be rows of x, y: shape (n, 2), not {shape}", shape=data.shape)

@@ -17,6 +17,7 @@ from elastica_cad.geometry.curves.plane_curve import SURVEY_POINTS, PlaneCurve
 from elastica_cad.geometry.curves.unit_speed import DEGREE, integrate_tangents
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
+from elastica_cad.geometry.polynomials.spline_fits import fit_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans, spline_through
 from elastica_cad.mechanics.loads.arguments import require_gravity, require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -706,7 +707,7 @@ class Rod:
             return self.shape
         if has_even_edges(self.s, self.position):
             return integrate_edges(self.s, self.position, self.angle)
-        return PlaneCurve.fit(self.position, degree=5, tolerance=1e-6 * self.length)
+        return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
         """Return the same ends, shape and gravity with another stiffness profile: no longer in balance until bent.

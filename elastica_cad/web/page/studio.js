@@ -249,16 +249,20 @@ class Studio {
     const design = this.design;
     if (!this.whole.checked || !(design.strips?.length || design.revolution)) {
       if (this.answer?.position) this.inSpace(this.answer);
+      this.careFor(false);
       return;
     }
     const answer = await this.ask({ do: "model", design });
     if (!answer || !this.whole.checked) return;
     this.space.showModel(answer);
     this.tell([answer.text, ...answer.warnings].join(" · "));
-    if (answer.care && this.verdict.classList.contains("yes")) { // the strip is well, but what holds it is not
-      Object.assign(this.verdict, { className: "verdict care", said: "" });
-      this.verdict.querySelector("strong").textContent = this.t("It can be made, with care");
-    }
+    this.careFor(answer.care);
+  }
+
+  // Whether what holds the whole model is well is part of the verdict.
+  careFor(care) {
+    this.care = care;
+    if (this.answer) this.judge(this.answer);
   }
 
   // ---- what is answered
@@ -275,7 +279,17 @@ class Studio {
       showFlat(this.flat, null);
       return;
     }
-    const { refused } = answer, state = refused ? "no" : answer.warnings.length ? "care" : "yes";
+    this.judge(answer);
+    showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
+    this.tabulate(answer.refused ? [] : this.rows(answer));
+    if (answer.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
+      this.spaceSoon = null; // the drawing under the pointer comes first
+      if (this.answer?.position && !this.whole.checked) this.inSpace(this.answer);
+    }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
+  }
+
+  judge(answer) {
+    const { t } = this, { refused } = answer, state = refused ? "no" : answer.warnings.length || this.care ? "care" : "yes";
     const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state];
     const texts = refused ? [refused.message] : [...answer.warnings, ...(answer.deviation == null ? [answer.text] : [])];
     const said = [title, ...texts].join();
@@ -284,12 +298,6 @@ class Studio {
       this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
     }
     this.verdict.said = said;
-    showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
-    this.tabulate(refused ? [] : this.rows(answer));
-    if (answer.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
-      this.spaceSoon = null; // the drawing under the pointer comes first
-      if (this.answer?.position && !this.whole.checked) this.inSpace(this.answer);
-    }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
   }
 
   inSpace(answer) { this.space.showAll(answer.states ?? [answer]); }
