@@ -10,7 +10,7 @@ from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_record, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.lettering import Text, strokes_of, text_strokes
+from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
@@ -88,11 +88,7 @@ class Drawing:
     @cached_property
     def strokes(self) -> tuple[LayeredPath, ...]:
         """Everything as paths in working order: texts as strokes, inner cuts before outer, nothing twice."""
-        written = [
-            LayeredPath(text.layer, stroke)
-            for text, strokes in zip(self.texts, strokes_of(self.texts), strict=True)
-            for stroke in strokes
-        ]
+        written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
         return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
 
