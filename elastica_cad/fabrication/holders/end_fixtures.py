@@ -11,8 +11,8 @@ import numpy as np
 from elastica_cad._counts import and_more
 from elastica_cad._equality import EqualByValue
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, is_one_of, require_record
-from elastica_cad.declared import Asked
+from elastica_cad._values import is_one_of, require_record
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import centred_text, text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
@@ -89,9 +89,9 @@ class EndFixture(EqualByValue):
     tab: PlacedTab
     floor: Frame | None = None
     clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0)] = 0.15
-    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=0)] = 4.0
+    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=LEAST_WALL_MM)] = 4.0
     foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0)] = 12.0
-    foot_height: Annotated[float, Asked("Height of the foot.", "mm", least=0)] = 4.0
+    foot_height: Annotated[float, Asked("Height of the foot.", "mm", above=0)] = 4.0
     screw: Annotated[float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0)] = (
         4.3
     )
@@ -105,20 +105,7 @@ class EndFixture(EqualByValue):
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
             raise InputError("{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)", who=who)
-        least = {"clearance": 0.0, "wall": 1e-9, "foot": 0.0, "foot height": 1e-9, "screw": 0.0}
-        for name, smallest in least.items():
-            value = getattr(self, name.replace(" ", "_"))
-            if not (is_number(value) and value >= smallest):
-                raise InputError(
-                    "{who}: {name} is {given!r}: it must be positive, in mm", who=who, name=name, given=value
-                )
-        if self.wall < LEAST_WALL_MM:
-            raise InputError(
-                "{who}: a wall of {wall:g} is too thin to print: make it {least_wall_mm:g} or more",
-                who=who,
-                wall=Length(self.wall),
-                least_wall_mm=Length(LEAST_WALL_MM),
-            )
+        require_declared(EndFixture, vars(self), f"{who}:")
         if self.foot and self.screw > 0.8 * min(self.foot, self.across):
             raise InputError(
                 "{who}: a screw of {screw:g} does not fit a foot of {foot:g} by {across:.4g}: make "

@@ -46,7 +46,7 @@ LEAN_ROUNDS = 6
 LEANED_MM = 0.03
 """Rounds end when they move slots by less than this, mm; each leaves a tenth of what it moved."""
 
-Plate = TypeVar("Plate", BasePlate, Ring)
+Plate = TypeVar("Plate", bound=BasePlate)
 
 
 def plate_pair(
@@ -264,10 +264,10 @@ def end_plates(
     together: bool = False,
     border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
     play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = PLAY_MM,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
     name: Annotated[str, Asked("Name of its files.")] = "ring",
-    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> tuple[BasePlate, ...]:

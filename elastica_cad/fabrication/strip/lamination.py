@@ -6,8 +6,8 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, require_positive
-from elastica_cad.declared import Asked
+from elastica_cad._values import is_number
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.strip.styles import (
     Backing,
@@ -64,7 +64,7 @@ class Laminated:
 
     width: Annotated[Width, Asked("Width of the base.", "mm", least=0, common=True, written=float)]
     backing: Annotated[Sheet, Asked("Sheet that is glued on.")]
-    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", least=0)] = (
+    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", above=0)] = (
         1.0
     )
     dots: Annotated[
@@ -72,11 +72,8 @@ class Laminated:
     ] = 1.0
 
     def __post_init__(self) -> None:
-        if isinstance(self.backing, str):
-            object.__setattr__(self, "backing", Sheet.named(self.backing))
-        require_positive(self.least_backing, "least_backing")
-        if not (is_number(self.dots) and self.dots >= 0):
-            raise InputError("dots are {dots!r} mm across: give a diameter, 0 for none", dots=self.dots)
+        object.__setattr__(self, "backing", Sheet.of(self.backing))
+        require_declared(Laminated, vars(self))
 
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None

@@ -207,7 +207,7 @@ def test_a_refusal_in_python_ends_with_the_argument_that_works():
     (note,) = refused.value.__notes__
     assert note.startswith("limits=ec.Limits() asks for the nearest curve")
     assert make_strip(wave, "birch-plywood-0.8", max_width=12, limits=Limits()).rod.ratio > 1
-    with pytest.raises(InputError, match="positive") as other:
+    with pytest.raises(InputError, match="above 0") as other:
         make_strip(PlaneCurve.line((0, 0), (100, 0)), "birch-plywood-0.8", max_width=-12)
     assert not getattr(other.value, "__notes__", [])
 
