@@ -6,7 +6,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, require_record
+from elastica_cad._values import require_number, require_record
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
@@ -51,8 +51,7 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     >>> compensate_kerf(plate, 0.2).paths[0].path.segments[0].radius
     10.1
     """
-    if not is_number(kerf):
-        raise InputError("the kerf is {kerf!r}: it must be a finite number of mm, 0 for none", kerf=kerf)
+    require_number(kerf, "the kerf", "mm")
     require_record(drawing, Drawing, "what is cut", "a Drawing record")
     if abs(kerf) > WIDEST_KERF_MM:
         raise InputError(

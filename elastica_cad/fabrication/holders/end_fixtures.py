@@ -11,11 +11,16 @@ import numpy as np
 from elastica_cad._counts import and_more
 from elastica_cad._equality import EqualByValue
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_one_of, require_record
+from elastica_cad._values import require_record
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import centred_text, text_strokes
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
+from elastica_cad.fabrication.holders.placed_tab import (
+    PlacedTab,
+    require_ends,
+    require_holdable,
+    tabs_to_hold,
+)
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, require_placed, strip_names
@@ -148,9 +153,9 @@ class EndFixture(EqualByValue):
         The pocket leans against the strip's force and moment, so that the tab lies as designed when it has taken up
         the clearance.
         """
-        _require_end(strip, end)
+        tab = PlacedTab.of(strip, end, frame)
         require_holdable(strip)
-        return cls(PlacedTab.of(strip, end, frame), floor, engrave=engrave, **sizes).leaning(strip, end)
+        return cls(tab, floor, engrave=engrave, **sizes).leaning(strip, end)
 
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """The fixture with its pocket leaned against what an end of the strip does to it.
@@ -158,7 +163,7 @@ class EndFixture(EqualByValue):
         The tab bends between the walls that it is pressed against, as it does between two plates: the body of a
         straight tab runs into them a little.
         """
-        _require_end(strip, end)
+        require_ends([end])
         index, straight = ENDS.index(end), replace(self, lean=(0.0, 0.0)).seat
         loaded = strip.as_made.loaded
         lean = lean_against(loaded, index, straight, strip.as_made.tab_ratios(loaded)[index])
@@ -353,12 +358,6 @@ def end_fixtures(
 def _polygon(corners: FloatArray) -> Path:
     path = Path.polygon(corners)
     return path if path.area > 0 else path.reversed()
-
-
-def _require_end(strip: object, end: object) -> None:
-    if not is_one_of(end, ENDS):
-        raise InputError('a strip has the ends "start" and "end", not {end!r}', end=end)
-    require_record(strip, Strip, "the strip", "a Strip")
 
 
 TOUCHING_MM = 0.1

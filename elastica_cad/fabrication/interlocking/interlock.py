@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_series, is_whole, numbers, require_number
+from elastica_cad._values import direction, is_series, is_whole, numbers, require_number
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.crossings import PARALLEL_RAD, Crossing, strip_crossings
@@ -192,9 +192,7 @@ def interlock(
     """
     require_declared(interlock, locals())
     placed = require_placed(placed)
-    up = None if above is None else numbers(above, "above")
-    if up is not None and not (up.shape == (3,) and np.all(np.isfinite(up)) and np.any(up != 0)):
-        raise InputError("above must be a direction of three numbers")
+    up = None if above is None else direction(above, "above")
     ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
     names = distinct_names(placed)
     cutter = _Cutter(tuple(one.strip for one in placed), names, clearance, fit, relief, up)
