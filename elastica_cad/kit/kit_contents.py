@@ -20,12 +20,12 @@ from elastica_cad.fabrication.model.assembly import Holder, unheld_ends
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
-from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces, widened_by
+from elastica_cad.fabrication.sheets.nesting import NestedSheet, Nesting, nest_pieces, widened_by
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
+from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.strip_report import tell_blank
