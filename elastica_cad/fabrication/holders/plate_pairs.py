@@ -7,7 +7,7 @@ from typing import Annotated, Any, TypeVar
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import require_positive
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refuse_options_unlike, refusing_old_names
 from elastica_cad.fabrication.holders.held_tabs import slot_walls, tab_seats
@@ -86,7 +86,7 @@ def plate_pair(
         A tab too short for the lower plate, with the length it needs; and as `base_plate`.
     """
     sheet = Sheet.of(sheet)
-    require_gap(gap)
+    require_positive(gap, "the gap between two plates")
     refuse_options_unlike(options, base_plate, "a pair of plates")
     upper = base_plate(placed, sheet, frame=frame, **options)
 
@@ -132,7 +132,7 @@ def ring_pair(
     InputError
         A tab too short for the second ring, with the length it needs; and as `ring_plate`.
     """
-    require_gap(gap)
+    require_positive(gap, "the gap between two plates")
     refuse_options_unlike(options, ring_plate, "a pair of rings")
     first = ring_plate(tabs, sheet, name=name, **options)
     if first.seats:
@@ -144,12 +144,6 @@ def ring_pair(
 
     room = {key: options[key] for key in ("play", "clearance") if key in options}
     return _add_second(placed, first, outer, gap=gap, **room)
-
-
-def require_gap(gap: float) -> None:
-    """Refuse a gap between two plates that is none."""
-    if not (is_number(gap) and gap > 0):
-        raise InputError("the gap between two plates is {gap!r} mm: it must be positive", gap=gap)
 
 
 def _add_second(
@@ -336,7 +330,7 @@ def _pair_plate(
     **rest: Any,
 ) -> tuple[BasePlate, BasePlate]:
     """A plate and another behind it, so that inclined tabs keep their angle; the rest as for `plate_with`."""
-    require_gap(gap)
+    require_positive(gap, "the gap between two plates")
 
     def outer(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
         return plate_with(slots, plate.sheet, ground, name=f"{plate.name}-outer", **rest)
