@@ -11,6 +11,7 @@ from elastica_cad.fabrication.strip.outline import SHOULDER_MM, Ends
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.material.section_limits import (
     BRITTLE,
+    STRAIN_SLACK,
     LayerStrain,
     StrainState,
     StrainVerdict,
@@ -91,14 +92,17 @@ class Shoulder:
 
     def __str__(self) -> str:
         """One sentence."""
-        judged, bears = self.verdict, 100 * self.sheet.max_strain
-        strain, limit = told_apart(judged.used * bears, bears, ".2g")
+        judged, bears = self.verdict, self.sheet.max_strain
+        peak = judged.used * bears
+        strain, limit = told_apart(100 * peak, 100 * bears, ".2g")
+        place = note("in the corners beside it" if peak > self.strain * (1 + STRAIN_SLACK) else "across it")
         return note(
-            "at {at} from the start the strip is {width} wide and its tab {tab}: between the shoulders the "
-            "strain is {strain:g} %, beyond the {limit:g} % that {sheet} bears; {outcome}; make the tab "
-            "{least} wide, or the curve gentler there",
-            at=Length(self.at), width=Length(self.width), tab=Length(self.tab), strain=strain, limit=limit,
-            sheet=self.sheet.name, outcome=note(judged.outcome), least=Length(self.least_tab), severity="warning",
+            "at {at} from the start the strip is {width} wide and its tab {tab}: {place} the strain is "
+            "{strain:g} %, beyond the {limit:g} % that {sheet} bears; {outcome}; make the tab {least} wide, or "
+            "the curve gentler there",
+            at=Length(self.at), width=Length(self.width), tab=Length(self.tab), place=place, strain=strain,
+            limit=limit, sheet=self.sheet.name, outcome=note(judged.outcome), least=Length(self.least_tab),
+            severity="warning",
         )  # fmt: skip
 
 
@@ -117,5 +121,6 @@ def find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -
         found += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * own / narrow)
             for layer in strains
+            if layer.strain[station] <= layer.limit  # else the end itself is told of, which no tab helps
         ]
     return tuple(one for one in found if not one.verdict.allowed)
