@@ -127,8 +127,8 @@ def test_parts_that_fit_share_a_page(tmp_path):
     assert titles(tmp_path / "class-pages.pdf") == [strips, templates, last], "for card and for paper"
     base = HolderSpec("base", ec.Sheet.named("mdf-3"))
     held = kit_of(ec.Model(placed, name="held"), KitSpec(pages="A4", holders=(base,), ignore_limits=True))
-    write_kit(held, tmp_path, step=False, pictures=False, parts=False)
-    assert not any("template" in title for title in titles(tmp_path / "held-pages.pdf"))
+    write_kit(held, tmp_path / "held", step=False, pictures=False, parts=False)
+    assert not any("template" in title for title in titles(tmp_path / "held" / "held-pages.pdf"))
 
 
 def titles(pdf):
