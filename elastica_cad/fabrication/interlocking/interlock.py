@@ -234,21 +234,14 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
         return list(combinations(range(count), 2))
     found = []
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
-        if not isinstance(pair, Sequence) or len(pair) != 2 or not all(map(is_whole, pair)):
+        two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
+        if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
             raise InputError(
                 "pair {pair!r}: name two different strips by their places 0 to {count}",
                 pair=pair,
                 count=count - 1,
             )
-        i, j = pair
-        if not (0 <= i < count and 0 <= j < count and i != j):
-            raise InputError(
-                "pair ({i}, {j}): name two different strips by their places 0 to {count}",
-                i=i,
-                j=j,
-                count=count - 1,
-            )
-        found.append((min(i, j), max(i, j)))
+        found.append((min(pair), max(pair)))
     return sorted(set(found))
 
 

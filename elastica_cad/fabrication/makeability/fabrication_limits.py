@@ -44,7 +44,7 @@ class FabricationLimits:
     --------
     >>> FabricationLimits().width_for(Sheet.named("birch-plywood-0.8"))
     3.0
-    >>> FabricationLimits(least_width=1.5).width_for(None)
+    >>> FabricationLimits(least_width=1.5).width_for(Sheet.named("birch-plywood-0.8"))
     1.5
     """
 
@@ -82,15 +82,10 @@ class FabricationLimits:
         if self.stock is not None:
             object.__setattr__(self, "stock", (float(max(self.stock)), float(min(self.stock))))
 
-    def width_for(self, sheet: Sheet | None) -> float:
+    def width_for(self, sheet: Sheet) -> float:
         """Least width of strips, tabs and tongues of a sheet, mm."""
-        if self.least_width is not None:
-            return self.least_width
-        if sheet is not None:
-            sheet = Sheet.of(sheet)
-        if sheet is not None and sheet.least_width is not None:
-            return sheet.least_width
-        return max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness if sheet else 0.0)
+        sheet = Sheet.of(sheet)
+        return self.least_width or sheet.least_width or max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness)
 
     def ligament_for(self, sheet: Sheet) -> float:
         """Least material between the holes of a perforated strip, mm."""
