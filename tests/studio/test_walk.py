@@ -215,19 +215,21 @@ def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
 
 @pytest.mark.campaign
 def test_what_holds_the_copies_is_part_of_the_verdict(server, tmp_path):
-    """Two rings hold the angle that one lets go, once tabs reach through both: till then the verdict is red."""
+    """One ring lets strips tip, two hold them; where tabs do not reach the second, the verdict is red."""
     with chromium(tmp_path) as studio:
         studio.open(server.address)
         studio.start("lamp")
-        studio.type("#field-Around-the-axis-x-0", "8")
-        studio.until(lambda: studio.verdict() == "It can be made, with care")
-        studio.type("#field-gap", "10")
+        studio.until(lambda: "16 pieces" in studio.text(".said"))
+        assert studio.verdict() == "It can be made"
+        studio.type("#field-gap", "20")
         studio.until(lambda: studio.verdict() == "It cannot be made")
         assert "does not reach through the second plate" in studio.text(".verdict")
-        studio.choose("#field-ends", "0")
+        studio.type("#field-gap", "")
+        studio.until(lambda: studio.verdict() == "It can be made, with care")
+        assert "14 pieces" in studio.text(".said")
         studio.type("#field-ends-length", "40")
+        studio.type("#field-gap", "12")
         studio.until(lambda: studio.verdict() == "It can be made")
-        assert "12 pieces" in studio.text(".said")
 
 
 @pytest.mark.campaign
