@@ -247,7 +247,7 @@ class Studio {
   async model() {
     const design = this.design;
     if (!this.whole.checked || !(design.strips?.length || design.revolution)) {
-      if (this.answer?.position) this.inSpace(this.answer);
+      this.alone();
       this.assembly = null;
       if (this.answer || design.revolution) this.judge();
       return;
@@ -259,10 +259,12 @@ class Studio {
     if (!this.whole.checked) return;
     this.assembly = answer;
     if (this.answer || design.revolution) this.judge();
-    if (answer.refused) return;
+    if (answer.refused) return this.alone();
     this.space.showModel(answer);
     this.tell([answer.text, ...answer.notes].join(" · "));
   }
+
+  alone() { if (this.answer?.position) this.space.showAll(this.answer.states ?? [this.answer]); }
 
   // ---- what is answered
 
@@ -276,7 +278,7 @@ class Studio {
     this.tabulate(!answer || answer.refused ? [] : this.rows(answer));
     if (answer?.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
-      if (this.answer?.position && !this.whole.checked) this.inSpace(this.answer);
+      if (!this.whole.checked) this.alone();
     }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
   }
 
@@ -295,8 +297,6 @@ class Studio {
     }
     this.verdict.said = said;
   }
-
-  inSpace(answer) { this.space.showAll(answer.states ?? [answer]); }
 
   // Only the values that change are written anew.
   tabulate(rows) {
