@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import rounded_up
 from elastica_cad.geometry.running_sums import lengths_along
-from elastica_cad.refusals import Length, Point, note
+from elastica_cad.refusals import Length, Point, Refusal, note
 
 ORDERS = range(2, 8)
 """Of the divided differences that tell noise from shape."""
@@ -68,7 +68,7 @@ class MeasuredPoints:
         return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.waver, 2)
 
     @property
-    def stray(self) -> tuple[str, ...]:
+    def stray(self) -> tuple[Refusal, ...]:
         """A sentence about the one point that stands out, as a mistyped one does; none where none stands out.
 
         It is the one without which no points are far off the cubics through their neighbours. The first and last

@@ -13,7 +13,7 @@ from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.refusals import Length, Listed, note, sentences
+from elastica_cad.refusals import Length, Listed, Refusal, note, sentences
 
 
 @dataclass(frozen=True)
@@ -307,7 +307,7 @@ def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
     return None if curve.provenance is None else curve.provenance.measured
 
 
-def stray_point(curve: PlaneCurve) -> tuple[str, ...]:
+def stray_point(curve: PlaneCurve) -> tuple[Refusal, ...]:
     """The sentence about the measured point that stands out; none where none does."""
     points = measured_points(curve)
     return () if points is None else points.stray
