@@ -42,7 +42,8 @@ def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     assert fault.part == "A1"
     assert "only 0.513 mm wide at" in fault.what
     assert "3 mm are needed in birch-plywood-0.8" in fault.what
-    assert "max_width" in fault.cure
+    assert "max_width = 120 mm or more" in fault.cure
+    assert find_strip_faults(strip((40, 1, 40), max_width=120.0)) == ()
 
 
 def test_the_neck_lies_where_the_width_is_least():
