@@ -390,7 +390,7 @@ def travel(moved: Travel) -> Figure:
         above.plot(*rod.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
     above.set_aspect("equal", adjustable="datalim")
     snapping = "" if moved.stable.all() else "; red: unstable, it snaps away"
-    above.set_title(f"{steps} shapes, the last one darkest{snapping}", fontsize=9, color=INK, y=1.0)
+    _entitle(above, f"{steps} shapes, the last one darkest{snapping}")
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
     below.plot(moved.travel, moved.force_along, color=FORCE, marker=".")
@@ -414,14 +414,11 @@ def travel(moved: Travel) -> Figure:
     if below.get_legend_handles_labels()[0]:
         _paint_legend(below)
     worst = int(np.argmin(moved.safety))
-    below.set_title(
+    told = (
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.travel[worst]:.4g} mm of travel, "
-        f"safety {moved.safety[worst]:.2g}",
-        fontsize=9,
-        color=INK,
-        y=1.0,
-        pad=22,
+        f"safety {moved.safety[worst]:.2g}"
     )
+    _entitle(below, told, pad=22 if below.get_legend() else 6)
     return figure
 
 

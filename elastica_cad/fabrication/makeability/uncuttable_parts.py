@@ -383,19 +383,20 @@ def _thin_strip(
 def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> tuple[str, tuple[Change, ...]]:
     """What helps a strip that must be so many times as wide to have no neck below `least` mm."""
     wider = _wider(strip, times)
-    if wider and find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
-        wider = ()  # the tip of a bulge grows thinner
-    cures = [
-        note(
+    if not wider:
+        cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
+    elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
+        wider, cure = (
+            (),
+            note("ask for the nearest curve with a smaller ratio"),
+        )  # tips of bulges grow thinner
+    else:
+        cure = note(
             "make it wider (max_width = {width:g} or more), or ask for the nearest curve with a smaller ratio",
             width=Length(wider[0].value),
         )
-        if wider
-        else note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
-    ]
-    if wavers:
-        cures.append(note("smoothing its points more helps too (smooth, --smooth)"))
-    return sentences(cures), (*wider, Change("nearest", True))
+    more = [note("smoothing its points more helps too (smooth, --smooth)")] if wavers else []
+    return sentences([cure, *more]), (*wider, Change("nearest", True))
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
