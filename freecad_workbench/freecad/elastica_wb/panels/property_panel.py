@@ -17,6 +17,7 @@ from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import report_error, worded
+from freecad.elastica_wb.panels.labels import LABELS
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import (
     field_for,
@@ -40,8 +41,8 @@ class Layout:
     Attributes
     ----------
     title, icon_name, step : str
-    groups : tuple of (title, rows)
-        A row is the name of a property and its label.
+    groups : mapping
+        From the title of a group to the properties in it.
     table : tuple of Property
         Says what the properties mean.
     applies : mapping
@@ -59,7 +60,7 @@ class Layout:
     title: str
     icon_name: str
     step: str
-    groups: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    groups: Mapping[str, tuple[str, ...]]
     table: tuple[Property, ...]
     applies: Mapping[str, Callable[[Any], bool]] = field(default_factory=dict)
     source: str = ""
@@ -122,12 +123,13 @@ class PropertyPanel(Panel):
             button.clicked.connect(lambda *_, work=work: self._replace(work))
             outer.addWidget(button)
         helps = {entry.name: entry.translated_help for entry in self.layout.table}
-        for title, rows in self.layout.groups:
+        for title, names in self.layout.groups.items():
             box = QtWidgets.QGroupBox(translate("Elastica", title))
             grid = QtWidgets.QFormLayout(box)
             grid.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-            for name, words in rows:
-                widget, label = field_for(self.object, name), QtWidgets.QLabel(translate("Elastica", words))
+            for name in names:
+                label = QtWidgets.QLabel(translate("Elastica", LABELS[name]))
+                widget = field_for(self.object, name)
                 for part in (widget, label):
                     part.setToolTip(helps[name])
                 grid.addRow(label, widget)
