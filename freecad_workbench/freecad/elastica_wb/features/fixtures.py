@@ -11,7 +11,7 @@ import Part
 from freecad.elastica_wb.curves.copies import not_repeated
 from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import strips_model
-from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
+from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
@@ -29,9 +29,6 @@ from elastica_cad.fabrication.model.strip_model import Model
 SIZES = {one.name.title().replace("_", ""): one for one in declared(EndFixture)}
 """What blocks are asked for, by its properties."""
 
-PLAYS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
-"""How much room tabs have in what holds them."""
-
 
 class FixturesFeature(Feature):
     """The printed blocks for all tabs, as one compound."""
@@ -39,7 +36,7 @@ class FixturesFeature(Feature):
     properties = (
         Property("LinkListGlobal", "Sources", "Fixtures", "A model, or strips, whose ends are held"),
         *(declared_property(field, "Fixtures", name) for name, field in SIZES.items()),
-        PLAYS,
+        REPORTS,
         CONTAINERS,
     )
 

@@ -14,11 +14,11 @@ import numpy as np
 import Part
 from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
-from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
+from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import begun, in_background
-from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
+from freecad.elastica_wb.host.property_table import Property, declared_property, put, result, values_of
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import report_warning, worded
@@ -60,15 +60,12 @@ class ModelFeature(Feature):
             "Later strips are pushed on from here; zero leaves it open",
             App.Vector(),
         ),
-        Property("Integer", "Joints", "Result", "How many slots fit into each other", 0, result=True),
-        Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
-        Property(
+        result("Integer", "Joints", "How many slots fit into each other"),
+        REPORTS,
+        result(
             "StringList",
             "Overlaps",
-            "Result",
             "Strips that run into each other where no slot lets them, found a moment after the rest",
-            [],
-            result=True,
         ),
         CONTAINERS,
     )

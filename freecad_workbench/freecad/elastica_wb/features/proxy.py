@@ -16,6 +16,7 @@ from freecad.elastica_wb.host.property_table import (
     is_misread,
     put,
     require_choices,
+    result,
 )
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
@@ -39,20 +40,14 @@ CONTAINERS = Property(
 """Containers that move the curve and not the feature: it is made anew where they move."""
 
 HIDDEN_BY_ERROR = Property(
-    "Bool", "HiddenByError", "Result", "Hidden until it can be made again", False, hidden=True
+    "Bool", "HiddenByError", "Result", "Hidden until it can be made again", hidden=True
 )
 """What fails keeps its last good shape, and so does all that is made from it: FreeCAD recomputes none of that."""
 
-SHOWN_BY_ERROR = Property(
-    "Bool",
-    "ShownByError",
-    "Result",
-    "Shown until its model can be made again",
-    False,
-    result=True,
-    hidden=True,
-)
+SHOWN_BY_ERROR = result("Bool", "ShownByError", "Shown until its model can be made again", hidden=True)
 """The strips of a model are shown while the model cannot be made, so that something with an error is in sight."""
+
+REPORTS = result("StringList", "Reports", "What was found on the way")
 
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
