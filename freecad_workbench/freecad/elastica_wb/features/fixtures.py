@@ -17,7 +17,7 @@ from freecad.elastica_wb.host.property_table import Property, declared_property,
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
-from freecad.elastica_wb.solving.strip_cache import growing_cache
+from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
@@ -68,7 +68,7 @@ def blocks_for(source: Any) -> list[EndFixture]:
     return [block for block in every if block.tab.key in own]
 
 
-@growing_cache
+@remembered
 def block_shape(block: EndFixture) -> Part.Shape:
     """The block in its place: a small cut, for the pocket, in what it has in common with others of its number.
 
@@ -78,7 +78,7 @@ def block_shape(block: EndFixture) -> Part.Shape:
     return _unpocketed(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
 
 
-@growing_cache
+@remembered
 def _unpocketed(block: EndFixture) -> Part.Shape:
     solid = block.solid
     return make_solid(replace(solid, removed=solid.removed[1:]))
