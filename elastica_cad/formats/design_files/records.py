@@ -165,10 +165,6 @@ class Reader:
     read_curves: CurveReader | None = None
     sheet: Sheet | None = None
 
-    def of_sheet(self, sheet: Sheet) -> "Reader":
-        """Return the same reader for a strip of that sheet."""
-        return replace(self, sheet=sheet)
-
     def record(self, record: Record, table: Table) -> Any:
         """Make the record that a table describes; where the record is a `BY_KIND` one the key `kind` selects it.
 

@@ -278,10 +278,6 @@ class NurbsCurve:
         """Positions and their derivatives d/dt up to `order`, (n, 2) each, at parameters (n,), at one go."""
         return self._pieces.at(t, order)
 
-    def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions and their derivatives d/dt, (n, 2) each, at parameters (n,), in one evaluation."""
-        return self._pieces.position_and_velocity(t)
-
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
 
