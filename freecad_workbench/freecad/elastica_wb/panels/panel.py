@@ -150,14 +150,9 @@ class Panel:
             self._timer.stop()
             self._safely_changed()
 
-    @staticmethod
-    def is_there(subject: Any) -> bool:
-        """Is an object still in its document?"""
-        return lives(subject)
-
     def _all_there(self) -> None:
         """Raises where the user deleted what the panel works on."""
-        if not all(map(self.is_there, self.subjects)):
+        if not all(map(lives, self.subjects)):
             raise InputError(translate("Elastica", "what this panel works on was deleted: press Cancel"))
 
     def _safely_changed(self) -> None:

@@ -12,6 +12,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.sketch_curves import is_edge, is_sketch, linked, picked
 from freecad.elastica_wb.features.strip import could_follow_another
+from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
@@ -265,7 +266,7 @@ class PropertyPanel(Panel):
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
     def _lives(self) -> bool:
-        return all(self.is_there(subject) for subject in self.subjects)
+        return all(map(lives, self.subjects))
 
     def _use_nearest(self, *_: Any) -> None:
         for obj in self.objects:
