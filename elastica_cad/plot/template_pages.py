@@ -219,7 +219,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: f
             for dx, dy in ((CROSS_MM, 0.0), (0.0, CROSS_MM)):
                 axes.plot([x - dx, x + dx], [y - dy, y + dy], color=INK, linewidth=0.4)
     height = 3.0 * POINTS_PER_MM
-    axes.text(low[0], low[1] - 0.7 * MARGIN_MM, title, fontsize=height, color=INK)
+    axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
     if k == 0:
         x, y = high[0] - RULER_MM, low[1] - 0.5 * MARGIN_MM
         axes.plot([x, x + RULER_MM], [y, y], color=INK, linewidth=0.8)

@@ -188,4 +188,4 @@ def holding_template(strip: Strip) -> Drawing:
         Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)
         for row, line in enumerate(told)
     ]
-    return Drawing(f"{strip.label or 'strip'} holding template", tuple(paths), tuple(texts))
+    return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))

@@ -1,6 +1,6 @@
 """Straight first and last pieces of a drawn curve are the strip's tabs, with the circles drawn on them as holes."""
 
-import re
+import subprocess
 
 import ezdxf
 import numpy as np
@@ -122,4 +122,16 @@ def test_parts_that_fit_share_a_page(tmp_path):
     placed = [ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1)) for strip in strips]
     kit = kit_of(ec.Model(placed, name="class"), KitSpec(pages="A4"))
     write_kit(kit, tmp_path, step=False, pictures=False, parts=False)
-    assert len(re.findall(rb"/Type /Page\b", (tmp_path / "class-pages.pdf").read_bytes())) == 1
+    strips, templates = "A20 (and 2 more)", "A20 template (and 1 more)"
+    last = "A28 template"
+    assert titles(tmp_path / "class-pages.pdf") == [strips, templates, last], "for card and for paper"
+    base = HolderSpec("base", ec.Sheet.named("mdf-3"))
+    held = kit_of(ec.Model(placed, name="held"), KitSpec(pages="A4", holders=(base,)))
+    write_kit(held, tmp_path, step=False, pictures=False, parts=False)
+    assert not any("template" in title for title in titles(tmp_path / "held-pages.pdf"))
+
+
+def titles(pdf):
+    """What each page of a PDF is called, as Poppler reads it."""
+    told = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True).stdout
+    return [page.partition(" page ")[0] for page in told.split("\f") if page]
