@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.lifetime import is_ours, lives
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.live.sketches import (
     AGAIN_MS,
     edited_sketch,
@@ -37,9 +37,7 @@ class LaterResults:
         self._waiting: dict[tuple[str, str], Any] = {}
         self._sought: dict[tuple[str, str], Future[tuple[str, ...]]] = {}
         self._nests: dict[str, list[Any]] = {}
-        self._timer = QtCore.QTimer()
-        self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._next)
+        self._timer = later(self._next)
 
     def slotRecomputedObject(self, obj: Any) -> None:
         """Queue a strip or a model; work begins after the last object is recomputed."""

@@ -14,7 +14,7 @@ from freecad.elastica_wb.curves.sketch_curves import is_edge, is_sketch, linked,
 from freecad.elastica_wb.features.strip import could_follow_another
 from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.property_table import Property
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import report_error, worded
@@ -91,10 +91,7 @@ class PropertyPanel(Panel):
         super().__init__(obj.Document, self.objects)
         for name, widget in self.fields.items():
             on_change(widget, lambda *_, name=name: self._touch(name))
-        self._refresh = QtCore.QTimer(self.form)
-        self._refresh.setSingleShot(True)
-        self._refresh.setInterval(0)
-        self._refresh.timeout.connect(self._show)
+        self._refresh = later(self._show, parent=self.form)
         App.addDocumentObserver(self)
         self._show()
 
