@@ -37,7 +37,6 @@ from elastica_cad.errors import (
     StrainError,
     rounded_up,
 )
-from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.holders.holding_template import tell_ends
 from elastica_cad.fabrication.holding.held_shape import about
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
@@ -47,7 +46,7 @@ from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.strip_table import PLANE
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.design_files.toml_text import seen_from, toml_text
-from elastica_cad.formats.file_access.write_files import write_text, write_together
+from elastica_cad.formats.file_access.write_files import check_folder, write_text, write_together
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.kit_files import left_out
@@ -120,11 +119,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         how="--curve 1 .. --curve {count} or --curve ID, or all with --all",
     )
     if chosen["save_design"] is not None:
-        wrote([_save_design(chosen["save_design"], curves, table, force=chosen["force"])])
-    reports, wrong, refused, strict = [], 0, 0, table.get("files", {}).get("strict", False)
+        check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
+    reports, made, wrong, refused = [], list[AskedCurve](), 0, 0
+    strict = table.get("files", {}).get("strict", False)
     for asked in curves:
         try:
-            spec = spec_from_options(asked.curve, asked.name, table)
+            spec = spec_from_options(asked.curve, asked.label, table)
             if len(curves) == 1:
                 suggest_later(partial(_suggestion, spec, asked, chosen))
             kit = _made(asked, spec, files)
@@ -132,6 +132,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
             _tell(kit, written, several=len(curves) > 1)
             reports.append(kit.report)
+            made.append(asked)
             wrong += strict and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
             if len(curves) == 1 and not chosen["every"]:
@@ -140,11 +141,14 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             called, said = asked.drawn.called, str(problem)
             warn(said if called in said else f"{called}: {said}", told=refused <= MOST_REFUSALS)
     answer({"strips": reports})
+    if chosen["save_design"] is not None and made:
+        wrote([_save_design(chosen["save_design"], made, table, force=chosen["force"])])
     for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
         say(missing)
     if wrong:
         if len(curves) > 1:
-            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}")
+            less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""
+            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}{less}")
         ctx.exit(1)
 
 
@@ -155,7 +159,7 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
     }
     own = {key: one for key, one in table.items() if key in ("slots", *PLANE)}
     strips = [
-        {"label": table.get("label", engravable(asked.name)), "curve": _curve_keys(asked, path.parent), **own}
+        {"label": table.get("label", asked.label), "curve": _curve_keys(asked, path.parent), **own}
         for asked in curves
     ]
     with write_together(path.parent, [path.name], force=force) as folder:
@@ -166,8 +170,8 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
 def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
     """The curve as a design file in that folder names it."""
     unit = {"unit": asked.unit} if asked.unit else {}
-    number = {"number": asked.drawn.number} if asked.count > 1 else {}
-    return {"file": seen_from(asked.path, folder), **number, **unit}
+    which: dict[str, Any] = {"id": asked.own} if asked.own else {"number": asked.drawn.number}
+    return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
 
 
 def _made(asked: AskedCurve, spec: StripSpec, files: StripFiles) -> StripKit:
@@ -260,9 +264,14 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
     if made.backing_side:
         say(made.backing_side)
     if near is not None:
+        from elastica_cad.forming.limits import FAR_SHARE
         from elastica_cad.forming.nearest.nearest_record import advise
 
-        say(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
+        moved = f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}"
+        if near.deviation > FAR_SHARE * rod.length:
+            warn(f"Warning: {whose}{moved}")
+        else:
+            say(moved)
         for advice in islice(advise(near), MOST_ADVICE):
             say(advice)
     if not verdict.stable:
