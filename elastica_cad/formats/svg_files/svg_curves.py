@@ -15,18 +15,9 @@ from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, check_count
+from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
-from elastica_cad.formats.svg_files.svg_tree import (
-    CLONE,
-    LENGTH,
-    MARK,
-    MM,
-    SvgTree,
-    open_svg,
-    svg_tree,
-    view_box,
-)
+from elastica_cad.formats.svg_files.svg_tree import CLONE, LENGTH, MARK, MM, SvgTree, open_svg, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import Length
 
@@ -116,8 +107,10 @@ def _program(file: Path, root: ElementTree.Element) -> tuple[str, float]:
 def _scale(root: ElementTree.Element) -> FloatArray:
     """Millimetres in one user unit along x and y, from width, height and viewBox."""
     size = [_absolute(root.get(side)) for side in ("width", "height")]
-    box = view_box(root)
-    known = [length / extent for length, extent in zip(size, box[2:], strict=True) if length] if box else []
+    box = [float(v) for v in re.findall(NUMBER, root.get("viewBox", ""))]
+    if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
+        return np.full(2, _PX)
+    known = [length / extent for length, extent in zip(size, box[2:], strict=True) if length]
     if not known:
         return np.full(2, _PX)
     aspect = root.get("preserveAspectRatio", "")

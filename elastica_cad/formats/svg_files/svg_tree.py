@@ -54,7 +54,7 @@ Fit = tuple[float, float, float, float]  # scales, then where the origin goes
 
 def _fit_views(root: ElementTree.Element) -> None:
     """Write percentages as user units and nested drawings as groups; fit symbols into the boxes of clones."""
-    box = view_box(root)
+    box = _box(root)
     extent = box[2:] if box else (_size(root.get("width"), 100.0), _size(root.get("height"), 100.0))
     held: dict[str, ElementTree.Element] = {}
     fits: dict[ElementTree.Element, Fit] = {}
@@ -62,7 +62,7 @@ def _fit_views(root: ElementTree.Element) -> None:
     stack: list[tuple[ElementTree.Element, Extent]] = [(child, extent) for child in reversed(root)]
     while stack:
         element, around = stack.pop()
-        kind, box = tag(element), view_box(element)
+        kind, box = tag(element), _box(element)
         _resolve(element, around)
         if kind == "use":
             clones.append((element, around))
@@ -105,7 +105,7 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
     """How `view` stands in the box of `shown`, itself or a clone of it."""
-    box, sides = view_box(view), _sides(shown, view, around)
+    box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:
         return 1.0, 1.0, at[0], at[1]
@@ -144,8 +144,8 @@ def _place(element: ElementTree.Element, fit: Fit) -> None:
         element.attrib.pop(name, None)
 
 
-def view_box(element: ElementTree.Element) -> tuple[float, float, float, float] | None:
-    """Return the numbers of a viewBox that has a size."""
+def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | None:
+    """The numbers of a viewBox that has a size."""
     box = tuple(float(v) for v in re.findall(NUMBER, element.get("viewBox", "")))
     if len(box) != 4 or not (0 < box[2] < 1e15 and 0 < box[3] < 1e15):
         return None
