@@ -190,7 +190,8 @@ def _report(
     outcome = _smoothed(asked, supports, natural_curvature, found)
     told = report_check(found)
     told["advice"] = " ".join([*outcome, told["advice"]])
-    told["notes"] = [*outcome, *([ends.told] if ends else []), *smoothing.notes]
+    of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the verdict tells of
+    told["notes"] = [*outcome, *([ends.told] if ends else []), *of_curve]
     if found.realizable and alone:
         told |= _told_sheets(smoothing.curve, supports, natural_curvature)
     return told

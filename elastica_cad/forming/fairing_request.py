@@ -81,9 +81,23 @@ class Smoothing:
         return float(np.abs(drawn - smooth).max() / np.abs(smooth).max())
 
     @property
+    def noise(self) -> tuple[str, ...]:
+        """A sentence where points waver so much that it shows in the widths, and they were not smoothed."""
+        points = measured_points(self.drawn)
+        if points is None or points.stray or self.fairing is not None:
+            return ()
+        change = self.change_by_noise
+        if change <= SEEN_SHARE:
+            return ()
+        return (note(
+            "The curvature, and the widths with it, change by {percent:.0f} % when noise is taken out: {points}.",
+            percent=100 * change, points=points.told, severity="warning",
+        ),)  # fmt: skip
+
+    @property
     def notes(self) -> tuple[str, ...]:
-        """Sentences about what was moved."""
-        found = [*stray_point(self.drawn)]
+        """Sentences about what was moved, and about noise that was not."""
+        found: list[str] = [*stray_point(self.drawn)]
         if self.healed > SEEN:
             found.append(note(
                 "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
@@ -95,12 +109,7 @@ class Smoothing:
                 "The points waver by about {waver}: smoothed, {far} from them at most.",
                 waver=points.shown, far=Length(self.moved), severity="warning",
             ))  # fmt: skip
-        if points is not None and not points.stray and (change := self.change_by_noise) > SEEN_SHARE:
-            found.append(note(
-                "The curvature, and the widths with it, change by {percent:.0f} % when noise is taken out: "
-                "{points}.",
-                percent=100 * change, points=points.told, severity="warning",
-            ))  # fmt: skip
+        found += self.noise
         drawn = self.drawn.provenance
         if self.fairing is not None and drawn is not None and drawn.drawn == "poles":
             found.append(note(
