@@ -223,7 +223,7 @@ def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
-        table = LaminateCurl.about(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
+        table = LaminateCurl.of(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
         return Curl(table(rod.curvature), table)
     nu = layout.sheet.poisson_ratio
     if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
@@ -250,9 +250,7 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     factor: BendFactor
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
-        factor = LaminateCurl.everywhere(
-            rod.curvature, layout.width(s), layout.backing.width(s), section, rest
-        )
+        factor = LaminateCurl.of(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
     elif layout.section is None and layout.sheet.poisson_known and layout.sheet.poisson_ratio > 0:
         factor = SheetCurl(_breadth(layout, s), layout.sheet.thickness, layout.sheet.poisson_ratio, rest)
     else:
