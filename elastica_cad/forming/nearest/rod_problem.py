@@ -186,27 +186,25 @@ class Search(NamedTuple):
         )
 
 
-def pose_problem(
-    task: NearestTask, measure: Measure, *, weight: float = 1.0, with_margin: bool = True
-) -> RodProblem:
-    """The problem with a share `weight` of gravity."""
-    grid = _grid(task, weight)
+def pose_problem(task: NearestTask, measure: Measure) -> RodProblem:
+    """The request as a nonlinear program."""
+    grid = _grid(task)
     lower, upper = _box(task, grid)
     return RodProblem(
         lower, upper, _scale(task, grid), grid=grid, distance=task.distance(measure),
-        constraints=tuple(_constraints(task, with_margin)),
+        constraints=tuple(_constraints(task)),
     )  # fmt: skip
 
 
-def _grid(task: NearestTask, weight: float = 1.0) -> StripGrid:
-    """The nodes, with a share `weight` of gravity."""
+def _grid(task: NearestTask) -> StripGrid:
+    """The nodes, with the weight that they carry."""
     basis = task.basis.at_nodes(task.nodes)
     rest = task.rest
     if task.gravity is None:
         return StripGrid(basis, np.zeros(2), rest, supports=task.supports)
     if task.section is None:
-        return StripGrid(basis, task.gravity.e * task.target.size**3 * weight, rest, supports=task.supports)
-    up = -weight * np.asarray(task.gravity.direction)
+        return StripGrid(basis, task.gravity.e * task.target.size**3, rest, supports=task.supports)
+    up = -np.asarray(task.gravity.direction)
     carried = partial(task.section.weight, size=task.target.size)
     return StripGrid(basis, up, rest, supports=task.supports, weight=carried)
 
@@ -286,7 +284,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
+def _constraints(task: NearestTask) -> list[Constraint]:
     target, limits, keep = task.target, task.limits, task.keep
     end = task.supports.ends[1]
     found: list[Constraint] = []
@@ -329,7 +327,7 @@ def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
     ]
     if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
         found.append(LeastStiffness())
-    if with_margin and limits.margin is not None:
+    if limits.margin is not None:
         found += _margin_limits(task, limits.margin)
     return found
 

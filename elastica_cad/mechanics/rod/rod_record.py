@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, numbers, require_number, require_positive
+from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import SURVEY_POINTS, PlaneCurve
 from elastica_cad.geometry.curves.unit_speed import DEGREE, integrate_tangents
@@ -523,9 +523,7 @@ class Rod:
             whole_number(samples, "samples", 3)
         if bending_stiffness is not None:
             require_positive(bending_stiffness, "bending stiffness", "N mm2")
-        place = numbers(start, "start")
-        if place.shape != (2,):
-            raise InputError("start must be two numbers, mm, got {start!r}", start=start)
+        place = pair(start, "start")
         require_positive(length, "rod length")
         require_number(angle, "the angle of a rod", "rad")
         profile, n = _stiffness_profile_of(stiffness, length, samples)
