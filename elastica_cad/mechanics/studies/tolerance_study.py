@@ -232,23 +232,13 @@ class ToleranceRanges:
     wave_phase: Range = (0.0, float(np.pi))
 
     def __post_init__(self) -> None:
-        for name in (
-            "stiffness_range",
-            "youngs_modulus",
-            "density",
-            "thickness",
-            "angle",
-            "yield_curvature",
-            "width_loss",
-            "thickness_wave",
-            "wave_phase",
-        ):
-            pair = numbers(getattr(self, name), f"the range of {name}")
+        for name, given in vars(self).items():
+            pair = numbers(given, f"the range of {name}")
             if pair.shape != (2,):
                 raise InputError(
                     "range of {name} is {given!r}: give the lowest and the highest",
                     name=name,
-                    given=getattr(self, name),
+                    given=given,
                 )
             low, high = pair.tolist()
             if not low <= high:
