@@ -253,6 +253,7 @@ class CurlingLaw(MaterialLaw):
 
 
 EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
+TURN_POWER = 8  # of the turns beside the ends, which then reach over an eighth of the length
 NEWTON_STEPS = 5  # to rounding: the angles are nearly right
 TANGENT_RAD = 1e-8  # how closely the spline follows the tangent: over the length, far below a micrometre
 
@@ -268,8 +269,8 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
     The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve in their middles. A curve of
     the polygon's own length passes the nodes at h^2 |kappa| / 24 on their inner side: this one integrates a quintic
-    spline through the edge angles. That is h^2 |kappa'| / 8 off the held angles: four smooth turns are added that
-    meet them and the end position.
+    spline through the edge angles. That is h^2 |kappa'| / 8 off the held angles: the least smooth turns are added
+    that meet them and the end position.
 
     Parameters
     ----------
@@ -325,8 +326,10 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
 
 def _turns(x: FloatArray) -> FloatArray:
-    """Smooth changes (n, 4) of an angle at x (n,) in 0..1: beside the start, beside the end, and two between."""
-    return np.column_stack([(1 - x) ** 20, x**20, x * (1 - x), x * (1 - x) * (1 - 2 * x)])
+    """Smooth changes (n, 10) of an angle at x (n,) in 0..1: beside start and end, of mean 0, and waves between."""
+    y, m = 1 - x, TURN_POWER
+    beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
+    return np.concatenate([beside, np.sin(np.pi * x[:, None] * np.arange(1, 9))], axis=1)
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
