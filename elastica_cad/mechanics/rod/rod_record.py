@@ -326,10 +326,11 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
 
 def _turns(x: FloatArray) -> FloatArray:
-    """Smooth changes (n, 10) of an angle at x (n,) in 0..1: beside start and end, of mean 0, and waves between."""
+    """Smooth changes (n, 18) of an angle at x (n,) in 0..1: beside start and end, of mean 0, and waves between."""
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
-    return np.concatenate([beside, np.sin(np.pi * x[:, None] * np.arange(1, 9))], axis=1)
+    k = np.arange(1, 17)
+    return np.concatenate([beside, np.sqrt(k) * np.sin(np.pi * x[:, None] * k)], axis=1)
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
