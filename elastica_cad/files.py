@@ -15,6 +15,7 @@ from elastica_cad.formats.file_access.source_file import name_source, require_fi
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.drawings.drawing import Drawing
+    from elastica_cad.fabrication.strip.strip_record import Strip
     from elastica_cad.forming.plane_sections.section_spec import Surface
 
 KERNEL_SUFFIXES = (".step", ".stp", ".brep")
@@ -170,23 +171,28 @@ def step_trouble() -> str:
     return kernel_trouble()
 
 
-def _no_kernel(path: Path) -> MissingDependencyError:
+def _no_kernel(path: Path, doing: str = "reading") -> MissingDependencyError:
     return MissingDependencyError(
-        "reading {name} needs a CAD kernel: {how_to_install}",
+        "{doing} {name} needs a CAD kernel: {how_to_install}",
+        doing=doing,
         name=path.name,
         how_to_install=how_to_install("build123d"),
     )
 
 
-def save(drawing: "Drawing", path: str | Path, **options: Any) -> Path:
-    """Write a drawing for cutting; the suffix of `path`, .dxf or .svg, is the format.
+def save(made: "Drawing | Strip", path: str | Path, **options: Any) -> Path:
+    """Write a drawing for cutting, or a strip: the suffix of `path` is the format.
 
-    The options are those of `formats.write_drawing`: kerf, curves, tolerance, version, layers, force.
+    A drawing becomes .dxf or .svg; a strip that too, or .step with the flat and the bent strip as bodies. The
+    options are those of `formats.write_drawing`: kerf, curves, tolerance, version, layers, force; STEP has force
+    alone.
 
     Raises
     ------
     InputError
         As `formats.write_drawing`; no file is half written, none overwritten without `force=True`.
+    MissingDependencyError
+        STEP without build123d or CadQuery.
 
     Examples
     --------
@@ -198,7 +204,22 @@ def save(drawing: "Drawing", path: str | Path, **options: Any) -> Path:
     ...     save(card, Path(folder, "card.svg"), kerf=0.15).name
     'card.svg'
     """
+    from elastica_cad.fabrication.strip.strip_record import Strip
     from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 
+    if isinstance(made, Strip):
+        if Path(path).suffix.lower() in (".step", ".stp"):
+            return _save_step(made, Path(path), options)
+        made = made.drawing()
     refuse_options_unlike(options, write_drawing, "a drawing's file")
-    return write_drawing(drawing, path, **options)
+    return write_drawing(made, path, **options)
+
+
+def _save_step(strip: "Strip", path: Path, options: dict[str, Any]) -> Path:
+    try:
+        from elastica_cad.kernel.step_files import write_strip_step
+    except ImportError as error:
+        raise _no_kernel(path, "writing") from error
+    refuse_options_unlike(options, write_strip_step, "a STEP file")
+    write_strip_step(strip, path, **options)
+    return path

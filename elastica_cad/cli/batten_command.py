@@ -67,7 +67,8 @@ def batten(**chosen: Any) -> None:
     The ends turn freely and are pressed together until the camber is as deep as asked. Writes NAME.csv (sizes in mm
     and inch, strain, safety), NAME.svg and NAME.dxf (the side view at full size), NAME.json, NAME.pdf (the same on
     paper, in tiles; needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery). With --leaves the
-    drawings and bodies are those of the leaves, and NAME.csv is their cut list.
+    drawings and bodies are those of the leaves, and NAME.csv is their cut list. A batten for a curve of your own is
+    a strip: elastica strip sheer.csv --set 'law = {kind = "thickness", limits = [4, 18], width = 30}'.
 
     \b
       elastica batten --sheet pom-1 --length 2400 --camber 10 --at 40 --stock 25 8 --least 3 -o out
@@ -144,10 +145,10 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
 
 
 def _tell_files(written: list[Path]) -> None:
-    """What was written, after what could not be."""
+    """What was written, and what could not be."""
+    wrote(written)
     for missing in left_out(pictures=False, paper=True):
         say(missing)
-    wrote(written)
 
 
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:

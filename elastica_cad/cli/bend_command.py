@@ -163,7 +163,7 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
     table = with_settings(table, settings)
     (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     drawn = asked.curve if "limits" in table else asked.bendable(table.get("smooth"))
-    spec = spec_from_options(drawn, asked.name, table)
+    spec = spec_from_options(drawn, asked.label, table)
     return spec.make(_solved(spec.rod_spec))
 
 
@@ -271,13 +271,8 @@ def _tell_forces(moved: Travel) -> None:
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
         warn(f"Warning: at {moved.travel[k]:.4g} mm of travel, {moved.sideways[k]}")
-    if moved.snaps_at is not None:
-        warn(f"Warning: at {moved.snaps_at:.4g} mm of travel it snaps out of its shape")
-    if moved.strained_at is not None:
-        warn(
-            f"Warning: from {moved.strained_at:.4g} mm of travel on it is strained beyond what the sheet bears "
-            f"(safety {moved.safety.min():.2g}): take a thinner sheet, a longer strip or less travel"
-        )
+    for warning in moved.warnings:
+        warn(f"Warning: {warning}")
 
 
 def _write_files(

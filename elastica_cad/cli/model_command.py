@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from elastica_cad._counts import counted
+from elastica_cad._counts import and_more, counted
 from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.asking.settings import parsed_settings, set_option
 from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
@@ -148,8 +148,6 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         warn(f"Note: {text}")
     if len(said) > most:
         warn(f"Note: {len(said) - most} more in {kit.model.name}.json, or with -v")
-    for text in left_out(step=step, pictures=pictures):
-        say(text)
     if old := left_behind(kit, output):
         several = f"{len(old)} files that are" if old[1:] else "a file that is"
         warn(
@@ -157,6 +155,8 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
             "left by an earlier run: delete them before you cut, or choose an empty folder"
         )
     say(f"wrote {len(kit.files)} files to {output}")
+    for text in left_out(step=step, pictures=pictures, paper=bool(kit.spec.pages)):
+        say(text)
 
 
 def _warnings(kit: Kit) -> list[Refusal]:
@@ -168,7 +168,4 @@ def _warnings(kit: Kit) -> list[Refusal]:
                 continue
             told = said if isinstance(said, Refusal) else note(said, severity="warning")
             warned.setdefault(told.text, []).append(told.at(strip=part.name))
-    return [
-        same[0] if len(same) == 1 else same[0].at(strip=f"{same[0].where['strip']} (in {len(same)} strips)")
-        for same in warned.values()
-    ]
+    return [same[0].at(strip=f"{same[0].where['strip']}{and_more(same)}") for same in warned.values()]

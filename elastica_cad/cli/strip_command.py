@@ -28,30 +28,28 @@ from elastica_cad.cli.running.suggestions import (
     suggest_later,
     typed_line,
 )
-from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
+from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn, wrote
 from elastica_cad.declared import kind_of
 from elastica_cad.errors import (
     Change,
     ElasticaError,
     NotConvergedError,
     StrainError,
-    how_to_install,
     rounded_up,
 )
-from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.holders.holding_template import tell_ends
 from elastica_cad.fabrication.holding.held_shape import about
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.strip_table import PLANE
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.design_files.toml_text import seen_from, toml_text
-from elastica_cad.formats.file_access.write_files import write_text, write_together
+from elastica_cad.formats.file_access.write_files import check_folder, write_text, write_together
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
+from elastica_cad.kit.kit_files import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 from elastica_cad.refusals import is_told
@@ -103,7 +101,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     NAME-backing.dxf and .svg are what is glued on a laminate.
 
     The curve is taken exactly as drawn, or refused; only a pen curve whose curvature jumps from piece to piece is
-    made fair within 0.1 mm or so, which is told (--set smooth=0 leaves it alone). With --nearest, --ratio,
+    made fair within 0.1 mm or so, which is told (--smooth 0 leaves it alone). With --nearest, --ratio,
     --stable, --margin, --keep-strain or another limit the strip may leave it, as little as it must.
 
     All other keys of a design file are given by --set KEY=VALUE, as --set limits.curvature=0.02; `elastica help`
@@ -118,20 +116,23 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         which.get("layer"),
         every=chosen["every"],
         split=which.get("split_corners", False),
+        how="--curve 1 .. --curve {count} or --curve ID, or all with --all",
     )
     if chosen["save_design"] is not None:
-        wrote([_save_design(chosen["save_design"], curves, table, force=chosen["force"])])
-    reports, wrong, refused, strict = [], 0, 0, table.get("files", {}).get("strict", False)
+        check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
+    reports, made, wrong, refused = [], list[AskedCurve](), 0, 0
+    strict = table.get("files", {}).get("strict", False)
     for asked in curves:
         try:
-            spec = spec_from_options(asked.curve, asked.name, table)
+            spec = spec_from_options(asked.curve, asked.label, table)
             if len(curves) == 1:
                 suggest_later(partial(_suggestion, spec, asked, chosen))
             kit = _made(asked, spec, files)
             say_step(f"writing the files of {asked.name}")
             written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
-            _tell(kit, written)
+            _tell(kit, written, several=len(curves) > 1)
             reports.append(kit.report)
+            made.append(asked)
             wrong += strict and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
             if len(curves) == 1 and not chosen["every"]:
@@ -140,9 +141,14 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             called, said = asked.drawn.called, str(problem)
             warn(said if called in said else f"{called}: {said}", told=refused <= MOST_REFUSALS)
     answer({"strips": reports})
+    if chosen["save_design"] is not None and made:
+        wrote([_save_design(chosen["save_design"], made, table, force=chosen["force"])])
+    for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
+        say(missing)
     if wrong:
         if len(curves) > 1:
-            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}")
+            less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""
+            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}{less}")
         ctx.exit(1)
 
 
@@ -153,7 +159,7 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
     }
     own = {key: one for key, one in table.items() if key in ("slots", *PLANE)}
     strips = [
-        {"label": table.get("label", engravable(asked.name)), "curve": _curve_keys(asked, path.parent), **own}
+        {"label": table.get("label", asked.label), "curve": _curve_keys(asked, path.parent), **own}
         for asked in curves
     ]
     with write_together(path.parent, [path.name], force=force) as folder:
@@ -164,8 +170,8 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
 def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
     """The curve as a design file in that folder names it."""
     unit = {"unit": asked.unit} if asked.unit else {}
-    number = {"number": asked.drawn.number} if asked.count > 1 else {}
-    return {"file": seen_from(asked.path, folder), **number, **unit}
+    which: dict[str, Any] = {"id": asked.own} if asked.own else {"number": asked.drawn.number}
+    return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
 
 
 def _made(asked: AskedCurve, spec: StripSpec, files: StripFiles) -> StripKit:
@@ -243,37 +249,41 @@ def _tell_compensation(kit: StripKit) -> None:
         say(f"--compensate makes up for that in the widths: about {left} are left, model and sheet included")
 
 
-def _tell(kit: StripKit, written: Iterable[Path]) -> None:
-    """What was made, in a few lines."""
+def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
+    """What was made, in a few lines; of one among several what is cut and how it is held, and what is wrong."""
     made, near, verdict = kit.strip, kit.near, kit.stability
-    rod = made.rod
-    say(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {made.breadth()}, "
+    rod, whole = made.rod, voice().verbose or not several
+    whose = f"{made.label}: " if several else ""
+    tabs_length = sum(tab.length for tab in made.ends)
+    with_tabs = f" ({rod.length + tabs_length:.2f} mm with its tabs)" if tabs_length else ""
+    say(f"{made.label or 'strip'}: {rod.length:.2f} mm long{with_tabs}, {made.breadth()}, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
-    say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
-               f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip
+    if whole:
+        say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
+                   f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip
     if made.backing_side:
         say(made.backing_side)
     if near is not None:
+        from elastica_cad.forming.limits import FAR_SHARE
         from elastica_cad.forming.nearest.nearest_record import advise
 
-        say(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
+        moved = f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}"
+        if near.deviation > FAR_SHARE * rod.length:
+            warn(f"Warning: {whose}{moved}")
+        else:
+            say(moved)
         for advice in islice(advise(near), MOST_ADVICE):
             say(advice)
-    said = f"margin {verdict.margin:.3g} ({verdict.word}): {verdict.meaning}"
-    if verdict.stable:
-        say(f"stable, {said}")
-    else:
-        warn(f"Warning: {said}. --stable finds the nearest that stays.")
+    if not verdict.stable:
+        warn(f"Warning: {whose}{verdict}. --stable finds the nearest that stays.")
+    elif whole:
+        say(str(verdict))
     if made.sideways.needs_guiding:
-        warn(f"Warning: {made.sideways}.")
-    else:
+        warn(f"Warning: {whose}{made.sideways}.")
+    elif whole:
         say(str(made.sideways))
-    with suppress(NotConvergedError):
-        if made.crept is not None:
-            say(str(made.crept))
-    with suppress(NotConvergedError):
-        say(str(made.held()))
-        _tell_compensation(kit)
+    if whole:
+        _tell_holding(kit)
     tabs = kit.spec.tabs_told
     if tabs is not None:
         say(tabs)
@@ -283,12 +293,19 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     for warning in made.warnings:
         if warning == tabs or (near is not None and warning == near.status.value):
             continue  # told above
-        warn(f"Warning: {warning}", told=is_told(warning))
-    if kit.asked.pictures and "png" not in kit.files:
-        say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")
-    if kit.asked.step and "step" not in kit.files:
-        say(f"no .step: it needs build123d ({step_trouble()})")
+        warn(f"Warning: {whose}{warning}", told=is_told(warning))
     wrote(written)
     for joint, end in zip(kit.joints, ("starts", "ends"), strict=True):
         if joint:
             say(f"it {end} at the corner {joint}, where the strip with the same number goes on")
+
+
+def _tell_holding(kit: StripKit) -> None:
+    """How far it strays as it creeps and as it is made and held."""
+    made = kit.strip
+    with suppress(NotConvergedError):
+        if made.crept is not None:
+            say(str(made.crept))
+    with suppress(NotConvergedError):
+        say(str(made.held()))
+        _tell_compensation(kit)

@@ -238,6 +238,7 @@ class StripSpec(EqualByValue):
             "mm",
             least=0,
             group="curve",
+            common=True,
         ),
     ] = None
     shop: Annotated[FabricationLimits, Asked("What the workshop can make.", group="limits")] = DEFAULT_LIMITS

@@ -15,12 +15,16 @@ from elastica_cad.mechanics.rod.rod_record import Rod, csv_text
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 from elastica_cad.mechanics.studies.stability_limit import Course
+from elastica_cad.refusals import Length, note
 
 RESOLUTION_SHARE = 1e-4
 """Of a step: how closely the place is found at which a shape snaps or is strained too much."""
 
 
-@dataclass(frozen=True, eq=False)
+TITLES = "travel mm   force N  strain %    margin"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Travel:
     """What a strip does at k places of its ends, in physical units.
 
@@ -73,6 +77,34 @@ class Travel:
     safety: FloatArray
     verdicts: tuple[Stability, ...]
     sideways: tuple[SidewaysStability, ...]
+
+    def __repr__(self) -> str:
+        return f"<Travel of {len(self.rods)} steps to {self.travel[-1]:.4g} mm>"
+
+    def __str__(self) -> str:
+        rows = [
+            f"{travel:9.4g} {force:9.4g} {100 * strain:9.3g} {margin:9.3g}"
+            for travel, force, strain, margin in zip(
+                self.travel, self.force_along, self.strain, self.margin, strict=True
+            )
+        ]
+        return "\n".join([TITLES, *rows, *self.warnings])
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """A sentence each where it snaps and where it is strained beyond what its sheet bears."""
+        told = []
+        if self.snaps_at is not None:
+            told.append(
+                note("at {at:.4g} of travel it snaps out of its shape", at=Length(round(self.snaps_at, 2)))
+            )
+        if self.strained_at is not None:
+            told.append(note(
+                "from {at:.4g} of travel on it is strained beyond what the sheet bears (safety {safety:.2g}): take "
+                "a thinner sheet, a longer strip or less travel",
+                at=Length(round(self.strained_at, 2)), safety=self.safety.min(),
+            ))  # fmt: skip
+        return tuple(told)
 
     @property
     def stable(self) -> BoolArray:

@@ -117,7 +117,7 @@ class Smoothing:
             )
             found.append(note(
                 "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve "
-                "at most; {before} (smooth = 0, --set smooth=0, takes it as drawn, a larger number "
+                "at most; {before} (smooth = 0, --smooth 0, takes it as drawn, a larger number "
                 "makes it fairer).",
                 far=Length(self.moved), before=ratio, severity="warning",
             ))  # fmt: skip
@@ -226,5 +226,5 @@ def _with(curve: PlaneCurve, fairing: Fairing | None, supports: Supports | None)
     if fairing is None:
         return Smoothing(curve, curve, None, supports)
     drawn = curve.provenance
-    fair = fairing.curve.drawn_as(None if drawn is None else replace(drawn, drawn="exact"))
+    fair = fairing.curve.drawn_as(None if drawn is None else replace(drawn, drawn="exact", measured=None))
     return Smoothing(curve, fair, fairing, supports)

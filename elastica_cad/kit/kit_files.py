@@ -14,17 +14,19 @@ from elastica_cad._garbage_collection import rare_collections
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs
-from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.holding_template import holding_template
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
-from elastica_cad.fabrication.sheets.pieces import distinct, file_word
+from elastica_cad.fabrication.sheets.pieces import Piece, distinct, file_word
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.file_access.write_files import check_folder, write_json, write_text, write_together
 from elastica_cad.formats.reports.model_report import compose_start_page
+from elastica_cad.geometry.paths.path import Path as ClosedPath
 from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -32,6 +34,12 @@ PARTS, SHEETS, MODEL = "parts", "sheets", "model"
 """Folders of a kit; the start page, lists and the report lie beside them."""
 
 START_PAGE = "index.html"
+
+FRAME_MM = 4.0
+"""Between a printed template and the frame that it is cut out by."""
+
+LONGEST_TITLE = 90
+"""Letters over a page that names all its parts; longer ones name the first."""
 
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Kinds of files that workshops make parts of."""
@@ -65,12 +73,11 @@ class SavedKit:
 
 
 def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
-    """Return a sentence for each kind of file whose package is missing, with how to install it."""
-    drawn = ((pictures, "pictures"), (paper, "PDF"))
-    missing = find_spec("matplotlib") is None
-    told = [f"no {kind}: {how_to_install('matplotlib')}" for asked, kind in drawn if asked and missing]
-    trouble = step_trouble() if step else ""
-    return (*told, *([f"no STEP: {trouble}"] if trouble else []))
+    """Return a sentence for the files of each package that is missing, with how to install it."""
+    drawn = " and ".join(kind for asked, kind in ((paper, "PDF"), (pictures, "pictures")) if asked)
+    missing = [(drawn, "" if find_spec("matplotlib") else how_to_install("matplotlib"))]
+    missing += [("STEP", step_trouble())] if step else []
+    return tuple(f"not written: {kind}; to get it: {cure}" for kind, cure in missing if kind and cure)
 
 
 def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
@@ -201,7 +208,9 @@ def save_model(
         kit = kit_of(model, spec, effects=True)
         write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     summary = f"{model.name}: {count_strips(model)} on {counted(len(kit.nests), 'sheet')}"
-    return SavedKit(folder, tuple(kit.files), left_out(step=step, pictures=pictures), summary)
+    return SavedKit(
+        folder, tuple(kit.files), left_out(step=step, pictures=pictures, paper=bool(spec.pages)), summary
+    )
 
 
 def _lists(word: str) -> tuple[str, ...]:
@@ -247,25 +256,48 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
 
 
 def _draw_pages(kit: Kit, path: Path) -> None:
-    """Every part once at full size, small ones together; how often each is needed stands in the page's name."""
+    """Every part once at full size, small ones of a sheet together; a page tells how often each is needed.
+
+    Where the model has no part that holds its strips, a template to hold each by is printed after them.
+    """
     from elastica_cad.plot.template_pages import printed_size, save_templates
 
     paper, margin = str(kit.spec.pages), kit.spec.nesting.margin
-    size, plain = printed_size(paper), replace(kit.pieces[0].sheet, grain="none")
+    size = printed_size(paper)
+    pieces = (*kit.pieces, *_templates(kit))
     called = {
-        piece.name: f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name
-        for piece in kit.pieces
+        piece.name: f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name for piece in pieces
     }
     small, drawings = [], []
-    for piece in kit.pieces:
+    for piece in pieces:
         if np.all(np.sort(piece.size) + 2 * margin <= size):
-            small.append(replace(piece, count=1, sheet=plain))  # paper has no grain
+            small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))  # none on paper
         else:
             drawings.append(replace(piece.drawing, name=called[piece.name]))
     for nest in nest_pieces(small, sheet_size=size, margin=margin, kerf=0.0):
         cut = tuple(one for one in nest.paths if one.layer != SHEET)
-        drawings.append(Drawing(f"{called[nest.pieces[0]]}{and_more(nest.pieces)}", cut, nest.texts))
+        names = ", ".join(called[name] for name in nest.pieces)
+        if len(names) > LONGEST_TITLE:
+            names = f"{called[nest.pieces[0]]}{and_more(nest.pieces)}"
+        drawings.append(Drawing(names, cut, nest.texts))
     save_templates(drawings, path, title=f"{kit.model.name}: parts", paper=paper)
+
+
+def _templates(kit: Kit) -> list[Piece]:
+    """The holding template of each strip of a model that holds none of them, in a frame to cut out."""
+    if kit.holders or kit.model.plates:
+        return []
+    found = []
+    for part in kit.model.parts:
+        if part.strip.is_closed:
+            continue
+        drawn = holding_template(part.strip.labelled(part.name))
+        (x, y), high = drawn.bounds
+        width, height = high - (x, y) + 2 * FRAME_MM
+        frame = ClosedPath.rectangle(width, height, corner=(x - FRAME_MM, y - FRAME_MM))
+        framed = replace(drawn, paths=(LayeredPath(CUT_OUTER, frame), *drawn.paths))
+        found.append(Piece(drawn.name, framed, replace(part.strip.sheet, name="paper")))
+    return found
 
 
 def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:

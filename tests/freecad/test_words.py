@@ -155,7 +155,7 @@ def test_lengths_are_said_in_the_users_unit():
 def test_fields_have_freecads_names():
     kink = note(
         "The width of the strip has a kink at {places}, where the slope of the curvature jumps: smooth = 0.1 "
-        "(--set smooth=0.1) makes it a fair curve of degree 4 within 0.1 mm.",
+        "(--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm.",
         places=Listed([Length(20)]),
     )
     assert worded(kink).endswith("jumps: Smooth = 0.1 mm makes it a fair curve of degree 4 within 0.1 mm.")

@@ -78,7 +78,9 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
         )
         for number, (name, block) in enumerate(blocks, start=1)
     ]
-    told = note("its numbers were taken as inches, as it has fractions: give the unit if they are none")
+    told = note(
+        "its numbers were read as inches, with fractions or as feet-inches-eighths: give the unit if they are none"
+    )
     return DrawnFile(file, makers, size=told if inches and headed is None else "")
 
 

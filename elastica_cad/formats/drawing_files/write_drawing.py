@@ -73,14 +73,14 @@ def write_drawing(
     """
     if not isinstance(drawing, Drawing):
         raise InputError(
-            "a {name} is no drawing: give what its .drawing() makes", name=type(drawing).__name__
+            "a {name} is no drawing: give a strip, or what a .drawing() makes", name=type(drawing).__name__
         )
     suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:
         raise InputError(
             "{path} can't be written as a drawing: end its name with .dxf or .svg; pictures are drawn by ec.plot, "
-            "STEP files written by build123d or CadQuery",
+            "and ec.save(strip, ...) writes the STEP file of a strip",
             path=path,
         )
     cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))

@@ -88,7 +88,7 @@ class MeasuredPoints:
     def told(self) -> str:
         """The noise, in a sentence without its full stop."""
         return note(
-            "the points waver by about {waver}: smooth them within {reach} (smooth = {mm:g}, --set smooth={mm:g})",
+            "the points waver by about {waver}: smooth them within {reach} (smooth = {mm:g}, --smooth {mm:g})",
             waver=self.shown, reach=Length(self.reach), mm=self.reach,
         )  # fmt: skip
 

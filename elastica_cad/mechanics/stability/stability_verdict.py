@@ -311,6 +311,10 @@ class Stability:
     determinant: FloatArray = field(repr=False)
     borderline: bool
 
+    def __str__(self) -> str:
+        told = f"margin {self.margin:.3g} ({self.word}): {self.meaning}"
+        return f"stable, {told}" if self.stable else told
+
     @property
     def word(self) -> Literal["unstable", "low", "ample"]:
         """The margin in a word: below 0, below `SAFE_MARGIN`, above it."""

@@ -17,6 +17,7 @@ from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.discrete_rod import Margin
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem, Step
+from elastica_cad.refusals import Point
 
 PathStep: TypeAlias = "float | ArrayLike | Mapping[str, Any]"
 Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[str, Any]]"
@@ -27,7 +28,7 @@ RESOLUTION_SHARE = 1e-9  # of the path
 PUSH_RAD = 0.02  # along the critical mode, to see where the rod comes to rest
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class StabilityLimit:
     """The place on a path of end positions or loads at which a stable rod becomes unstable.
 
@@ -57,6 +58,19 @@ class StabilityLimit:
     after: Rod | None
     parameters: FloatArray
     margins: FloatArray
+
+    def __str__(self) -> str:
+        if self.parameter is None:
+            return f"stable all along the path, with a margin of {self.margins.min():.3g} at least"
+        asked = ", ".join(
+            f"{key} is {one:.4g}" if np.ndim(one) == 0 else f"{key} is {Point(one):.4g}"
+            for key, one in self.at.items()
+        )
+        how = "snaps" if self.kind == "snap" else "buckles"
+        return f"stable up to {self.parameter:.4g} on the path, where {asked}: it {how} there"
+
+    def __repr__(self) -> str:
+        return f"<StabilityLimit: {self}>"
 
 
 def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> StabilityLimit:

@@ -108,7 +108,7 @@ def _tell_smooth(curve: PlaneCurve) -> str:
     if not slight:
         return ""
     mm = slight[0].value
-    within = ", or take it out within {size:g} (smooth = {mm:g}, --set smooth={mm:g})"
+    within = ", or take it out within {size:g} (smooth = {mm:g}, --smooth {mm:g})"
     return note(within, size=Length(mm), mm=mm)
 
 
@@ -432,7 +432,7 @@ def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
         yield note(
             "The bending is reversed by a jump of the curvature at {places}, where the stiffness "
             "would have to go to 0: support the strip there, or let the curvature pass through zero "
-            "smoothly (smooth = 0.1, --set smooth=0.1, does that within 0.1 mm).",
+            "smoothly (smooth = 0.1, --smooth 0.1, does that within 0.1 mm).",
             places=lengths(jumps),
         )
 
@@ -472,13 +472,13 @@ def _warn_of_widths(
     if steps:
         yield note(
             "The width of the strip steps at {places}, where the curvature jumps: smooth = 0.1 "
-            "(--set smooth=0.1) makes it a fair curve of degree 4 within 0.1 mm.",
+            "(--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm.",
             places=lengths(steps), severity="warning",
         )  # fmt: skip
     if kinks:
         yield note(
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: "
-            "smooth = 0.1 (--set smooth=0.1) makes it a fair curve of degree 4 within 0.1 mm."
+            "smooth = 0.1 (--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm."
             if curve.degree < 4 else
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
             "repeat the knot there.",

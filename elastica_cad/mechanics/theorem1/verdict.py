@@ -121,16 +121,15 @@ class EquilibriumCheck:
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        return sentences([self.verdict, *self.reasons, *self.told_of_points, *self.warnings], " ")
+        return sentences([self.verdict, *self.told_of_points, *self.reasons, *self.warnings], " ")
 
     @property
     def told_of_points(self) -> tuple[str, ...]:
-        """That the points waver to which a curve was fitted that no strip takes, and which of them stands out."""
-        points = None if self.realizable else measured_points(self.curve)
+        """Of a curve that was fitted to points that waver: the one that stands out, or how far they do."""
+        points = measured_points(self.curve)
         if points is None:
             return ()
-        told = "The curve was fitted to points, and {points}."
-        return (*points.stray, note(told, points=points.told))
+        return points.stray or (note("The curve was fitted to points, and {points}.", points=points.told),)
 
     @property
     def verdict(self) -> str:

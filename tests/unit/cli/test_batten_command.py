@@ -52,8 +52,8 @@ def test_what_cannot_be_written_is_told(tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, module, None)
     told = run(*ASKED, "--stock", 25, 8, "--least", 3, "-o", tmp_path)
     assert told.exit_code == 0, told.output
-    assert re.search("no STEP: .*build123d", told.output)
-    assert re.search("no PDF: .*matplotlib", told.output)
+    assert re.search("not written: STEP; .*build123d", told.output)
+    assert re.search("not written: PDF; .*matplotlib", told.output)
     assert sorted(one.suffix for one in tmp_path.iterdir()) == [".csv", ".dxf", ".json", ".svg"]
 
 

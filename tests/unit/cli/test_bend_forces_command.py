@@ -60,6 +60,10 @@ def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(t
     strained = bend(strip.rod_to_bend, end=(360 - told["strained_at"], 0.0))
     assert np.abs(strained.curvature).max() * sheet.thickness / 2 == pytest.approx(sheet.max_strain, rel=1e-3)
     assert any("it snaps out of its shape" in note for note in told["notes"])
+    assert str(limit) == "stable up to 0.9077 on the path, where end is (-57.52, 0) mm: it buckles there"
+    way = bend_strip(strip, [(-100.0, 0.0)])
+    assert len(str(way).splitlines()) == 4, "titles, one step, where it snaps and where it is strained"
+    assert repr(way) == "<Travel of 1 steps to 460 mm>"
 
 
 def test_a_width_without_a_material(tmp_path):

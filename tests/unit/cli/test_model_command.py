@@ -492,7 +492,7 @@ def test_what_twelve_ribs_share_is_told_once(tmp_path):
     )
     assert told.exit_code == 0, told.output
     (note,) = (line for line in told.stderr.splitlines() if "made fair" in line)
-    assert note.startswith("Note: R1 (in 12 strips): The curvature jumped where pieces meet: made fair, 0.4")
+    assert note.startswith("Note: R1 (and 11 more): The curvature jumped where pieces meet: made fair, 0.4")
 
 
 def test_pieces_of_a_long_strip_leave_the_margin_of_the_sheet(tmp_path):

@@ -133,10 +133,10 @@ SUGGESTED = [
     ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 12 -o out", 2, "--max-width 15."),
     ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 4000 -o out", 2, "--max-width"),
     ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--thickness 0.8"),
-    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--set smooth=0.2"),
+    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--smooth 0.2"),
     ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--set curve.split_corners=true"),
-    ("check slight.svg", 2, "--set smooth=0.2 -o out"),
-    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 1.2 -o out --units inch", 2, "--set smooth=0.2"),
+    ("check slight.svg", 2, "--smooth 0.2 -o out"),
+    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 1.2 -o out --units inch", 2, "--smooth 0.2"),
 ]
 
 
@@ -410,7 +410,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
 @pytest.mark.parametrize(
     ("words", "options"),
     [
-        ("--set smooth=-1", "(--set smooth)"),
+        ("--set smooth=-1", "(--smooth)"),
         ("--nearest --set samples=99", "(--nearest, --set samples)"),
         ("--set loads=[{at=20,mass=5}]", "(--gravity, --set loads)"),
         ("--nearest --set limits.width=[10,15] --max-width 20", "(--max-width, --set limits.width)"),

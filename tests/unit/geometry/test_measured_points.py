@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.curve_editing.fairing import round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints, estimate_waver
 from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytestmark = pytest.mark.core
 
@@ -73,6 +75,17 @@ def test_smoothing_within_what_is_told_takes_all_inflections_out():
         through = PlaneCurve.fit(points.points, tolerance=0.01).drawn_as(Provenance(measured=points))
         assert points.reach < 12
         assert not round_corners(through, points.reach)[0].curvature_zeros
+
+
+def test_a_check_tells_of_them_before_all_else():
+    """Also where a strip happens to take the curve; nobody smooths by a mistyped point."""
+    wavering, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
+    assert "waver by about 0.3 mm: smooth them" in str(check_equilibrium(wavering)).split(". ")[1]
+    told = str(check_equilibrium(mistyped))
+    assert "number 8 of 12" in told.split(". ")[1]
+    assert "smooth" not in told
+    smoothed = smooth_curve(wavering, 2.0).curve
+    assert "waver" not in str(check_equilibrium(smoothed))
 
 
 def test_the_mistyped_point_is_named():
