@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from numbers import Real
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias, cast
 
 import numpy as np
 
@@ -352,16 +352,12 @@ class Keep:
     @property
     def both_ends(self) -> tuple[bool, bool]:
         """Whether the start and the end keep their positions."""
-        return _both(self.ends)
+        return cast(tuple[bool, bool], self.ends)
 
     @property
     def both_tangents(self) -> tuple[bool, bool]:
         """Whether the start and the end keep their tangents."""
-        return _both(self.tangents)
-
-
-def _both(value: bool | tuple[bool, bool]) -> tuple[bool, bool]:
-    return (value, value) if isinstance(value, bool) else value
+        return cast(tuple[bool, bool], self.tangents)
 
 
 def require_limits(limits: object, keep: object) -> None:

@@ -128,7 +128,9 @@ def push_path(
                          length=Length(rod.length), at=Length(at))  # fmt: skip
     away = pair(direction, "the direction of the push")
     if not away.any():
-        raise InputError("the direction of the push is (0, 0): give one that leads somewhere")
+        raise InputError(
+            "the direction of the push is {direction!r}: give two numbers, not both 0", direction=direction
+        )
     away = away / np.hypot(*away)
     frame = np.array([away, [-away[1], away[0]]])
     chain = _Chain.of(rod, at, frame, rod.length / STIFF if thickness is None else thickness)
