@@ -369,7 +369,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
     judged = strip.strain_verdict
     if require_flag(ignore_limits, "ignore_limits") or not judged.refused:
         return
-    thinner = thinner_for(strip.sheet, strip.max_strain)
+    thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
     raise StrainError(
         "{strains} To make it all the same, set ignore_limits (--ignore-limits).",
         strains=sentences(strip.strain_warnings, ". ", "."),

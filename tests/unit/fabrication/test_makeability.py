@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, StrainError
 from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     find_plate_faults,
@@ -148,19 +148,46 @@ def test_strain_that_is_just_beyond_its_limit_differs_from_it():
     assert radius < least
 
 
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+
+
 def test_a_thin_web_is_told_with_how_far_to_move_the_hole():
-    arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
     ends = (Tab(20, holes=(Hole(6, 4), Hole(11, 4))), Tab(10))
     with pytest.raises(InputError, match=r"between two holes 8.5\d mm into the tab at its start") as refused:
-        make_strip(arch, "birch-plywood-0.8", max_width=30, ends=ends)
+        make_strip(ARCH, "birch-plywood-0.8", max_width=30, ends=ends)
     assert "move the holes 1 mm apart" in str(refused.value) or "move the holes 0.9" in str(refused.value)
     wide = replace(ends[0], holes=(Hole(5, 4), Hole(11.1, 4)))
-    make_strip(arch, "birch-plywood-0.8", max_width=30, ends=(wide, ends[1]))
+    make_strip(ARCH, "birch-plywood-0.8", max_width=30, ends=(wide, ends[1]))
 
 
 def test_a_narrow_tab_is_told_as_a_tab():
-    arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
     with pytest.raises(
         InputError, match=r"into the tab at its start, 3 mm are needed.*give the tab a larger width"
     ):
-        make_strip(arch, "birch-plywood-0.8", max_width=30, ends=(Tab(20, width=2), Tab(10)))
+        tabbed(2, "pom-0.5")  # which does not break
+
+
+def tabbed(width, sheet=PLYWOOD, **options):
+    return make_strip(ARCH, sheet, max_width=30, ends=(Tab(20, width=width), Tab(10)), **options)
+
+
+def test_a_tab_that_its_end_would_break_is_refused_with_the_width_that_bears_it():
+    with pytest.raises(
+        StrainError, match=r"strip is 24.7 mm wide and its tab 3 mm: .* make the tab (\S+) mm wide"
+    ) as no:
+        tabbed(3)
+    assert not tabbed(float(re.search(r"make the tab (\S+) mm", str(no.value))[1])).warnings
+    (told,) = tabbed(3, ignore_limits=True).strain_warnings
+    assert told in str(no.value)
+
+
+def test_a_tab_bears_in_the_mean_what_the_moment_of_its_end_asks():
+    """6 M / (E b h^2), from the reactions; corners of what yields are not counted."""
+    metal = replace(PLYWOOD, kind="metal", max_strain=0.005, max_strain_range=None)
+    made = tabbed(6, metal)
+    asked = 6 * abs(made.reactions().start_moment) / (metal.youngs_modulus * 6 * metal.thickness**2)
+    assert made.strain_verdict.used == pytest.approx(asked / 0.005, rel=1e-3)
+    assert made.strain_verdict.at == 0.0
+    assert not tabbed(6, replace(metal, max_strain=1.001 * asked)).warnings
+    (told,) = tabbed(6, replace(metal, max_strain=1.3 * asked, kind="plywood")).warnings  # its corners crack
+    assert "its tab 6 mm" in told
