@@ -52,6 +52,7 @@ from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.kit_files import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
+from elastica_cad.mechanics.theorem1.verdict import stray_point
 from elastica_cad.refusals import is_told
 
 STRAYED_SHARE = 3e-4
@@ -135,6 +136,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             made.append(asked)
             wrong += strict and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
+            for stray in stray_point(asked.curve):
+                if stray not in str(problem):
+                    warn(stray)
             if len(curves) == 1 and not chosen["every"]:
                 raise
             wrong, refused = wrong + 1, refused + 1
@@ -194,7 +198,7 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         return changed_requests(spec, change)
 
-    if not problem.refusal.changes or _is_taken(asked, chosen):
+    if stray_point(spec.curve) or not problem.refusal.changes or _is_taken(asked, chosen):
         return ""
     found = ((change, option_words(change)) for change in problem.refusal.changes)
     return first_that_holds(
@@ -258,6 +262,8 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
     with_tabs = f" ({rod.length + tabs_length:.2f} mm with its tabs)" if tabs_length else ""
     say(f"{made.label or 'strip'}: {rod.length:.2f} mm long{with_tabs}, {made.breadth()}, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
+    for stray in (told_first := stray_point(kit.spec.curve)):
+        warn(f"Warning: {whose}{stray}")
     if whole:
         say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                    f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip
@@ -291,7 +297,7 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
     if blank := tell_blank(made):
         say(blank)
     for warning in made.warnings:
-        if warning == tabs or (near is not None and warning == near.status.value):
+        if warning in (tabs, *told_first) or (near is not None and warning == near.status.value):
             continue  # told above
         warn(f"Warning: {whose}{warning}", told=is_told(warning))
     wrote(written)

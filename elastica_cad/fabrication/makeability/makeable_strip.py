@@ -335,8 +335,12 @@ def _placed(
     return tuple(float(s[k]) for k in reversed(chosen))
 
 
-def make_within(strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool) -> Strip:
+def make_within(
+    strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, wavers: bool
+) -> Strip:
     """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
+
+    `wavers`: as in `find_strip_faults`.
 
     Raises
     ------
@@ -350,7 +354,7 @@ def make_within(strip: Strip, shop: FabricationLimits, *, compensate: bool, igno
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
-    told = accept_faults(find_strip_faults(strip, shop), ignore_limits)
+    told = accept_faults(find_strip_faults(strip, shop, wavers=wavers), ignore_limits)
     joined = spliced(strip, shop)
     told += () if joined is None else (str(joined),)
     if not told:

@@ -194,7 +194,8 @@ class Strip:
     def __repr__(self) -> str:
         called = f" {self.label!r}" if self.label else ""
         size = f"{self.rod.length:.4g} mm long, {self.breadth('.3g')}"
-        return f"<Strip{called} of {self.sheet.name}, {size}, strain {self.max_strain:.2%}>"
+        strain = f"strain {self.max_strain:.2%} of {self.strain_limit:.2%}"
+        return f"<Strip{called} of {self.sheet.name}, {size}, {strain}>"
 
     def _repr_svg_(self) -> str:
         return self.drawing()._repr_svg_()

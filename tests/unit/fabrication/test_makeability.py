@@ -42,7 +42,20 @@ def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     assert fault.part == "A1"
     assert "only 0.513 mm wide at" in fault.what
     assert "3 mm are needed in birch-plywood-0.8" in fault.what
-    assert "max_width" in fault.cure
+    assert "max_width = 120 mm or more" in fault.cure
+    assert find_strip_faults(strip((40, 1, 40), max_width=120.0)) == ()
+
+
+def test_a_strip_of_points_that_waver_is_smoothed_rather_than_made_very_wide():
+    t = np.linspace(0, 1, 18)
+    points = np.column_stack([130 * t, 38 * np.sin(np.pi * t) ** 2 * (0.825 + 0.35 * t) + 6 * t])
+    wavering = PlaneCurve.fit(points + np.random.default_rng(20).normal(0, 0.3, points.shape))
+    for smooth, wider in ((0.6, r"; make it wider \(max_width = 18 mm or more\), or ask"), (0.42, "; ask")):
+        cures = f"{wider} for the nearest curve .*; smoothing its points more helps too"
+        with pytest.raises(InputError, match=cures):
+            make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=smooth)
+    make_strip(wavering, "spring-steel-0.2", max_width=18, smooth=0.6)
+    make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=0.8)
 
 
 def test_the_neck_lies_where_the_width_is_least():
