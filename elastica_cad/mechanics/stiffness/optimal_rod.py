@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import ceil
 from typing import Any
 
 import numpy as np
@@ -13,7 +15,9 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import (
     NODES,
+    SLOPES,
     PanelFunction,
+    legendre_basis,
     locate_in_panels,
 )
 from elastica_cad.mechanics.loads.arguments import (
@@ -53,6 +57,21 @@ SAME_PLACE_SHARE = 1e-9
 STEP_LENGTH = 1e-5
 """A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
 
+CELLS = 8
+"""Parts of a panel in which the density of knots is taken as constant."""
+
+_CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
+
+_FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
+"""Matrix of the fourth derivatives by x in the middles of the cells."""
+
+BEST_CUBIC = 1 / 720
+"""Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
+polynomial."""
+
+SPARE = 0.07
+"""Share of the tolerance for which the first knots are chosen, so that a second fit is rarely needed."""
+
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
     """K times `scale` as a cubic spline of arc length.
@@ -89,7 +108,8 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
 
     noise = NOISE_TIMES * K.noise([*steps, *(s for s, _ in balance.kinks)])
     tolerance = min(max(TOLERANCE * K.largest, noise), WORST_TOLERANCE * K.largest)
-    fitted = Profile.fit(stiffness, length, breaks=breaks, tolerance=tolerance)
+    knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
+    fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
     for i, foot in enumerate(feet):
         fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
     return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), tolerance)
@@ -117,7 +137,7 @@ class _AlongArc:
     @property
     def largest(self) -> float:
         """The largest of K, nearly."""
-        return float(self.series.dense.max())
+        return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
         """Largest jump of K between panels, but for its steps: rounding that grows along under much weight."""
@@ -128,6 +148,25 @@ class _AlongArc:
             apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
             jumps = jumps[apart.all(axis=1)]
         return float(jumps.max(initial=0.0))
+
+    def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
+        """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.
+
+        Their distance h is that where `BEST_CUBIC` h^4 K'''' is the tolerance.
+        """
+        width = self.edges[1:] - self.edges[:-1]
+        fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
+        # both by the panel's own x, from -1 to 1
+        count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
+        reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
+        np.cumsum(count, out=reached[1:])
+        s[:-1] = (self.edges[:-1, None] + width[:, None] * np.arange(CELLS) / CELLS).ravel()
+        s[-1] = self.edges[-1]
+        stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
+        at = np.interp(stops, s, reached).tolist()
+        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]  # even stiffness asks for none
+        wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
+        return np.asarray(np.interp(np.concatenate(wanted), reached, s))
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
