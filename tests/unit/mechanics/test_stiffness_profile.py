@@ -52,7 +52,7 @@ def test_inflection_a_hair_from_a_knot():
     balance = balance_without_weight(RodRequest(check))
     panel = int(np.argmin(np.abs(balance.panels.edge_s - knot)))
     before, after = balance.stiffness.at(np.array([panel - 1, panel]), np.array([1.0, -1.0]))
-    assert before == pytest.approx(after, rel=1e-8)
+    assert before == pytest.approx(after, rel=1e-5)
     assert ec.optimal_rod(curve).ratio == pytest.approx(11.4905, rel=1e-4)
 
 
