@@ -9,7 +9,7 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, surface_of
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.overlay import COLORS, PARTS
 from freecad.elastica_wb.live.verdict import Answer
@@ -57,10 +57,8 @@ class VerdictCard(QtCore.QObject):
         self._removed = False
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
-        self._soon = QtCore.QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self._place)
-        self._camera = coin.SoNodeSensor(lambda *_: self._soon.start(LOOKED_MS), None)
+        self._soon = later(self._place, LOOKED_MS, self)
+        self._camera = coin.SoNodeSensor(lambda *_: self._soon.start(), None)
 
     def show(self, answer: Answer, sentence: str, shown: Mapping[str, int]) -> None:
         """Another verdict; `sentence` is in the user's units, `shown` tells how many points each part has."""
