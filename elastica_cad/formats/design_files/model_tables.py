@@ -12,8 +12,9 @@ from elastica_cad.fabrication.holders.plates import base_plate
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
 from elastica_cad.fabrication.interlocking.interlock import interlock as slots_at_crossings
 from elastica_cad.fabrication.model.strip_model import mirror, repeat, rotate
+from elastica_cad.fabrication.sheets.nesting import Nesting
 from elastica_cad.fabrication.strip.outline import StripEnd
-from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec, Nesting
+from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec
 from elastica_cad.formats.design_files.records import Reader, fields_of
 from elastica_cad.formats.design_files.revolution_table import RevolutionTable
 from elastica_cad.formats.design_files.strip_table import SharedKeys, StripKeys

@@ -370,7 +370,7 @@ def described(record: Record) -> list[dict[str, Any]]:
             **_plain_kind(one.kind),
             "help": one.help,
             "unit": one.asked.unit,
-            "least": one.asked.least,
+            "least": one.asked.least if one.asked.above is None else one.asked.above,
             "most": one.asked.most,
             "group": one.asked.group,
             "common": one.asked.common,

@@ -236,7 +236,7 @@ def test_no_outline_is_told_where_none_would_do():
 
 @pytest.mark.parametrize(
     "options",
-    [{"columns": 0}, {"rows": 1.5}, {"hole_ratio": 1.0}, {"least_hole": 0.0}, {"corner_radius": -1}],
+    [{"columns": 0}, {"rows": 1.5}, {"hole_ratio": 1.5}, {"least_hole": 0.0}, {"corner_radius": -1}],
 )
 def test_bad_options(options):
     with pytest.raises(InputError):
