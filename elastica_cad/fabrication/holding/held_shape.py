@@ -159,8 +159,8 @@ def _two_digits(value: float) -> float:
 
 
 def about(mm: float) -> Length:
-    """A length to two digits."""
-    return Length(_two_digits(mm))
+    """A length to two digits, and no finer than a micrometre."""
+    return Length(_two_digits(round(mm, 3)))
 
 
 def strayed(design: Rod, place: FloatArray) -> float:

@@ -86,9 +86,13 @@ class MeasuredPoints:
         if rough.max() <= STRAY_TIMES * max(without[at], self.least):
             return ()
         far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
-        return (note(
+        said = (
             "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
-            "the others {rest:.2g} at most: measure it again.",
+            "the others {rest:.2g} at most: measure it again"
+        )
+        beside_end = ", and the end beside it, which cannot be judged" if at in (1, count - 2) else ""
+        return (note(
+            f"{said}{beside_end}.",
             place=Point(self.points[at]), number=at + 1, count=count, far=Length(far), rest=Length(rest),
             severity="warning",
         ),)  # fmt: skip
