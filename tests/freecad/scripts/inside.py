@@ -209,7 +209,13 @@ def type_into(widget, words):
     keys("Tab")
     until(lambda: not has_focus(widget), 10)
     wait(250)
-    strange = [line for line in report()[before:].splitlines() if "Elastica" not in line]
+    lines = report()[before:].splitlines()
+    ours = {line.partition("Elastica, ")[2] for line in lines if "Elastica, " in line}
+    strange = [
+        line
+        for line in lines
+        if "Elastica" not in line and line.partition("  ")[2] not in ours  # FreeCAD 1.x repeats what we say
+    ]
     assert not strange, strange
 
 
