@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 from enum import Enum
 from functools import cached_property
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +37,7 @@ NAMES = {
         "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot",
         "FabricationLimits", "Drawing", "save",
     ),
+    "A strip that is moved": ("bend_strip", "fabrication.Travel", "plot.travel"),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
                "touching_widths"),
@@ -104,7 +106,7 @@ def python() -> str:
     for title, names in NAMES.items():
         parts += [f"## {title}", ""]
         for name in names:
-            thing = getattr(ec, name)
+            thing = attrgetter(name)(ec)
             parts += [f"### {name}", "", *_described(f"ec.{name}", thing)]
             if inspect.isclass(thing):
                 for member, value in _members(thing):

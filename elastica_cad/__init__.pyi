@@ -27,6 +27,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip as Strip
 from elastica_cad.fabrication.strip_spec import StripSpec as StripSpec, make_strip as make_strip
 from elastica_cad.fabrication.strip.styles import Plain as Plain
 from elastica_cad.fabrication.strip.outline import Hole as Hole, Tab as Tab
+from elastica_cad.fabrication.travel import bend_strip as bend_strip
 from elastica_cad.files import read_curves as read_curves, save as save
 from elastica_cad.formats.curve_files.write_curves import write_curves as write_curves
 from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits

@@ -232,7 +232,7 @@ def _tell(made: Batten, table: dict[str, FloatArray]) -> None:
     )
     _tell_load(made.strip, made.end_force)
     say(f"{'mm':>9} {'inch':>8} {quantity + ' mm':>13} {'inch':>7} {'strain %':>9} {'safety':>7}")
-    for s, s_inch, size, inch, strain, safety in zip(*table.values(), strict=True):
+    for s, s_inch, _, _, size, inch, strain, safety in zip(*table.values(), strict=True):
         told = f"{safety:7.2f}" if np.isfinite(safety) else f"{'-':>7}"
         say(f"{s:9.1f} {s_inch:8.3f} {size:13.2f} {inch:7.4f} {100 * strain:9.3f} {told}")
 

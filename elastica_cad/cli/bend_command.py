@@ -163,7 +163,7 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
     table = with_settings(table, settings)
     (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     drawn = asked.curve if "limits" in table else asked.bendable(table.get("smooth"))
-    spec = spec_from_options(drawn, asked.name, table)
+    spec = spec_from_options(drawn, asked.label, table)
     return spec.make(_solved(spec.rod_spec))
 
 

@@ -1,6 +1,7 @@
 """`elastica check`: can this curve be bent from a flat strip?"""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import partial
 from itertools import groupby, product
 from math import ceil
@@ -40,7 +41,8 @@ from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.material.sheets_for_curve import sheets_for_curve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, smoothing_of
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, changes_of, measured_points
+from elastica_cad.refusals import Length, Refusal, note
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
@@ -102,7 +104,7 @@ def check(
         _draw(asked, picture, supports, bent, smooth, force=force)
     for said, alike in groupby(
         ((one, _judged(one, supports, bent, smooth, alone=not several)) for one in asked),
-        key=lambda pair: " ".join((pair[1]["advice"], *pair[1].get("notes", ()))),
+        key=lambda pair: _printed(pair[1]),
     ):
         curves, found = zip(*alike, strict=True)
         one, last, answered = curves[0], curves[-1], found[-1]
@@ -143,7 +145,7 @@ def _suggestion(
 
     curve = asked.curve
     width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
-    changes = [*smoothing_of(curve), Change("nearest", True)] if problem is None else problem.refusal.changes
+    changes = changes_of(curve) if problem is None else problem.refusal.changes
     candidates = product(TRIED_SHEETS, (one for one in changes if one.field in ("nearest", "smooth")))
 
     def requests(sheet: str, change: Change) -> Sequence[StripSpec]:
@@ -170,7 +172,7 @@ def _judged(
         return _report(asked, supports, natural_curvature, smooth, alone=alone)
     except ElasticaError as problem:
         if not alone:
-            return {"realizable": False, "problem": str(problem), "advice": f"{problem}."}
+            return {"realizable": False, "problem": str(problem), "advice": f"{str(problem).rstrip('.')}."}
         if not asked.drawn.problem:
             suggest_later(partial(_suggestion, asked, supports, natural_curvature, smooth))
         raise
@@ -185,11 +187,36 @@ def _report(
     alone: bool,
 ) -> dict[str, Any]:
     ends, smoothing, found = _examined(asked, supports, natural_curvature, smooth)
-    of_smoothing = [one for one in smoothing.notes if one not in found.told_of_points]
-    told = report_check(found) | {"notes": [*([ends.told] if ends else []), *of_smoothing]}
+    outcome = _smoothed(asked, supports, natural_curvature, found)
+    told = report_check(found)
+    told["advice"] = " ".join([*outcome, told["advice"]])
+    of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the verdict tells of
+    told["notes"] = [*outcome, *([ends.told] if ends else []), *of_curve]
     if found.realizable and alone:
         told |= _told_sheets(smoothing.curve, supports, natural_curvature)
     return told
+
+
+def _printed(told: dict[str, Any]) -> str:
+    """The report on one curve as it is printed."""
+    return " ".join([told["advice"], *(one for one in told.get("notes", ()) if one not in told["advice"])])
+
+
+def _smoothed(
+    asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, found: EquilibriumCheck
+) -> tuple[Refusal, ...]:
+    """Is it fair but for the noise? Of points that waver and whose curve no strip takes: does one when smoothed?"""
+    points = measured_points(found.curve)
+    if found.realizable or points is None or points.stray:
+        return ()
+    fair = False
+    with suppress(ElasticaError):
+        fair = _examined(asked, supports, natural_curvature, points.reach)[2].realizable
+    return (note(
+        "Smoothed within {reach} a strip can take this curve; as its points are, none can." if fair else
+        "Even smoothed within {reach} no strip can take this curve.",
+        reach=Length(points.reach),
+    ),)  # fmt: skip
 
 
 def _examined(

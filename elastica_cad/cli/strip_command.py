@@ -37,7 +37,6 @@ from elastica_cad.errors import (
     StrainError,
     rounded_up,
 )
-from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.holders.holding_template import tell_ends
 from elastica_cad.fabrication.holding.held_shape import about
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
@@ -47,12 +46,13 @@ from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.strip_table import PLANE
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.design_files.toml_text import seen_from, toml_text
-from elastica_cad.formats.file_access.write_files import write_text, write_together
+from elastica_cad.formats.file_access.write_files import check_folder, write_text, write_together
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.geometry.curves.plane_curve import split_at_corners
 from elastica_cad.kit.kit_files import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
+from elastica_cad.mechanics.theorem1.verdict import stray_point
 from elastica_cad.refusals import is_told
 
 STRAYED_SHARE = 3e-4
@@ -120,11 +120,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         how="--curve 1 .. --curve {count} or --curve ID, or all with --all",
     )
     if chosen["save_design"] is not None:
-        wrote([_save_design(chosen["save_design"], curves, table, force=chosen["force"])])
-    reports, wrong, refused, strict = [], 0, 0, table.get("files", {}).get("strict", False)
+        check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
+    reports, made, wrong, refused = [], list[AskedCurve](), 0, 0
+    strict = table.get("files", {}).get("strict", False)
     for asked in curves:
         try:
-            spec = spec_from_options(asked.curve, asked.name, table)
+            spec = spec_from_options(asked.curve, asked.label, table)
             if len(curves) == 1:
                 suggest_later(partial(_suggestion, spec, asked, chosen))
             kit = _made(asked, spec, files)
@@ -132,19 +133,26 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
             _tell(kit, written, several=len(curves) > 1)
             reports.append(kit.report)
+            made.append(asked)
             wrong += strict and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
+            for stray in stray_point(asked.curve):
+                if stray not in str(problem):
+                    warn(stray)
             if len(curves) == 1 and not chosen["every"]:
                 raise
             wrong, refused = wrong + 1, refused + 1
             called, said = asked.drawn.called, str(problem)
             warn(said if called in said else f"{called}: {said}", told=refused <= MOST_REFUSALS)
     answer({"strips": reports})
+    if chosen["save_design"] is not None and made:
+        wrote([_save_design(chosen["save_design"], made, table, force=chosen["force"])])
     for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
         say(missing)
     if wrong:
         if len(curves) > 1:
-            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}")
+            less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""
+            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}{less}")
         ctx.exit(1)
 
 
@@ -155,7 +163,7 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
     }
     own = {key: one for key, one in table.items() if key in ("slots", *PLANE)}
     strips = [
-        {"label": table.get("label", engravable(asked.name)), "curve": _curve_keys(asked, path.parent), **own}
+        {"label": table.get("label", asked.label), "curve": _curve_keys(asked, path.parent), **own}
         for asked in curves
     ]
     with write_together(path.parent, [path.name], force=force) as folder:
@@ -166,8 +174,8 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
 def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
     """The curve as a design file in that folder names it."""
     unit = {"unit": asked.unit} if asked.unit else {}
-    number = {"number": asked.drawn.number} if asked.count > 1 else {}
-    return {"file": seen_from(asked.path, folder), **number, **unit}
+    which: dict[str, Any] = {"id": asked.own} if asked.own else {"number": asked.drawn.number}
+    return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
 
 
 def _made(asked: AskedCurve, spec: StripSpec, files: StripFiles) -> StripKit:
@@ -190,7 +198,7 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         return changed_requests(spec, change)
 
-    if not problem.refusal.changes or _is_taken(asked, chosen):
+    if stray_point(spec.curve) or not problem.refusal.changes or _is_taken(asked, chosen):
         return ""
     found = ((change, option_words(change)) for change in problem.refusal.changes)
     return first_that_holds(
@@ -254,15 +262,22 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
     with_tabs = f" ({rod.length + tabs_length:.2f} mm with its tabs)" if tabs_length else ""
     say(f"{made.label or 'strip'}: {rod.length:.2f} mm long{with_tabs}, {made.breadth()}, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
+    for stray in (told_first := stray_point(kit.spec.curve)):
+        warn(f"Warning: {whose}{stray}")
     if whole:
         say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                    f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip
     if made.backing_side:
         say(made.backing_side)
     if near is not None:
+        from elastica_cad.forming.limits import FAR_SHARE
         from elastica_cad.forming.nearest.nearest_record import advise
 
-        say(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
+        moved = f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}"
+        if near.deviation > FAR_SHARE * rod.length:
+            warn(f"Warning: {whose}{moved}")
+        else:
+            say(moved)
         for advice in islice(advise(near), MOST_ADVICE):
             say(advice)
     if not verdict.stable:
@@ -282,7 +297,7 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
     if blank := tell_blank(made):
         say(blank)
     for warning in made.warnings:
-        if warning == tabs or (near is not None and warning == near.status.value):
+        if warning in (tabs, *told_first) or (near is not None and warning == near.status.value):
             continue  # told above
         warn(f"Warning: {whose}{warning}", told=is_told(warning))
     wrote(written)

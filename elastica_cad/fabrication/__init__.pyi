@@ -83,5 +83,5 @@ from elastica_cad.fabrication.strip.strip_record import Strip as Strip
 from elastica_cad.fabrication.strip_spec import StripSpec as StripSpec, make_strip as make_strip
 from elastica_cad.fabrication.strip.styles import Plain as Plain
 from elastica_cad.fabrication.strip.outline import Hole as Hole, TSlot as TSlot, Tab as Tab
-from elastica_cad.fabrication.travel import bend_strip as bend_strip
+from elastica_cad.fabrication.travel import Travel as Travel, bend_strip as bend_strip
 from elastica_cad.geometry.frame import Frame as Frame

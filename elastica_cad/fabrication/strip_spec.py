@@ -51,6 +51,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
 from elastica_cad.mechanics.theorem1.curvature_conditions import begin_at, flattest_place
+from elastica_cad.mechanics.theorem1.verdict import measured_points
 from elastica_cad.refusals import Refusal, note
 
 SAME_LENGTH = 1e-9
@@ -536,8 +537,9 @@ class StripSpec(EqualByValue):
             tolerance=self.tolerance,
         )
         return make_within(
-            made, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits
-        )
+            made, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
+            wavers=measured_points(self.curve) is not None,
+        )  # fmt: skip
 
     def changed(self, **fields: Any) -> "StripSpec":
         """The request with other values of some fields."""

@@ -18,8 +18,10 @@ from elastica_cad.mechanics.studies.stability_limit import Course
 from elastica_cad.refusals import Length, note
 
 RESOLUTION_SHARE = 1e-4
-"""Of a step: how closely the place is found at which a shape snaps or is strained too much."""
+"""Of a step: how closely the place is found at which a shape snaps, is strained too much or crosses itself."""
 
+FALL_SHARE = 1e-4
+"""Of the largest force: a force that falls by less in a step counts as even."""
 
 TITLES = "travel mm   force N  strain %    margin"
 
@@ -27,6 +29,9 @@ TITLES = "travel mm   force N  strain %    margin"
 @dataclass(frozen=True, eq=False, repr=False)
 class Travel:
     """What a strip does at k places of its ends, in physical units.
+
+    `stable` and `snaps_at` are of ends that are led and held where they are. A weight that pushes an end runs away
+    where the force falls with the travel: `force_falls_at`.
 
     Attributes
     ----------
@@ -47,7 +52,8 @@ class Travel:
     start_moment, end_moment : (k,) array
         N mm, positive anticlockwise.
     force_along : (k,) array
-        What the end is pushed with in the direction of its way, N: positive where work is put in.
+        What the end is pushed with in the direction of its way, N: positive where work is put in, negative where
+        the strip pulls the end on.
     energy : (k,) array
         Stored by bending, N mm (mJ).
     strain, stress : (k,) array
@@ -92,12 +98,25 @@ class Travel:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """A sentence each where it snaps and where it is strained beyond what its sheet bears."""
+        """A sentence each where its force falls, where it snaps, where it crosses itself, and where it is strained
+        beyond what its sheet bears.
+        """
         told = []
+        if self.force_falls_at is not None:
+            told.append(note(
+                "from {at:.4g} of travel on the force falls: an end that is led stays there, one that a weight "
+                "pushes runs away",
+                at=Length(round(self.force_falls_at, 2)),
+            ))  # fmt: skip
         if self.snaps_at is not None:
             told.append(
                 note("at {at:.4g} of travel it snaps out of its shape", at=Length(round(self.snaps_at, 2)))
             )
+        if self.crosses_at is not None:
+            told.append(note(
+                "from {at:.4g} of travel on it crosses itself: that it touches itself there is left out",
+                at=Length(round(self.crosses_at, 2)),
+            ))  # fmt: skip
         if self.strained_at is not None:
             told.append(note(
                 "from {at:.4g} of travel on it is strained beyond what the sheet bears (safety {safety:.2g}): take "
@@ -108,7 +127,7 @@ class Travel:
 
     @property
     def stable(self) -> BoolArray:
-        """Does the shape of each step (k,) stay?"""
+        """Does the shape of each step (k,) stay where its ends are led?"""
         return np.array([verdict.stable for verdict in self.verdicts])
 
     @property
@@ -123,8 +142,26 @@ class Travel:
 
     @cached_property
     def snaps_at(self) -> float | None:
-        """Travel at which the strip snaps out of its shape, mm; None where every step is stable."""
+        """Travel at which the strip snaps out of its shape, its ends led, mm; None where every step is stable."""
         return self._first(lambda rod: has_snapped(rod) or not stability(rod).stable)
+
+    @cached_property
+    def crosses_at(self) -> float | None:
+        """Travel from which the strip crosses itself, mm; None where it never does."""
+        return self._first(_crosses_itself)
+
+    @cached_property
+    def force_falls_at(self) -> float | None:
+        """Travel of the first step behind which the force on the end falls along its way, mm.
+
+        None where it rises at every step, or until the strip snaps.
+        """
+        steps, gains = np.diff(self.end, axis=0), np.diff(self.end_force, axis=0)
+        even = FALL_SHARE * np.linalg.norm(self.end_force, axis=1).max() * np.linalg.norm(steps, axis=1)
+        falls = np.sum(gains * steps, axis=1) < -even
+        if self.snaps_at is not None:
+            falls &= self.travel[1:] <= self.snaps_at
+        return float(self.travel[int(np.argmax(falls))]) if falls.any() else None
 
     def _first(self, fails: Callable[[Rod], bool]) -> float | None:
         """The least travel at which a shape fails; between the steps the ends move in straight lines."""
@@ -187,7 +224,7 @@ def bend_strip(
     strip : Strip
         Its rod may be straight: a strip cut to a width profile and then bent.
     path : (k, 2) array_like or sequence of mappings
-        As in `bend_path`.
+        Positions of the end at each step, mm, or keywords of `bend` for it.
     side : {+1, -1}, optional
         To which side a straight strip bulges, as in `bend`.
 
@@ -198,13 +235,13 @@ def bend_strip(
     Raises
     ------
     InputError, NotConvergedError
-        As `bend_path`.
+        As `bend`, with the step.
 
     Examples
     --------
-    >>> from elastica_cad.mechanics.material.sheet import Sheet
-    >>> clip = Strip(Rod.straight(100.0, samples=201), Sheet.named("spring-steel-0.5"), max_width=10.0)
-    >>> moved = bend_strip(clip, [(95.0, 0.0), (90.0, 0.0)])
+    >>> import elastica_cad as ec
+    >>> clip = ec.Strip(ec.Rod.straight(100.0, samples=201), "spring-steel-0.5", max_width=10.0)
+    >>> moved = ec.bend_strip(clip, [(95.0, 0.0), (90.0, 0.0)])
     >>> bool(moved.force_along[1] > 0), moved.travel.tolist()
     (True, [5.0, 10.0])
     >>> round(moved.strained_at, 2), moved.snaps_at
@@ -242,6 +279,11 @@ def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
     way = after - before
     size = np.hypot(way[:, 0], way[:, 1])[:, None]
     return np.asarray(np.divide(way, size, out=np.zeros_like(way), where=size > 0))
+
+
+def _crosses_itself(rod: Rod) -> bool:
+    """Whether it does; without more than half a turn it cannot."""
+    return bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
 
 
 def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:

@@ -1,4 +1,5 @@
 from elastica_cad.forming.nearest.nearest_record import Binding as Binding
+from elastica_cad.forming.fairing_request import smooth_curve as smooth_curve
 from elastica_cad.forming.leaf_ends import LeafedRod as LeafedRod, lay_leaves as lay_leaves
 from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
 from elastica_cad.forming.many_rods import (

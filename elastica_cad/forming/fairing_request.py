@@ -11,7 +11,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import measured_points
+from elastica_cad.mechanics.theorem1.verdict import measured_points, stray_point
 from elastica_cad.refusals import Length, note
 
 LARGEST_SMOOTH = 1000.0
@@ -81,9 +81,23 @@ class Smoothing:
         return float(np.abs(drawn - smooth).max() / np.abs(smooth).max())
 
     @property
+    def noise(self) -> tuple[str, ...]:
+        """A sentence where points waver so much that it shows in the widths, and they were not smoothed."""
+        points = measured_points(self.drawn)
+        if points is None or points.stray or self.fairing is not None:
+            return ()
+        change = self.change_by_noise
+        if change <= SEEN_SHARE:
+            return ()
+        return (note(
+            "The curvature, and the widths with it, change by {percent:.0f} % when noise is taken out: {points}.",
+            percent=100 * change, points=points.told, severity="warning",
+        ),)  # fmt: skip
+
+    @property
     def notes(self) -> tuple[str, ...]:
-        """Sentences about what was moved."""
-        found = []
+        """Sentences about what was moved, and about noise that was not."""
+        found: list[str] = [*stray_point(self.drawn)]
         if self.healed > SEEN:
             found.append(note(
                 "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
@@ -91,16 +105,11 @@ class Smoothing:
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:
-            return (*found, *points.stray, note(
+            return (*found, note(
                 "The points waver by about {waver}: smoothed, {far} from them at most.",
                 waver=points.shown, far=Length(self.moved), severity="warning",
             ))  # fmt: skip
-        if points is not None and (change := self.change_by_noise) > SEEN_SHARE:
-            found.append(note(
-                "The curvature, and the widths with it, change by {percent:.0f} % when noise is taken out: "
-                "{points}.",
-                percent=100 * change, points=points.told, severity="warning",
-            ))  # fmt: skip
+        found += self.noise
         drawn = self.drawn.provenance
         if self.fairing is not None and drawn is not None and drawn.drawn == "poles":
             found.append(note(
@@ -225,6 +234,8 @@ def _can_be_bent(curve: PlaneCurve, supports: Supports | None) -> bool:
 def _with(curve: PlaneCurve, fairing: Fairing | None, supports: Supports | None) -> Smoothing:
     if fairing is None:
         return Smoothing(curve, curve, None, supports)
-    drawn = curve.provenance
-    fair = fairing.curve.drawn_as(None if drawn is None else replace(drawn, drawn="exact", measured=None))
+    drawn, stray = curve.provenance, stray_point(curve)
+    if drawn is not None:  # a point that stands out does so for all that is made of it
+        drawn = replace(drawn, drawn="exact", measured=drawn.measured if stray else None)
+    fair = fairing.curve.drawn_as(drawn)
     return Smoothing(curve, fair, fairing, supports)

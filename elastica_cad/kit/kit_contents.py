@@ -30,6 +30,7 @@ from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.refusals import Length, note
 
 Writer: TypeAlias = Callable[[Path], object]
@@ -95,7 +96,8 @@ def kit_of(
     """
     spec = spec or KitSpec()
     model = _joined(model, spec, entries)
-    told, holders = [*_bent_blanks(model), *_strip_faults(model, spec, entries)], list[Holder]()
+    told = [*_bent_blanks(model), *_strip_faults(model, spec, entries), *_unstable(model)]
+    holders = list[Holder]()
     joined = _spliced(model, spec, entries)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
     pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
@@ -149,8 +151,8 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
-    """Are ends engraved, as the slots that hold them are?"""
-    return bool(spec.holders or model.plates)
+    """Are ends engraved, as the slots or the printed templates that hold them are?"""
+    return bool(spec.holders or model.plates or spec.pages)
 
 
 def _shop_of(strip: Strip, spec: KitSpec, asked: Mapping[str, FabricationLimits]) -> FabricationLimits:
@@ -184,6 +186,16 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
         told += accept_faults(found, ignore_limits or spec.ignore_limits)
     known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(told) if text not in known)
+
+
+def _unstable(model: Model) -> list[str]:
+    """Which strips will not stay in the shape that they are made for."""
+    verdicts = ((part, stability(part.strip.rod)) for part in model.parts)
+    return [
+        note("{name}: {verdict}", name=part.name, verdict=str(verdict), severity="warning")
+        for part, verdict in verdicts
+        if not verdict.stable
+    ]
 
 
 def _bent_blanks(model: Model) -> list[str]:

@@ -38,6 +38,9 @@ START_PAGE = "index.html"
 FRAME_MM = 4.0
 """Between a printed template and the frame that it is cut out by."""
 
+LONGEST_TITLE = 90
+"""Letters over a page that names all its parts; longer ones name the first."""
+
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Kinds of files that workshops make parts of."""
 
@@ -273,7 +276,10 @@ def _draw_pages(kit: Kit, path: Path) -> None:
             drawings.append(replace(piece.drawing, name=called[piece.name]))
     for nest in nest_pieces(small, sheet_size=size, margin=margin, kerf=0.0):
         cut = tuple(one for one in nest.paths if one.layer != SHEET)
-        drawings.append(Drawing(f"{called[nest.pieces[0]]}{and_more(nest.pieces)}", cut, nest.texts))
+        names = ", ".join(called[name] for name in nest.pieces)
+        if len(names) > LONGEST_TITLE:
+            names = f"{called[nest.pieces[0]]}{and_more(nest.pieces)}"
+        drawings.append(Drawing(names, cut, nest.texts))
     save_templates(drawings, path, title=f"{kit.model.name}: parts", paper=paper)
 
 

@@ -1,6 +1,7 @@
 """The assembly sheet: an exploded picture with numbered ends, and which strip goes where, in order, as PDF."""
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 from os import PathLike
 from typing import Any
 
@@ -80,17 +81,25 @@ def _pages(
     model: Model, holders: Sequence[Holder], steps: Sequence[AssemblyStep], cut_list: CutList | None
 ) -> Iterator[Any]:
     yield _exploded(model, holders)
-    rows = [
-        (str(step.number), step.strip, step.part, *step.ends, ", ".join(step.locks_into)) for step in steps
-    ]
     head = ("step", "strip", "cut as", "end 1 goes to", "end 2 goes to", "locks into")
-    yield from _tables(f"{model.name}: order of assembly", head, rows)
+    yield from _tables(f"{model.name}: order of assembly", head, list(_rows(steps)))
     if cut_list is not None:
         cut = [
             (row.part, str(row.count), row.sheet, f"{row.length:.1f} x {row.width:.1f}", row.file)
             for row in cut_list.rows
         ]
         yield from _tables(f"{model.name}: what is cut", ("part", "count", "sheet", "size, mm", "file"), cut)
+
+
+def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
+    """A row for each step; steps in turn that read alike, as those of equal strips do, share one."""
+    for (part, ends, locks), run in groupby(steps, lambda step: (step.part, step.ends, step.locks_into)):
+        first, *others = run
+        number, strip = str(first.number), first.strip
+        if others:
+            number = f"{first.number} to {others[-1].number}"
+            strip = f"strips {number}"
+        yield number, strip, part, *ends, ", ".join(locks)
 
 
 def _page(title: str) -> Any:

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.boxes import box_about
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, measured_points
 from elastica_cad.plot.canvas import INK, Figure, new_page
 from elastica_cad.plot.strip_pictures import (
     COMB,
@@ -24,7 +24,7 @@ from elastica_cad.plot.strip_pictures import (
 POINTS = 601
 """Along the curve."""
 
-GOOD = "#2e7d4f"
+GOOD, STRAY = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
 """Share of the length by which an inflection may be off its line: less is not seen."""
 
@@ -35,7 +35,8 @@ LETTERS = 96
 def check(check: EquilibriumCheck) -> Figure:
     """Draw the curve of a verdict: curvature comb, inflections with their places, inflection line and faults.
 
-    Places are mm along the curve from its start, as in the reasons.
+    Points that it was fitted to and that waver are dots, the one that stands out is ringed. Places are mm along the
+    curve from its start, as in the reasons.
 
     Parameters
     ----------
@@ -57,13 +58,20 @@ def check(check: EquilibriumCheck) -> Figure:
     tips = nodes.position - normal * (COMB_SHARE * extent / max(largest, 1e-300) * nodes.curvature)[:, None]
     box = box_about(np.concatenate([nodes.position, tips]))
     width, height = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
-    told = fill(" ".join(check.reasons) or str(check), LETTERS)
+    told = fill(" ".join((*check.told_of_points, *check.reasons)) if check.reasons else str(check), LETTERS)
     panel = NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
     figure, (axes,) = new_page([panel], told)
     teeth = np.stack([nodes.position, tips, np.full_like(tips, np.nan)], axis=1)[::6].reshape(-1, 2)
     axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
     axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
     axes.plot(*nodes.position.T, color=GOOD if check.realizable else INK, linewidth=2.2)
+    measured, dots = measured_points(curve), ""
+    if measured is not None:
+        dots = "; the dots were measured"
+        axes.plot(*measured.points.T, ".", color=INK, markersize=5, label="_measured points")
+        for stray in measured.stray:
+            ring = {"markersize": 16, "markerfacecolor": "none", "markeredgewidth": 1.6}
+            axes.plot(*stray.values["place"], "o", color=STRAY, label="_stands out", **ring)
     for label, color, marker, places in _marks(check):
         points = curve.at(np.array(places)).position
         axes.plot(*points.T, marker, color=color, markersize=8, label=label)
@@ -80,7 +88,7 @@ def check(check: EquilibriumCheck) -> Figure:
     axes.set_xlim(middle[0] - half[0], middle[0] + half[0])
     axes.set_ylim(middle[1] - half[1], middle[1] + half[1])
     verdict = "Can be bent" if check.realizable else "Cannot be bent"
-    finish_axes(axes, f"{verdict}: {check.length:.4g} mm; places in mm along it")
+    finish_axes(axes, f"{verdict}: {check.length:.4g} mm; places in mm along it{dots}")
     return figure
 
 

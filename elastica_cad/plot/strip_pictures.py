@@ -366,13 +366,21 @@ def _paint_legend(axes: Axes) -> None:
 
 FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"  # shapes from first to last; what snaps away
 SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
-COSTS = SHAPES._replace(height=2.4)  # force on one side, energy on the other
+COSTS = SHAPES._replace(height=2.4, above=NUMBERED.above)  # force on one side, energy on the other
 FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 
 def travel(moved: Travel) -> Figure:
-    """Draw all shapes of a travel above; below, force along the way and bending energy, and where the strip
-    snaps or is strained beyond what its sheet bears."""
+    """Draw all shapes of a travel above; below, force along the way and bending energy, and dotted the places that
+    `Travel.warnings` tells of.
+
+    Examples
+    --------
+    >>> import elastica_cad as ec
+    >>> clip = ec.Strip(ec.Rod.straight(100.0, samples=201), "spring-steel-0.2", max_width=10.0)
+    >>> len(ec.plot.travel(ec.bend_strip(clip, [(95.0, 0.0), (90.0, 0.0)])).axes)
+    3
+    """
     require_record(moved, Travel, "what is drawn", "a Travel")
     figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)
@@ -382,10 +390,10 @@ def travel(moved: Travel) -> Figure:
         above.plot(*rod.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
     above.set_aspect("equal", adjustable="datalim")
     snapping = "" if moved.stable.all() else "; red: unstable, it snaps away"
-    above.set_title(f"{steps} shapes, the last one darkest{snapping}", fontsize=9, color=INK, y=1.0)
+    _entitle(above, f"{steps} shapes, the last one darkest{snapping}")
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
-    below.plot(moved.travel, moved.force_along, color=FORCE, marker=".", label="force along the way, N")
+    below.plot(moved.travel, moved.force_along, color=FORCE, marker=".")
     below.set_xlabel("travel of the end, mm")
     below.set_ylabel("force, N", color=FORCE)
     below.grid(alpha=0.25)
@@ -396,21 +404,21 @@ def travel(moved: Travel) -> Figure:
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
-    for at, color, told in ((moved.strained_at, INK, "strain limit"), (moved.snaps_at, UNSTABLE, "snaps")):
+    places = (
+        ("force falls", moved.force_falls_at, FORCE), ("strain limit", moved.strained_at, INK),
+        ("snaps", moved.snaps_at, UNSTABLE), ("crosses itself", moved.crosses_at, FAINT),
+    )  # fmt: skip
+    for told, at, color in places:
         if at is not None:
-            beside.axvline(at, color=color, linewidth=1.0, linestyle=":")
-            beside.text(
-                at, 0.96, f"{told}, {at:.4g} mm", transform=beside.get_xaxis_transform(), rotation=90,
-                ha="center", va="top", fontsize=8, color=color, bbox={"facecolor": "white", "linewidth": 0},
-            )  # fmt: skip
+            below.axvline(at, color=color, linestyle=":", label=f"{told}: {at:.4g} mm")
+    if below.get_legend_handles_labels()[0]:
+        _paint_legend(below)
     worst = int(np.argmin(moved.safety))
-    below.set_title(
+    told = (
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.travel[worst]:.4g} mm of travel, "
-        f"safety {moved.safety[worst]:.2g}",
-        fontsize=9,
-        color=INK,
-        y=1.0,
+        f"safety {moved.safety[worst]:.2g}"
     )
+    _entitle(below, told, pad=22 if below.get_legend() else 6)
     return figure
 
 

@@ -191,7 +191,8 @@ def _pages(drawing: Drawing, tiling: Tiling, overlap: float) -> Iterator[Any]:
 
     for k, name in enumerate(tiling.names):
         page: Any = Figure(figsize=(tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
-        _draw_page(page, drawing, tiling, k, overlap, f"{drawing.name}   page {name}   print at 100 %")
+        tile = f"   page {name}" if len(tiling.names) > 1 else ""
+        _draw_page(page, drawing, tiling, k, overlap, f"{drawing.name}{tile}   print at 100 %")
         yield page
 
 
@@ -221,7 +222,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: f
     height = 3.0 * POINTS_PER_MM
     axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
     if k == 0:
-        x, y = high[0] - RULER_MM, low[1] - 0.5 * MARGIN_MM
+        x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
         axes.plot([x, x + RULER_MM], [y, y], color=INK, linewidth=0.8)
         for end in (x, x + RULER_MM):
             axes.plot([end, end], [y - 1.5, y + 1.5], color=INK, linewidth=0.8)

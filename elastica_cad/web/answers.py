@@ -347,6 +347,7 @@ def _model(request: Mapping[str, Any]) -> Record:
     design = _design(request)
     kit = kit_of(design.model(), design.kit, entries=design.entries, effects=True)
     told = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
+    warnings = [one for one in told if isinstance(one, Refusal) and one.severity == "warning"]
     strips: dict[int, int] = {}
     shapes: list[Record] = []
     places = []
@@ -381,8 +382,8 @@ def _model(request: Mapping[str, Any]) -> Record:
             cuts=listed.cut_length / 1000,
             mass=listed.mass,
         ),
-        "warnings": told,
-        "care": any(isinstance(one, Refusal) and one.severity == "warning" for one in told),
+        "warnings": warnings,
+        "notes": [one for one in told if one not in warnings],
     }
 
 

@@ -351,4 +351,11 @@ REFUSED = {
         "max_width = 20\nslots = [{ at = 900, width = 1.2 }]",
         {"MaxWidth": 20.0, "Slots": ["at = 900, width = 1.2"]}, ARCH,
     ),
+    "a tab too narrow for the moment of its end": Request(
+        {"max_width": 30.0, "ends": (Tab(12, width=3), Tab(12))},
+        "--max-width 30 --set 'ends = [{ length = 12, width = 3 }, { length = 12 }]'",
+        "max_width = 30\nends = [{ length = 12, width = 3 }, { length = 12 }]",
+        {"MaxWidth": 30.0, "StartTabKeys": "length = 12, width = 3", "EndTabKeys": "length = 12"}, ARCH,
+        sheet="birch-plywood-0.8",
+    ),
 }  # fmt: skip

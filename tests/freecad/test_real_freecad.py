@@ -255,7 +255,7 @@ def test_a_maker_at_work(tmp_path):
     (narrow, offered), (none, useless), (fits, _) = found["refused"].values()
     assert offered
     assert not useless, "the nearest curve is no help against a width of 0"
-    assert "make it wider (MaxWidth)" in narrow
+    assert "make it wider (MaxWidth" in narrow
     assert (
         none
         == "There is no strip.\nA strip needs MaxWidth or MinWidth (mm): its curve fixes only how widths compare"

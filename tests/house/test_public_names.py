@@ -12,7 +12,7 @@ import pytest
 
 import elastica_cad as ec
 
-MOST = 71
+MOST = 72
 ROOMS = ("geometry", "mechanics", "forming", "fabrication", "formats", "published", "plot")
 FIXED = {
     "curves": ("PlaneCurve", "read_curves", "check_equilibrium", "Supports"),

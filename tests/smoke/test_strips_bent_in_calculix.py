@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad.fabrication.strip.shoulders import corner_factor
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
+from tests.campaign.finite_elements.calculix import Material
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import LENGTH, elastica, uniform_strip
+from tests.campaign.finite_elements.shoulders import corner_strain
 from tests.campaign.finite_elements.sideways import pushed_together
 from tests.campaign.finite_elements.strips_in_pockets import held_in_pockets
 from tests.campaign.finite_elements.tapered import TAPERED, bend_tapered
@@ -93,3 +96,17 @@ def test_a_tapered_strip_takes_the_drawn_curve(tmp_path):
     bent = bend_tapered(name, TAPERED[name], tmp_path, size=8.0)
     assert bent.strayed < 1e-3
     assert bent.thickness[0] < 0.75 * bent.thickness[1]
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("shear_modulus", [None, 800.0])
+@pytest.mark.parametrize(("width", "tab"), [(14.0, 10.0), (20.0, 10.0)])
+def test_corners_beside_a_tab_are_strained_as_the_rule_has_it(width, tab, shear_modulus, tmp_path):
+    """Rounded by the thickness, as `corner_factor` takes them; with the grain of plywood and without."""
+    nu = 0.3 if shear_modulus is None else 0.1
+    sheet = ec.Sheet(
+        "bar", 1.0, 12000.0, density=700.0, max_strain=0.01, poisson_ratio=nu, shear_modulus=shear_modulus
+    )
+    solid = Material(12000.0, nu, 700.0, shear_modulus, shear_modulus and 6000.0)
+    found = corner_strain(width, tab, 1.0, solid, tmp_path)
+    assert corner_factor(sheet, width, tab) == pytest.approx(found, rel=0.15)

@@ -214,6 +214,25 @@ def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
 
 
 @pytest.mark.campaign
+def test_what_holds_the_copies_is_part_of_the_verdict(server, tmp_path):
+    """One ring lets strips tip, two hold them; where tabs do not reach the second, the verdict is red."""
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.start("lamp")
+        studio.until(lambda: "16 pieces" in studio.text(".said"))
+        assert studio.verdict() == "It can be made"
+        studio.type("#field-gap", "20")
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+        assert "does not reach through the second plate" in studio.text(".verdict")
+        studio.type("#field-gap", "")
+        studio.until(lambda: studio.verdict() == "It can be made, with care")
+        assert "14 pieces" in studio.text(".said")
+        studio.type("#field-ends-length", "40")
+        studio.type("#field-gap", "12")
+        studio.until(lambda: studio.verdict() == "It can be made")
+
+
+@pytest.mark.campaign
 def test_the_end_of_the_server_is_told_and_the_design_stays(tmp_path):
     with chromium(tmp_path) as studio:
         with running() as server:

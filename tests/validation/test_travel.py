@@ -9,6 +9,7 @@ import pytest
 
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import bend_strip
+from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -67,6 +68,29 @@ def test_a_leaf_spring_pushed_at_a_free_end():
     deep = bend_strip(leaf, [(100 - shortened, 0.8)], side=1)
     rigidity = STEEL.youngs_modulus * STEEL.thickness**3 * 10 / 12
     assert deep.end_force[0, 1] == pytest.approx(3 * rigidity * 0.8 / 100**3, rel=0.02)
+
+
+def test_a_weight_runs_away_where_the_energy_curves_down(clip):
+    """A dead force adds a line to the energy, so that its potential curves as the energy does."""
+    moved = bend_strip(clip, [(x, 40.0) for x in range(80, 20, -5)])
+    k = int(np.argmax(np.diff(moved.energy, 2) < 0)) + 1
+    assert k > 1
+    assert moved.force_falls_at == pytest.approx(moved.travel[k], abs=5.001)
+    assert moved.stable.all()
+    assert "one that a weight pushes runs away" in moved.warnings[0]
+
+
+def test_a_clip_that_is_pressed_together_pushes_back_ever_more(clip):
+    assert bend_strip(clip, [(x, 0.0) for x in np.linspace(190, 60, 6)]).force_falls_at is None
+
+
+def test_a_clip_crosses_itself_where_its_halves_cross_the_middle(clip):
+    moved = bend_strip(clip, [(60.0, 0.0), (10.0, 0.0)])
+    for shift, crossed in ((-0.2, False), (0.2, True)):
+        x = LENGTH - moved.crosses_at - shift
+        half = bend(moved.rods[1], end=(x, 0.0)).position[: 801 // 2, 0]
+        assert bool(half.max() > x / 2) is crossed
+    assert "crosses itself" in moved.warnings[0]
 
 
 def test_the_table_is_read_back(clip):

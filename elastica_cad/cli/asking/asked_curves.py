@@ -14,6 +14,7 @@ import click
 from elastica_cad.cli.asking.options import join_options
 from elastica_cad.cli.running.voice import warn
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
@@ -119,6 +120,8 @@ class AskedCurve:
         Words that choose it in its file, where several were asked for.
     unit : str or None
         Of the file, where it was told.
+    own : str
+        The name that a person gave the curve, where several are in the file and no other has it; else empty.
     """
 
     path: Path
@@ -128,6 +131,13 @@ class AskedCurve:
     name: str
     which: tuple[str, ...] = ()
     unit: str | None = None
+    own: str = ""
+
+    @property
+    def label(self) -> str:
+        """What is engraved on its strip unless it is told: its own name with the piece, or that of its files."""
+        piece = f"-{self.drawn.piece}" if self.drawn.pieces > 1 else ""
+        return engravable(f"{self.own}{piece}" if self.own else self.name)
 
     @property
     def curve(self) -> PlaneCurve:
@@ -197,10 +207,11 @@ def asked_curves(
             whole,
             len(drawing),
             _file_stem(
-                path, _own_name(whole, found) if every else number, one.piece if one.pieces > 1 else None
+                path, _called(whole, found) if every else number, one.piece if one.pieces > 1 else None
             ),
             ("--curve", str(one.number)) if several else (),
             unit,
+            _own_name(whole, drawing.curves) if len(drawing) > 1 else "",
         )
         for whole in found
         for one in (whole.split_at_corners() if split else (whole,))
@@ -226,13 +237,22 @@ def drawn_curves(
     return drawing
 
 
+def _called(one: DrawnCurve, found: Sequence[DrawnCurve]) -> str:
+    return _own_name(one, found) or str(one.number)
+
+
 def _own_name(one: DrawnCurve, found: Sequence[DrawnCurve]) -> str:
-    """The id that a person can give it, where it is the only one of that name; else its number."""
-    alone = sum(other.name.casefold() == one.name.casefold() for other in found) == 1
-    return one.name if alone and re.fullmatch(r"[A-Za-z_][-.\w]*", one.name, re.ASCII) else str(one.number)
+    """The name that a person can give it, where it is the only one of that name; else empty."""
+    alone = sum(_word(other.name).casefold() == _word(one.name).casefold() for other in found) == 1
+    return one.name if alone and re.match(r"_|[^\W\d]", one.name) else ""
+
+
+def _word(name: str) -> str:
+    """A name as files have it."""
+    return re.sub(r"[^-.A-Za-z0-9_]+", "_", engravable(name.strip()))
 
 
 def _file_stem(path: Path, number: str | None, piece: int | None) -> str:
     """The drawing's name, the curve's number or id, and the piece."""
-    words = [] if number is None else [re.sub(r"[^-.A-Za-z0-9_]+", "_", number.strip()) or "1"]
+    words = [] if number is None else [_word(number) or "1"]
     return "-".join([path.stem, *words, *([] if piece is None else [str(piece)])])

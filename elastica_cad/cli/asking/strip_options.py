@@ -26,7 +26,6 @@ from elastica_cad.cli.asking.support_options import END_NAMES, Blank, read_curve
 from elastica_cad.cli.running.suggestions import typed_length
 from elastica_cad.errors import Change, InputError
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
-from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.key_paths import paths_of, put
 from elastica_cad.formats.design_files.records import Reader
@@ -234,8 +233,8 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
     return merged(table, settings)
 
 
-def spec_from_options(curve: PlaneCurve, name: str, table: Mapping[str, Any]) -> StripSpec:
-    """The strip that the table of the options asks for, labelled with its `name` unless it says how.
+def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
+    """The strip that the table of the options asks for, with this `label` unless it says another.
 
     Raises
     ------
@@ -243,7 +242,7 @@ def spec_from_options(curve: PlaneCurve, name: str, table: Mapping[str, Any]) ->
         What the reader or `StripSpec` refuses, with the options to look at.
     """
     keys = {
-        "label": engravable(name),
+        "label": label,
         **{k: one for k, one in table.items() if k not in ("curve", "cut", "files")},
     }
     try:

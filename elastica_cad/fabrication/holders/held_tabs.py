@@ -27,7 +27,7 @@ def _seat_between(walls: FloatArray, tab: PlacedTab, plate: Slotted) -> TabSeat:
     # of a wall that begins beyond the tab's tip its edge counts
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
-    return TabSeat(left, right, tab.thickness, f"slot of {plate.name}")
+    return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))
 
 
 def slot_walls(plate: Slotted) -> list[tuple[int, PlacedTab, FloatArray]]:
@@ -62,9 +62,8 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
         before = found.get(tab.key)
         if before is not None:
             left, right = np.concatenate([before.left, seat.left]), np.concatenate([before.right, seat.right])
-            found[tab.key] = TabSeat(
-                left, right, seat.thickness, f"{before.name} and {seat.name.split()[-1]}"
-            )
+            both = note("{one} and {other}", one=before.name, other=seat.name.split()[-1])
+            found[tab.key] = TabSeat(left, right, seat.thickness, both)
         else:
             found[tab.key] = seat
     return found
@@ -148,18 +147,17 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
     """A sentence for every holder: how far its tabs shift across and turn in it at most, before they jam."""
     placed, holders, told = require_placed(placed), _require_holders(holders), []
     for name, held in _by_holder(placed, holders).items():
-        low, high = np.degrees(np.array([seat.turning for _, _, seat in held]).T)
+        turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
         room = max(seat.room for _, _, seat in held)
-        if room < NO_PLAY_MM and high.max() - low.min() < NO_PLAY_DEGREES:
+        if room < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
             told.append(
                 note("{name} leaves its tabs no play: they bend a little between its edges", name=name)
             )
         else:
             across = 0.0 if room < NO_PLAY_MM else room
-            least, most = _turn(low.min()), _turn(high.max())
             told.append(note(
-                "{name} leaves its tabs {across:.2g} across and {least} to {most} degrees",
-                name=name, across=Length(across), least=least, most=most,
+                "{name} leaves its tabs {across:.2g} across and {turn:.2g} degrees to turn",
+                name=name, across=Length(across), turn=turn,
             ))  # fmt: skip
     glued = (one for one in holders if (isinstance(one, BasePlate) and one.glued) or _lies_on(one))
     return (
@@ -176,11 +174,6 @@ def _lies_on(holder: object) -> TypeGuard[Ring]:
     return isinstance(holder, Ring) and bool(holder.seats)
 
 
-def _turn(degrees: float) -> str:
-    """Format a turn with its sign; 0 for one too small to be seen."""
-    return "0" if abs(degrees) < NO_PLAY_DEGREES else note("{turn:+.2g}", turn=degrees)
-
-
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure."""
     placed, holders, told = require_placed(placed), _require_holders(holders), []
@@ -189,14 +182,23 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         rocking = [one for one in held if np.ptp(one[2].turning) > 2 * ROCKING_RAD]
         if rocking:
             one, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
-            low, high = np.degrees(seat.turning)
+            toward, away = _tipping(one, end, seat)
             told.append(note(
-                "{strip}{more}: in the {holder} the tab at its {end} rocks by {low:+.0f} to {high:+.0f} "
-                "degrees and does not hold the drawn angle; {shape}; {cure}",
-                strip=names[id(one)], more=and_more(rocking), holder=holder, end=end, low=low, high=high,
+                "{strip}{more}: in the {holder} its {end} can tip {toward:.0f} degrees towards the other end and "
+                "{away:.0f} away from it, and does not hold the drawn angle; {shape}; {cure}",
+                strip=names[id(one)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
                 shape=_shape(one, tab_seats(holders)), cure=_cure(one, end, holders), severity="warning",
             ))  # fmt: skip
     return tuple(told)
+
+
+def _tipping(one: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
+    """How far, in degrees, a strip can tip in a seat towards its other end and away from it."""
+    own, other = (PlacedTab.of(one.strip, k, one.frame).frame for k in sorted(ENDS, key=lambda k: k != end))
+    right, left = np.abs(np.degrees(seat.turning))
+    # where the tab turns to the left of the curve, the strip before it turns to the right, which is its z axis
+    lies_right = (other.origin - own.origin) @ own.z_axis > 0
+    return (left, right) if lies_right else (right, left)
 
 
 def _by_holder(

@@ -174,13 +174,13 @@ def holding_template(strip: Strip) -> Drawing:
     low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
     left = float(min(first.position[0], last.position[0]))
     told = [
-        engravable(strip.label or "strip"),
-        f"bends begin {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
+        f"{engravable(strip.label or 'strip')}: its first letter points to end 1",
+        f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
-            f"{name} "
-            + (f"{end.tilt:z.1f} degrees from the line" if end.support.angle else "free to turn")
+            f"end {name}: "
+            + (f"{abs(end.tilt):.1f} degrees from the line" if end.support.angle else "free to turn")
             + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
-            for name, end, holes in zip(("start", "end"), ends, hole_places(ends), strict=True)
+            for name, end, holes in zip((1, 2), ends, hole_places(ends), strict=True)
         ),
         *(["mm; x along the line from its start"] if first.holes or last.holes else []),
     ]
@@ -188,4 +188,11 @@ def holding_template(strip: Strip) -> Drawing:
         Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)
         for row, line in enumerate(told)
     ]
+    texts += [_number(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
+
+
+def _number(name: str, end: HeldEnd) -> Text:
+    """What an end is called, beyond its tip."""
+    x, y = end.tip + LETTERS_MM * end.outward
+    return Text((float(x) - LETTERS_MM / 4, float(y) - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK)

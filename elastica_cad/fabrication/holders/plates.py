@@ -127,13 +127,21 @@ class BasePlate:
     def drawing(self) -> Drawing:
         """The cut pattern seen from above, every slot with the name of its tab."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
-        texts = [self._label(slot) for slot in self.slots]
-        return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), tuple(texts))
+        texts = (*(self._label(slot) for slot in self.slots), *self._name())
+        return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
 
     @property
     def piece(self) -> Piece:
         """The plate as a piece to be cut."""
         return Piece(self.name, self.drawing, self.sheet)
+
+    def _name(self) -> tuple[Text, ...]:
+        """Its name between opening and slots: of two rings that stand together each says which one it is."""
+        if self.opening is None:
+            return ()
+        center, inner = self.opening.bounds.mean(axis=0), float(np.ptp(self.opening.bounds[:, 0])) / 2
+        free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
+        return _rim_text(self.name, inner + CLEAR_MM, free, center)
 
     def _label(self, slot: TabSlot) -> Text:
         """The name along the slot, reading upright above it, or below where another slot is in the way."""
@@ -529,17 +537,21 @@ class Ring:
     def _label(self) -> tuple[Text, ...]:
         loops = [slot.corners for slot in self.slots] + [seat.points(0.1) for seat in self.seats]
         inner = max(float(np.hypot(*loop.T).max()) for loop in loops) + CLEAR_MM
-        outer = self.radii[1] - CLEAR_MM
-        largest = min(LABEL_MM, 0.4 * (self.radii[1] - inner))
-        if largest < LEAST_LABEL_MM:
-            return ()
-        for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist():
-            half, below = text_width(self.name, height) / 2, height * TAILS
-            most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height  # its upper corners lie on the rim
-            if most >= inner + below:
-                low = min(most, (inner + below + outer - height) / 2)
-                return (Text((-half, low), self.name, height, 0.0, ENGRAVE),)
-        return ()
+        return _rim_text(self.name, inner, self.radii[1] - CLEAR_MM)
+
+
+def _rim_text(
+    name: str, inner: float, outer: float, center: Sequence[float] = (0.0, 0.0)
+) -> tuple[Text, ...]:
+    """The name of a ring engraved above its centre between two radii, as large as fits; none that could be read."""
+    largest = min(LABEL_MM, 0.4 * (outer - inner))
+    for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
+        half, below = text_width(name, height) / 2, height * TAILS
+        most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height  # its upper corners lie on the circle
+        if most >= inner + below:
+            low = min(most, (inner + below + outer - height) / 2)
+            return (Text((center[0] - half, center[1] + low), name, height, 0.0, ENGRAVE),)
+    return ()
 
 
 def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> float:

@@ -335,8 +335,12 @@ def _placed(
     return tuple(float(s[k]) for k in reversed(chosen))
 
 
-def make_within(strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool) -> Strip:
+def make_within(
+    strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, wavers: bool
+) -> Strip:
     """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
+
+    `wavers`: as in `find_strip_faults`.
 
     Raises
     ------
@@ -350,7 +354,7 @@ def make_within(strip: Strip, shop: FabricationLimits, *, compensate: bool, igno
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
-    told = accept_faults(find_strip_faults(strip, shop), ignore_limits)
+    told = accept_faults(find_strip_faults(strip, shop, wavers=wavers), ignore_limits)
     joined = spliced(strip, shop)
     told += () if joined is None else (str(joined),)
     if not told:
@@ -369,7 +373,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
     judged = strip.strain_verdict
     if require_flag(ignore_limits, "ignore_limits") or not judged.refused:
         return
-    thinner = thinner_for(strip.sheet, strip.max_strain)
+    thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
     raise StrainError(
         "{strains} To make it all the same, set ignore_limits (--ignore-limits).",
         strains=sentences(strip.strain_warnings, ". ", "."),

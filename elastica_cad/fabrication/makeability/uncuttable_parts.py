@@ -233,10 +233,13 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
 
 
-def find_strip_faults(strip: Strip, shop: FabricationLimits | None = None) -> tuple[Fault, ...]:
+def find_strip_faults(
+    strip: Strip, shop: FabricationLimits | None = None, *, wavers: bool = False
+) -> tuple[Fault, ...]:
     """Everything that keeps a strip from being cut and handled, the base first.
 
-    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes.
+    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes. `wavers` says that
+    its curve goes through points that waver, so that smoothing helps.
 
     Examples
     --------
@@ -260,7 +263,8 @@ def find_strip_faults(strip: Strip, shop: FabricationLimits | None = None) -> tu
         called = name if i == 0 else f"{name}, backing"
         length, width = _size(strip)
         if width < FAR_WIDER * stock[0]:
-            found += _thin_strip(called, strip, layer, least, min(least, shop.bridge_for(layer.sheet)))
+            web = min(least, shop.bridge_for(layer.sheet))
+            found += _thin_strip(called, strip, layer, least, web, wavers=wavers)
         found += _too_large(called, min(length, stock[0] if joined else np.inf), width, layer.sheet, stock)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament:
@@ -347,7 +351,9 @@ def _size(strip: Strip) -> tuple[float, float]:
     return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
 
 
-def _thin_strip(name: str, strip: Strip, layer: Layer, least: float, web: float) -> Iterator[Fault]:
+def _thin_strip(
+    name: str, strip: Strip, layer: Layer, least: float, web: float, *, wavers: bool
+) -> Iterator[Fault]:
     """Necks of the strip and its tabs narrower than `least`, webs beside holes narrower than `web`, mm."""
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
@@ -358,10 +364,10 @@ def _thin_strip(name: str, strip: Strip, layer: Layer, least: float, web: float)
     for place in necks:
         of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
         (tabs if of_tab else free).append(place)
-    cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
-    narrowest = min((place.width for place in free), default=least)
-    changes = (*_wider(strip, least / narrowest), Change("nearest", True))
-    yield from (replace(fault, changes=changes) for fault in _faults_at(name, free, least, layer.sheet, cure))
+    if free:
+        cure, changes = _cures_of_necks(strip, least / free[0].width, least, wavers)
+        for fault in _faults_at(name, free, least, layer.sheet, cure):
+            yield replace(fault, changes=changes)
     for place in tabs[:1]:
         wide, needed = map(Length, told_apart(place.width, least, ".3g"))
         what = note(
@@ -372,6 +378,25 @@ def _thin_strip(name: str, strip: Strip, layer: Layer, least: float, web: float)
     webs = [place for place in places if place.loops != (0, 0) and place.width < web]
     for place in webs[:MOST_TOLD]:
         yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
+
+
+def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> tuple[str, tuple[Change, ...]]:
+    """What helps a strip that must be so many times as wide to have no neck below `least` mm."""
+    wider = _wider(strip, times)
+    if not wider:
+        cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
+    elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
+        wider, cure = (
+            (),
+            note("ask for the nearest curve with a smaller ratio"),
+        )  # tips of bulges grow thinner
+    else:
+        cure = note(
+            "make it wider (max_width = {width:g} or more), or ask for the nearest curve with a smaller ratio",
+            width=Length(wider[0].value),
+        )
+    more = [note("smoothing its points more helps too (smooth, --smooth)")] if wavers else []
+    return sentences([cure, *more]), (*wider, Change("nearest", True))
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
@@ -404,8 +429,8 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
 
 
 def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
-    """The width of a plain strip's widest place that makes it so many times as wide."""
-    if not isinstance(strip.style, Plain):
+    """The width of a plain strip's widest place that makes it so many times as wide, unless its rod fixes that."""
+    if not isinstance(strip.style, Plain) or strip.rod.bending_stiffness is not None:
         return ()
     return (Change("max_width", rounded_up(times * float(strip.width.extremes[1]), 3)),)
 

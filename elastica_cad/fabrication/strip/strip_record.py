@@ -17,6 +17,7 @@ from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.outline import Tab, pair_of_tabs
 from elastica_cad.fabrication.strip.perforation import DiamondPattern
+from elastica_cad.fabrication.strip.shoulders import Shoulder, find_shoulders
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.strip_sentences import (
     backing_mark,
@@ -193,7 +194,8 @@ class Strip:
     def __repr__(self) -> str:
         called = f" {self.label!r}" if self.label else ""
         size = f"{self.rod.length:.4g} mm long, {self.breadth('.3g')}"
-        return f"<Strip{called} of {self.sheet.name}, {size}, strain {self.max_strain:.2%}>"
+        strain = f"strain {self.max_strain:.2%} of {self.strain_limit:.2%}"
+        return f"<Strip{called} of {self.sheet.name}, {size}, {strain}>"
 
     def _repr_svg_(self) -> str:
         return self.drawing()._repr_svg_()
@@ -321,14 +323,19 @@ class Strip:
 
     @cached_property
     def strain_verdict(self) -> StrainVerdict:
-        """Result of the strain rule for the worst of the strip's layers."""
-        judged = (layer.judged(self._bends.place(layer.station)) for layer in self.strains)
+        """Result of the strain rule for the worst of the strip's layers, and of tabs too narrow for their ends."""
+        judged = [layer.judged(self._bends.place(layer.station)) for layer in self.strains]
+        judged += [shoulder.verdict for shoulder in self._shoulders]
         return max(judged, key=lambda one: (one.state, one.used))
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:
-        """A sentence for each layer that is strained beyond what its sheet bears: where, and what happens there."""
-        return tuple(warn_of_strains(self.strains, self._bends))
+        """A sentence for each layer or tab strained beyond what its sheet bears: where, and what happens there."""
+        return (*warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
+
+    @cached_property
+    def _shoulders(self) -> tuple[Shoulder, ...]:
+        return find_shoulders(self.layout, self.ends, self.strains)
 
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:

@@ -286,13 +286,18 @@ def curve_from_run(
 
 
 def curve_from_points(
-    points: FloatArray, *, tolerance: float = FIT_TOLERANCE, drawn: Provenance | None = None
+    points: FloatArray,
+    *,
+    tolerance: float = FIT_TOLERANCE,
+    drawn: Provenance | None = None,
+    noise: float = 0.0,
 ) -> PlaneCurve:
     """The curve through measured points (n, 2): a line if in line, else fitted within `tolerance` mm.
 
     Corners stay corners (`PlaneCurve.tangent_breaks` tells them): a turn by more than 50 degrees between two
     straight pieces that are long beside the tolerance, and beside noise, was drawn, not measured. The noise of
-    points that waver is in the curve's record, and those that no smooth curve follows are its corners.
+    points that waver, `noise` mm at least, is in the curve's record, and those that no smooth curve follows are its
+    corners.
 
     Raises
     ------
@@ -304,7 +309,7 @@ def curve_from_points(
         raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number")
-    drawn, measured = drawn or Provenance(), MeasuredPoints.of(points)
+    drawn, measured = drawn or Provenance(), MeasuredPoints.of(points, noise)
     noise = 0.0 if measured is None else measured.waver
     cuts = [0, *_corners(points, max(tolerance, noise)), len(points) - 1]
     if len(cuts) == 2 and measured is not None:

@@ -67,14 +67,21 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     text = _text(file)
     columns, named = _columns(text)
     rows = [row for _, column in columns for row in column]
-    inches = any(is_in_inches(cell) for _, cells in rows for cell in cells)
+    inches = [cell for _, cells in rows for cell in cells if is_in_inches(cell)]
     headed = unit or _one_unit(named)
     scale = look_up_unit(headed or ("in" if inches else "mm"))
-    rounded = MM_PER_INCH / 16 if inches else scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS])
+    parts = max((int(cell.rpartition("/")[2]) for cell in inches if "/" in cell), default=8)  # of an inch
+    rounded = (
+        MM_PER_INCH / parts / 2 if inches else scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS])
+    )
+    by_rule = scale == MM_PER_INCH or any(name for name, _ in columns)  # no machine measured those
+    noise = rounded / np.sqrt(3) if by_rule else 0.0
     blocks = [(name, block) for name, column in columns for block in _blocks(column, scale)]
     makers = [
         DrawnCurve(
-            number, partial(_fitted, block, fit_tolerance, Provenance(rounding=rounded, name=name)), name
+            number,
+            partial(_fitted, block, fit_tolerance, Provenance(rounding=rounded, name=name), noise),
+            name,
         )
         for number, (name, block) in enumerate(blocks, start=1)
     ]
@@ -84,10 +91,10 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     return DrawnFile(file, makers, size=told if inches and headed is None else "")
 
 
-def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
+def _fitted(points: FloatArray, tolerance: float, digits: Provenance, noise: float) -> PlaneCurve:
     check_size(points)
     check_count(len(points), 4 * MOST_PIECES, "points in one curve", "leave some out")
-    return curve_from_points(points, tolerance=tolerance, drawn=digits)
+    return curve_from_points(points, tolerance=tolerance, drawn=digits, noise=noise)
 
 
 def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:

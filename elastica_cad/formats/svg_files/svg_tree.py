@@ -176,6 +176,9 @@ _NOT_SHOWN = (
 )
 _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+
+_NUMBERED = re.compile(r"[a-z]+[-\d]+")
+"""Ids that Inkscape gives, "path37" or "path37-1-6": what a person calls the shape is its label."""
 _PACKED = b"\x1f\x8b"  # how gzip begins
 _HEAD = 4096  # bytes that are looked through at a time for where the first element begins
 _DEEPEST = 200  # elements within elements
@@ -379,5 +382,8 @@ def _mark(tree: SvgTree) -> None:
                 element.set("d", "M0 0L1 1" if data.strip() else "")
             rounding = half_last_place(re.findall(NUMBER, written)) if data is None else 0.0
             element.set(MARK, str(len(tree.shapes)))
-            tree.shapes.append(Shape(kind, element.get("id", ""), layer, data, rounding, shown))
+            name = element.get("id", "")
+            if _NUMBERED.fullmatch(name):
+                name = element.get(f"{_INKSCAPE}label") or name
+            tree.shapes.append(Shape(kind, name, layer, data, rounding, shown))
         stack += [(child, layer, shown) for child in reversed(element)]

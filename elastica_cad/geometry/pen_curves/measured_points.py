@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import rounded_up
 from elastica_cad.geometry.running_sums import lengths_along
-from elastica_cad.refusals import Length, Point, note
+from elastica_cad.refusals import Length, Point, Refusal, note
 
 ORDERS = range(2, 8)
 """Of the divided differences that tell noise from shape."""
@@ -30,7 +30,9 @@ REACH = 4.0
 """Standard deviations from a smooth curve within which all of some hundred points lie; of fewer points, fewer."""
 
 STRAY_TIMES = 4.0
-"""A point stands out when it is this many times as far off its neighbours' curve as any point is without it."""
+"""A point stands out when it is this many times as far off its neighbours' curve as any point is without it, and as
+rounding moves one.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,39 +45,51 @@ class MeasuredPoints:
         mm.
     waver : float
         Standard deviation of their distance from the curve, mm.
+    least : float
+        What rounding alone makes of that, mm.
     """
 
     points: FloatArray
     waver: float
+    least: float = 0.0
 
     @classmethod
-    def of(cls, points: FloatArray) -> "MeasuredPoints | None":
+    def of(cls, points: FloatArray, least: float = 0.0) -> "MeasuredPoints | None":
         """The points (n, 2), no two in a row the same, with their noise; None where it is too little to matter."""
-        waver = estimate_waver(points)
-        return cls(points, waver) if waver >= TOLD_MM else None
+        waver = max(estimate_waver(points), least)
+        return cls(points, waver, least) if waver >= TOLD_MM else None
 
     @property
     def reach(self) -> float:
-        """How far from the points a smooth curve may be, mm, so that it need not follow the noise."""
-        return rounded_up(min(REACH, 2 * np.log10(len(self.points))) * self.waver, 2)
+        """How far from the points a smooth curve may be, mm, so that it need not follow the noise.
+
+        It is never less than the largest error of rounding, whose standard deviation is a root of 3 below it.
+        """
+        return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.waver, 2)
 
     @property
-    def stray(self) -> tuple[str, ...]:
+    def stray(self) -> tuple[Refusal, ...]:
         """A sentence about the one point that stands out, as a mistyped one does; none where none stands out.
 
-        It is far off the cubic through its four neighbours, and without it no other point is.
+        It is the one without which no points are far off the cubics through their neighbours. The first and last
+        cannot be judged: a curve may end as they say.
         """
-        off = np.abs(_off_neighbours(self.points))
-        if len(off) < FEWEST:
+        count = len(self.points)
+        if count < FEWEST + 4:
             return ()
-        far, at = off.max(), int(off.argmax()) + 2
-        rest = np.abs(_off_neighbours(np.delete(self.points, at, axis=0))).max()
-        if far <= STRAY_TIMES * rest:
+        rough = np.abs(_differences(self.points, 4)[0])
+        first = int(rough.argmax())
+        near = range(max(1, first), min(count - 1, first + 5))
+        others = {at: np.delete(self.points, at, axis=0) for at in near}
+        without = {at: np.abs(_differences(points, 4)[0]).max() for at, points in others.items()}
+        at = min(without, key=lambda one: without[one])
+        if rough.max() <= STRAY_TIMES * max(without[at], self.least):
             return ()
+        far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
         return (note(
             "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
             "the others {rest:.2g} at most: measure it again.",
-            place=Point(self.points[at]), number=at + 1, count=len(self.points), far=Length(far), rest=Length(rest),
+            place=Point(self.points[at]), number=at + 1, count=count, far=Length(far), rest=Length(rest),
             severity="warning",
         ),)  # fmt: skip
 
@@ -122,10 +136,11 @@ def _across(points: FloatArray, order: int) -> float:
     return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
-def _off_neighbours(points: FloatArray) -> FloatArray:
-    """Distances (n - 4,), mm, of points across the curve from the cubics through two neighbours on either side."""
+def _off_nearest(points: FloatArray) -> FloatArray:
+    """Distances (n,), mm, of points across the curve from the cubics through their four nearest; 0 at the ends."""
     across, weights = _differences(points, 4)
-    return across / weights[:, 2]
+    middle = across / weights[:, 2]
+    return np.abs([0.0, across[0] / weights[0, 1], *middle, across[-1] / weights[-1, 3], 0.0])
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:

@@ -81,7 +81,9 @@ class Provenance:
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
         holes = tuple((*(m @ (x, y, 1.0))[:2] / m[2, 2], stretch * size) for x, y, size in self.holes)
         measured = self.measured and MeasuredPoints(
-            self.measured.points @ linear.T + m[:2, 2] / m[2, 2], stretch * self.measured.waver
+            self.measured.points @ linear.T + m[:2, 2] / m[2, 2],
+            stretch * self.measured.waver,
+            stretch * self.measured.least,
         )
         return replace(
             self,
@@ -94,7 +96,7 @@ class Provenance:
 
     def reversed(self) -> "Provenance":
         """The record of the curve run from its other end."""
-        measured = self.measured and MeasuredPoints(self.measured.points[::-1], self.measured.waver)
+        measured = self.measured and replace(self.measured, points=self.measured.points[::-1])
         return replace(self, measured=measured)
 
     def of_part(self) -> "Provenance":

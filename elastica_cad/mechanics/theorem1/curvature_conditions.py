@@ -27,10 +27,10 @@ from elastica_cad.mechanics.loads.rest_curvature import (
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck,
+    changes_of,
     lengths,
     measured_points,
     shown_on,
-    smoothing_of,
 )
 from elastica_cad.refusals import Length, Listed, note
 
@@ -45,7 +45,8 @@ def require_bendable(curve: PlaneCurve) -> None:
     """
     corners = curve.tangent_breaks
     if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
-        raise InputError(points.told, kind="corner", changes=smoothing_of(curve))
+        told = next(iter(points.stray), points.told)
+        raise InputError(told, kind="corner", changes=changes_of(curve))
     if corners:
         slight = _taken_out(curve)
         apart = Change("split_corners", True), Change("nearest", True)

@@ -13,7 +13,7 @@ from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.refusals import Length, Listed, note, sentences
+from elastica_cad.refusals import Length, Listed, Refusal, note, sentences
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,9 @@ class EquilibriumCheck:
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        return sentences([self.verdict, *self.told_of_points, *self.reasons, *self.warnings], " ")
+        stray, points = stray_point(self.curve), self.told_of_points
+        first = [*stray, self.verdict] if stray else [self.verdict, *points]
+        return sentences([*first, *self.reasons, *self.warnings], " ")
 
     @property
     def told_of_points(self) -> tuple[str, ...]:
@@ -296,9 +298,7 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 
     def __init__(self, check: EquilibriumCheck | PairCheck) -> None:
         self.check = check
-        changes = (
-            [] if isinstance(check, PairCheck) else [*smoothing_of(check.curve), Change("nearest", True)]
-        )
+        changes = () if isinstance(check, PairCheck) else changes_of(check.curve)
         super().__init__(str(check), changes=changes)
 
 
@@ -307,10 +307,22 @@ def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
     return None if curve.provenance is None else curve.provenance.measured
 
 
-def smoothing_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """The distances within which points that waver are smoothed; none for any other curve."""
+def stray_point(curve: PlaneCurve) -> tuple[Refusal, ...]:
+    """The sentence about the measured point that stands out; none where none does."""
     points = measured_points(curve)
-    return () if points is None else tuple(Change("smooth", times * points.reach) for times in (1, 2))
+    return () if points is None else points.stray
+
+
+def changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
+    """With which a strip may come near a curve that none takes: points that waver are smoothed first.
+
+    None where a point stands out: nobody wants a strip near a mistyped number.
+    """
+    points = measured_points(curve)
+    if points is not None and points.stray:
+        return ()
+    smoothing = [] if points is None else [Change("smooth", times * points.reach) for times in (1, 2)]
+    return (*smoothing, Change("nearest", True))
 
 
 def lengths(s: Iterable[float]) -> Listed:

@@ -11,6 +11,6 @@ export const STARTS = [
   {
     ...design("lamp", "polypropylene-0.8", 30, [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]),
     strips: [strip([[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]], { label: "L{i}" })],
-    patterns: [{ rotate: { count: 12 } }], rings: { sheet: "mdf-3" },
+    patterns: [{ rotate: { count: 12 } }], ends: { length: 24 }, rings: { sheet: "mdf-3", gap: 10 },
   },
 ];

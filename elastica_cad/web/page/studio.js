@@ -228,8 +228,7 @@ class Studio {
   }
 
   async follow(design) {
-    if (!design.strips?.length && !design.pair) return;
-    if (this.curve(design)?.spline && this.points(design).length < 3) {
+    if ((!design.strips?.length && !design.pair) || (this.curve(design)?.spline && this.points(design).length < 3)) {
       this.paint(null);
       return;
     }
@@ -248,22 +247,24 @@ class Studio {
   async model() {
     const design = this.design;
     if (!this.whole.checked || !(design.strips?.length || design.revolution)) {
-      if (this.answer?.position) this.inSpace(this.answer);
-      this.careFor(false);
+      this.alone();
+      this.assembly = null;
+      if (this.answer || design.revolution) this.judge();
       return;
     }
-    const answer = await this.ask({ do: "model", design });
-    if (!answer || !this.whole.checked) return;
+    this.tell(`${this.t("Working")} …`);
+    const answer = await this.channel.ask({ do: "model", design });
+    if (!answer) return;
+    this.tell("");
+    if (!this.whole.checked) return;
+    this.assembly = answer;
+    if (this.answer || design.revolution) this.judge();
+    if (answer.refused) return this.alone();
     this.space.showModel(answer);
-    this.tell([answer.text, ...answer.warnings].join(" · "));
-    this.careFor(answer.care);
+    this.tell([answer.text, ...answer.notes].join(" · "));
   }
 
-  // Whether what holds the whole model is well is part of the verdict.
-  careFor(care) {
-    this.care = care;
-    if (this.answer) this.judge(this.answer);
-  }
+  alone() { if (this.answer?.position) this.space.showAll(this.answer.states ?? [this.answer]); }
 
   // ---- what is answered
 
@@ -272,26 +273,23 @@ class Studio {
     if (answer?.states) Object.assign(answer, answer.states[this.strip], { other: answer.states[1 - this.strip].position });
     this.answer = answer;
     this.drawing.show({ answer, ghost: answer?.other ?? null });
-    if (!answer) {
-      Object.assign(this.verdict, { className: "verdict", said: "" });
-      this.verdict.replaceChildren(html("strong", {}, t("Draw at least three points")), html("p", {}, t("Click on the drawing to set the first points of a curve, or start from an example.")));
-      this.tabulate([]);
-      showFlat(this.flat, null);
-      return;
-    }
-    this.judge(answer);
-    showFlat(this.flat, answer.flat, `${t("Flat strip")}, ${answer.length} mm`);
-    this.tabulate(answer.refused ? [] : this.rows(answer));
-    if (answer.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
+    this.judge();
+    showFlat(this.flat, answer?.flat, answer && `${t("Flat strip")}, ${answer.length} mm`);
+    this.tabulate(!answer || answer.refused ? [] : this.rows(answer));
+    if (answer?.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
-      if (this.answer?.position && !this.whole.checked) this.inSpace(this.answer);
+      if (!this.whole.checked) this.alone();
     }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
   }
 
-  judge(answer) {
-    const { t } = this, { refused } = answer, state = refused ? "no" : answer.warnings.length || this.care ? "care" : "yes";
-    const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state];
-    const texts = refused ? [refused.message] : [...answer.warnings, ...(answer.deviation == null ? [answer.text] : [])];
+  // One verdict on the strip and, where the whole model is shown, on what holds it.
+  judge() {
+    const { t, answer } = this, assembly = answer || this.design.revolution ? this.assembly : null, refused = answer?.refused ?? assembly?.refused;
+    const warnings = refused ? [] : [...(answer?.warnings ?? []), ...(assembly?.warnings ?? [])];
+    const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
+    const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state] ?? (this.design.revolution ? "" : "Draw at least three points");
+    const texts = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
+      : title ? [t("Click on the drawing to set the first points of a curve, or start from an example.")] : [];
     const said = [title, ...texts].join();
     if (said !== this.verdict.said) { // a reader of the screen hears what is new
       this.verdict.className = `verdict ${state}`;
@@ -299,8 +297,6 @@ class Studio {
     }
     this.verdict.said = said;
   }
-
-  inSpace(answer) { this.space.showAll(answer.states ?? [answer]); }
 
   // Only the values that change are written anew.
   tabulate(rows) {
@@ -511,6 +507,7 @@ function put(table, path, value) {
 
 // Copies and what holds them: keys of the whole design, not of a strip.
 const holderOf = (design) => HOLDERS.find((key) => key in design);
+const holding = (design) => design.revolution ?? design[holderOf(design)];
 const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, ...value });
 const COPIES = [
   copyField("Around the axis x = 0", {
@@ -532,6 +529,10 @@ const COPIES = [
   copyField("Sheet of the holders", {
     kind: "choice", sheets: true, get: (design) => design[holderOf(design)]?.sheet,
     set: (design, sheet) => { if (design[holderOf(design)] && holderOf(design) !== "fixtures") design[holderOf(design)].sheet = sheet ?? "mdf-3"; },
+  }),
+  copyField("gap", {
+    kind: "number", unit: "mm", help: "Two plates so far apart hold inclined tabs.", get: (design) => holding(design)?.gap,
+    set: (design, gap) => { if (holding(design)) put(holding(design), ["gap"], gap); },
   }),
 ];
 const copyOf = ([name]) => COPIES.find((one) => one.name === name);

@@ -10,7 +10,7 @@ import ezdxf
 import gmsh
 import numpy as np
 
-__all__ = ["FlatMesh", "mesh_cut_files"]
+__all__ = ["FlatMesh", "mesh_cut_files", "meshed"]
 
 MEETS_MM = 1e-5
 """Ends of entities that come this near to each other are one point."""
@@ -55,12 +55,13 @@ def mesh_cut_files(paths: Sequence[Path], *, size: float, at: Sequence[float] = 
         gmsh.model.occ.synchronize()
         surfaces = [{tag for dim, tag in part if dim == 2} for part in parts[: len(sheets)]]
         _remove_loose_lines()
-        return _meshed(surfaces, size)
+        return meshed(surfaces, size)
     finally:
         gmsh.finalize()
 
 
-def _meshed(surfaces: Sequence[set[int]], size: float) -> FlatMesh:
+def meshed(surfaces: Sequence[set[int]], size: float) -> FlatMesh:
+    """The surfaces of each sheet, by their numbers in gmsh."""
     for name, value in {
         "Mesh.MeshSizeMin": 2 * size,
         "Mesh.MeshSizeMax": 2 * size,

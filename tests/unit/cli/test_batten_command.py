@@ -277,6 +277,14 @@ def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_dr
         100 * kit.strip.max_strain, abs=6e-4
     )
     ticks = [text.text for text in bench_drawing(kit.strip).texts]
-    assert ticks[1] == f"{float(rows[1]['s_mm']):.1f}: {sizes[1]:.2f}"
+    assert ticks[1] == f"{float(rows[1]['from_tip_mm']):.1f}: {sizes[1]:.2f}"
+    told = " ".join(ticks[len(rows) :])
+    assert told.startswith("sheer Glass fibre (GFRP), 20 mm wide: plane both faces alike hold the ends 30")
+    along = np.array([[float(row[key]) for key in ("s_mm", "from_tip_mm", "from_tip_inch")] for row in rows])
+    (first, *_), (last, *_) = along[[0, -1]]
+    assert (first, last - kit.strip.rod.length) == pytest.approx((-10.0, 10.0), abs=0.005)
+    assert along[:, 1] == pytest.approx(along[:, 0] + 10)
+    assert along[:, 2] == pytest.approx(along[:, 1] / 25.4, abs=6e-4)
+    assert [rows[k]["strain_percent"] for k in (0, -1)] == ["0", "0"]
     (side,) = [one for one in check_drawing_file(tmp_path / "own-side.dxf") if one.layer == "CUT_OUTER"]
     assert side.area == pytest.approx(np.trapezoid(sizes, [float(row["s_mm"]) for row in rows]), rel=1e-2)

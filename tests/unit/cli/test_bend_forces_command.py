@@ -62,7 +62,7 @@ def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(t
     assert any("it snaps out of its shape" in note for note in told["notes"])
     assert str(limit) == "stable up to 0.9077 on the path, where end is (-57.52, 0) mm: it buckles there"
     way = bend_strip(strip, [(-100.0, 0.0)])
-    assert len(str(way).splitlines()) == 4, "titles, one step, where it snaps and where it is strained"
+    assert len(str(way).splitlines()) == 5, "titles, one step, where it snaps, crosses itself and is strained"
     assert repr(way) == "<Travel of 1 steps to 460 mm>"
 
 

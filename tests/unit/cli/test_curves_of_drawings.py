@@ -1,7 +1,9 @@
 """Drawings at the command line: which curve, through a pipe, made fair, and refused with the place as drawn."""
 
 import json
+import tomllib
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -85,6 +87,46 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     assert not (out / "drawn-corner.dxf").exists()
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
     assert "1 of 3 curves made no strip" in done.stderr
+
+
+def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(drawing, tmp_path):
+    """When a pupil draws her curve anew it is the last of the file; the numbers of all others change."""
+    drawing.write_text(drawing.read_text().replace('id="bow"', 'id="path9" inkscape:label="Böw"'))
+    design = tmp_path / "class.toml"
+    wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step")
+    done = elastica("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out")
+    assert f"1 of 3 curves made no strip as asked; {design} leaves them out" in done.stderr
+    saved = tomllib.loads(design.read_text())["strips"]
+    assert [(one["label"], one["curve"]["id"]) for one in saved] == [("arch", "arch"), ("Bow", "Böw")]
+    before = lengths_of(design, tmp_path / "before")
+    _, moved, *_ = drawing.read_text().split("<path")
+    moved = f"<path{moved}"
+    drawing.write_text(drawing.read_text().replace(moved, "").replace("</svg>", f"{moved}</svg>"))
+    assert lengths_of(design, tmp_path / "after") == before
+    again = elastica("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "again")
+    assert again.exit_code == 2
+    assert not (tmp_path / "again").exists(), "refused before anything is made"
+
+
+def lengths_of(design, folder):
+    """How long the parts of a design are cut, by their names."""
+    quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
+    done = elastica("model", design, *quick, "--json", "-o", folder)
+    assert done.exit_code == 0, done.stderr
+    return {one["name"]: one["length"] for one in json.loads(done.stdout)["parts"]}
+
+
+def test_a_model_warns_of_a_strip_that_will_not_stay(tmp_path):
+    x = np.linspace(0, 2 * np.pi, 60)
+    np.savetxt(tmp_path / "wave.csv", np.column_stack([40 * x, 10 * np.sin(x)]), delimiter=",")
+    design = tmp_path / "wave.toml"
+    design.write_text(
+        'schema = 1\nsheet = "card-200gsm"\nmax_width = 10\n[[strips]]\nlabel = "W"\ncurve = "wave.csv"\n'
+    )
+    quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
+    done = elastica("model", design, *quick, "-o", tmp_path / "kit")
+    assert "Note: W: margin -0.613 (unstable): in balance but it will not stay" in done.stderr
+    assert "it will not stay" in (tmp_path / "kit" / "index.html").read_text()
 
 
 @pytest.mark.campaign

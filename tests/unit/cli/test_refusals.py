@@ -447,15 +447,41 @@ def test_points_that_waver_are_smoothed_first(count, words, tmp_path, monkeypatc
 
 
 @pytest.mark.parametrize(("smooth", "code", "length"), [(0, 1, 3350), (4, 1, 3345), (12, 0, 3343)])
-def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path):
-    """2-0-1 for 1-11-1 at 7-0-0; smoothed or not, the curve is no longer for it."""
+def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeypatch):
+    """2-0-1 for 1-11-1 at 7-0-0, first of all; smoothed or not, the curve is no longer for it."""
     inches = "0-1-0,0-7-5,1-1-1,1-5-4,1-8-5,1-10-5,1-11-3+,2-0-1,1-9-5,1-7-2,1-3-6,1-1-5"
     stations = [*(f"{foot}-0-0" for foot in range(11)), "10-6-0"]
     rows = [f"{x},{y}" for x, y in zip(stations, inches.split(","), strict=True)]
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "bad.csv").write_text("\n".join(["Station,Half-breadth", *rows]))
-    told = CliRunner().invoke(elastica, ["check", str(tmp_path / "bad.csv"), "--smooth", str(smooth)])
+    told = CliRunner().invoke(elastica, ["check", "bad.csv", "--smooth", str(smooth)])
     assert (told.exit_code, told.output.count("(2134, 612.8) mm, number 8 of 12, is 27 mm off")) == (code, 1)
     assert f"this curve of {length} mm" in told.output
+    words = f"strip bad.csv --sheet pom-1 --max-width 60 --smooth {smooth} --ignore-limits --no-step --no-pictures"
+    made = CliRunner().invoke(elastica, [*words.split(), "-o", "out"])
+    assert made.exit_code == code
+    for one in (told, made):
+        said = one.stderr if one is made else one.stdout
+        assert re.match(r"(bad\.csv: its .*\n)?(Not realizable: |Warning: )?The point at \(2134", said), said
+        assert "This works" not in one.output
+    assert made.output.count("number 8 of 12") == 1
+
+
+@pytest.mark.parametrize(("noise", "first"), [
+    (0.4, "Smoothed within 0.98 mm a strip can take this curve; as its points are, none can."),
+    (0.0, "A flat strip can take this curve"),
+    (8.0, "Even smoothed within"),
+])  # fmt: skip
+def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, first, tmp_path):
+    x = np.linspace(0.0, 400.0, 30)
+    y = (0.001 if noise < 5 else 0.0) * x * (400 - x) + noise * np.random.default_rng(3).normal(size=30)
+    np.savetxt(
+        tmp_path / "sheer.csv", np.column_stack([x, y, y]), delimiter=",", header="Station,A,B", comments=""
+    )
+    told = CliRunner().invoke(elastica, ["check", str(tmp_path / "sheer.csv"), "--json"])
+    answers = json.loads(told.stdout)
+    assert all(one["advice"].startswith(first) for one in answers), told.stdout
+    assert all(not noise or any(said.startswith(first) for said in one["notes"]) for one in answers)
 
 
 def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):

@@ -202,7 +202,9 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     single = base_plate(placed, MDF)
     (told,) = rocking_tabs(placed, [single])
     (rocked,) = held_shapes(placed, [single])
-    assert told.startswith("A (and 1 more): in the slot of base the tab at its start rocks by ")
+    assert told.startswith("A (and 1 more): in the slot of base its start can tip ")
+    upright, flatter = map(int, re.search(r"tip (\d+) degrees towards .* (\d+) away", told).groups())
+    assert upright > 10 > flatter
     assert f"the strip strays {rocked.deviation:.2g} mm so" in told
     assert "degrees" in holder_plays(placed, [single])[0]
     assert rocked.deviation > 5e-3 * bow.length

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, StrainError
 from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     find_plate_faults,
@@ -42,7 +42,20 @@ def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     assert fault.part == "A1"
     assert "only 0.513 mm wide at" in fault.what
     assert "3 mm are needed in birch-plywood-0.8" in fault.what
-    assert "max_width" in fault.cure
+    assert "max_width = 120 mm or more" in fault.cure
+    assert find_strip_faults(strip((40, 1, 40), max_width=120.0)) == ()
+
+
+def test_a_strip_of_points_that_waver_is_smoothed_rather_than_made_very_wide():
+    t = np.linspace(0, 1, 18)
+    points = np.column_stack([130 * t, 38 * np.sin(np.pi * t) ** 2 * (0.825 + 0.35 * t) + 6 * t])
+    wavering = PlaneCurve.fit(points + np.random.default_rng(20).normal(0, 0.3, points.shape))
+    for smooth, wider in ((0.6, r"; make it wider \(max_width = 18 mm or more\), or ask"), (0.42, "; ask")):
+        cures = f"{wider} for the nearest curve .*; smoothing its points more helps too"
+        with pytest.raises(InputError, match=cures):
+            make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=smooth)
+    make_strip(wavering, "spring-steel-0.2", max_width=18, smooth=0.6)
+    make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=0.8)
 
 
 def test_the_neck_lies_where_the_width_is_least():
@@ -148,19 +161,46 @@ def test_strain_that_is_just_beyond_its_limit_differs_from_it():
     assert radius < least
 
 
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+
+
 def test_a_thin_web_is_told_with_how_far_to_move_the_hole():
-    arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
     ends = (Tab(20, holes=(Hole(6, 4), Hole(11, 4))), Tab(10))
     with pytest.raises(InputError, match=r"between two holes 8.5\d mm into the tab at its start") as refused:
-        make_strip(arch, "birch-plywood-0.8", max_width=30, ends=ends)
+        make_strip(ARCH, "birch-plywood-0.8", max_width=30, ends=ends)
     assert "move the holes 1 mm apart" in str(refused.value) or "move the holes 0.9" in str(refused.value)
     wide = replace(ends[0], holes=(Hole(5, 4), Hole(11.1, 4)))
-    make_strip(arch, "birch-plywood-0.8", max_width=30, ends=(wide, ends[1]))
+    make_strip(ARCH, "birch-plywood-0.8", max_width=30, ends=(wide, ends[1]))
 
 
 def test_a_narrow_tab_is_told_as_a_tab():
-    arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
     with pytest.raises(
         InputError, match=r"into the tab at its start, 3 mm are needed.*give the tab a larger width"
     ):
-        make_strip(arch, "birch-plywood-0.8", max_width=30, ends=(Tab(20, width=2), Tab(10)))
+        tabbed(2, "pom-0.5")  # which does not break
+
+
+def tabbed(width, sheet=PLYWOOD, **options):
+    return make_strip(ARCH, sheet, max_width=30, ends=(Tab(20, width=width), Tab(10)), **options)
+
+
+def test_a_tab_that_its_end_would_break_is_refused_with_the_width_that_bears_it():
+    with pytest.raises(
+        StrainError, match=r"strip is 24.7 mm wide and its tab 3 mm: .* make the tab (\S+) mm wide"
+    ) as no:
+        tabbed(3)
+    assert not tabbed(float(re.search(r"make the tab (\S+) mm", str(no.value))[1])).warnings
+    (told,) = tabbed(3, ignore_limits=True).strain_warnings
+    assert told in str(no.value)
+
+
+def test_a_tab_bears_in_the_mean_what_the_moment_of_its_end_asks():
+    """6 M / (E b h^2), from the reactions; corners of what yields are not counted."""
+    metal = replace(PLYWOOD, kind="metal", max_strain=0.005, max_strain_range=None)
+    made = tabbed(6, metal)
+    asked = 6 * abs(made.reactions().start_moment) / (metal.youngs_modulus * 6 * metal.thickness**2)
+    assert made.strain_verdict.used == pytest.approx(asked / 0.005, rel=1e-3)
+    assert made.strain_verdict.at == 0.0
+    assert not tabbed(6, replace(metal, max_strain=1.001 * asked)).warnings
+    (told,) = tabbed(6, replace(metal, max_strain=1.3 * asked, kind="plywood")).warnings  # its corners crack
+    assert "its tab 6 mm" in told

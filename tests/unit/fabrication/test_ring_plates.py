@@ -10,7 +10,8 @@ import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.strip.outline import ENDS
+from elastica_cad.fabrication.holders.plate_pairs import end_plates
+from elastica_cad.fabrication.strip.outline import ENDS, Tab
 
 CARD = ec.Sheet.named("card-200gsm")
 MDF = ec.Sheet.named("mdf-3")
@@ -81,6 +82,22 @@ def test_names_of_rings_are_as_small_as_they_must_be_to_fit(vase, name):
     assert np.hypot(*strokes.T).max() < ring.radii[1] - 0.4
     assert strokes[:, 1].min() > reach + 0.4
     assert text.height >= 1.5
+
+
+def test_of_two_rings_at_an_end_each_says_which_it_is():
+    bow = ec.PlaneCurve.spline([(60, 0), (75, 20), (110, 60), (110, 120), (75, 160), (60, 180)])
+    ends = (Tab(40), Tab(40))
+    strip = ec.make_strip(bow, "polypropylene-0.8", max_width=30, ends=ends, label="L")
+    lamp = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))]).rotated(8)
+    rings = end_plates(lamp.placed, BOARD, gap=10)
+    assert len(rings) == 4
+    for ring in rings:
+        (text,) = (one for one in ring.drawing.texts if one.text == ring.name)
+        strokes = np.concatenate([stroke.points(0.05) for stroke in text_strokes(text)])
+        away = np.hypot(*(strokes - ring.outline.bounds.mean(axis=0)).T)
+        reach = np.hypot(*(ring.slots[0].path.points(0.05) - ring.outline.bounds.mean(axis=0)).T).min()
+        assert np.ptp(ring.opening.bounds[:, 0]) / 2 + 0.4 < away.min()
+        assert away.max() < reach - 0.4
 
 
 def test_a_pole_is_closed_by_a_cap(globe):

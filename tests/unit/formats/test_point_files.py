@@ -96,7 +96,7 @@ def test_points_that_no_smooth_curve_follows(csv):
     assert curve.provenance.measured.waver == pytest.approx(0.1, rel=0.2)
     with pytest.raises(InputError) as caught:
         require_bendable(curve)
-    assert {one.field for one in caught.value.refusal.changes} == {"smooth"}
+    assert {one.field for one in caught.value.refusal.changes} == {"smooth", "nearest"}
     (curve,) = csv(rows(points), fit_tolerance=0.5)
     assert curve.length == pytest.approx(200, rel=0.02)
 
@@ -230,3 +230,25 @@ def test_fractions_are_inches(tmp_path):
     assert drawing.size
     (cm,) = read_drawing(file, unit="cm").read()
     assert cm.length == pytest.approx(curve.length / 2.54)
+
+
+@pytest.mark.parametrize(("heading", "unit", "digits", "least"), [
+    ("Station,Height", "mm", 0, 0.5),
+    ("Station,Height (in)", "in", 1, 0.05 * 25.4),
+    ("x (in),y (in)", "in", 1, 0.05 * 25.4),
+    ("x,y", "mm", 0, 0.0),
+])  # fmt: skip
+def test_what_was_read_off_is_never_more_exact_than_its_digits(csv, heading, unit, digits, least):
+    """A parabola's fourth differences are 0, so the rounded points of this one seem to have next to no noise."""
+    x = np.arange(12) * 10.0
+    table = "\n".join(f"{a:.{digits}f},{b:.{digits}f}" for a, b in zip(x, x**2 / 100, strict=True))
+    (curve,) = csv(f"{heading}\n{table}\n")
+    measured = curve.provenance.measured
+    assert (0.0 if measured is None else measured.waver * np.sqrt(3)) == pytest.approx(least)
+    assert measured is None or measured.reach >= least
+
+
+@pytest.mark.parametrize(("cells", "parts"), [("1 1/2,2 3/32", 32), ("1 1/2,2", 2), ("0-1-4,0-2-0", 8)])
+def test_a_rule_is_as_fine_as_its_finest_mark(csv, cells, parts):
+    (curve,) = csv(f"0,0\n{cells}\n")
+    assert curve.provenance.rounding == pytest.approx(25.4 / parts / 2)

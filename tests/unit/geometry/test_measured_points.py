@@ -82,7 +82,7 @@ def test_a_check_tells_of_them_before_all_else():
     wavering, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
     assert "waver by about 0.3 mm: smooth them" in str(check_equilibrium(wavering)).split(". ")[1]
     told = str(check_equilibrium(mistyped))
-    assert "number 8 of 12" in told.split(". ")[1]
+    assert "number 8 of 12" in told.split(": ", maxsplit=1)[0]
     assert "smooth" not in told
     smoothed = smooth_curve(wavering, 2.0).curve
     assert "waver" not in str(check_equilibrium(smoothed))
@@ -93,3 +93,28 @@ def test_the_mistyped_point_is_named():
     assert "(2134, 612.8) mm, number 8 of 12, is 27 mm off" in told
     assert MeasuredPoints.of(offsets()).stray == ()
     assert not any(MeasuredPoints(wave(25, 0.5, seed), 0.5).stray for seed in range(40))
+
+
+HEIGHTS = np.array(
+    [29.5, 27.75, 26.125, 24.875, 23.875, 23.125, 22.625, 22.375, 22.375, 22.625, 23.125, 24, 25]
+)
+BREADTHS = np.array([2.25, 7, 11, 14.375, 17.125, 19.375, 21, 22.125, 22.75, 23, 22.75, 22.25, 21.375])
+
+
+@pytest.mark.parametrize("wrong", [-1.0, 1.0])
+@pytest.mark.parametrize("offsets", [HEIGHTS, BREADTHS])
+def test_an_inch_wrong_is_named_at_every_station_but_the_ends(offsets, wrong):
+    table = 25.4 * np.column_stack([13.0 * np.arange(13), offsets])
+    for at in range(1, 12):
+        (told,) = MeasuredPoints(table + np.outer(np.arange(13) == at, [0.0, 25.4 * wrong]), 0.92, 0.92).stray
+        assert told.values["number"] == at + 1
+
+
+@pytest.mark.parametrize("count", [13, 24])
+def test_none_is_named_of_tables_that_are_only_rounded(count):
+    """To eighths of an inch, of the same sheer with some other rise."""
+    t = np.linspace(0.0, 1.0, count)
+    for rise in np.linspace(0.0, 30.0, 40):
+        eighths = np.round(8 * (29.5 + (rise - 23) * t + 18.5 * t**2))
+        table = np.column_stack([3962.4 * t, 25.4 / 8 * eighths])
+        assert MeasuredPoints(table, 0.92, 0.92).stray == ()
