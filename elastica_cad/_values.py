@@ -105,6 +105,22 @@ def numbers(values: object, what: str) -> FloatArray:
     return array
 
 
+def three(values: object, what: str) -> FloatArray:
+    """Three finite numbers (3,); refuses anything else."""
+    row = None if values is None else as_floats(values)
+    if row is None or row.shape != (3,) or not np.isfinite(row).all():
+        raise InputError("{what} is {given}: give three finite numbers", what=what, given=quoted(values))
+    return row
+
+
+def direction(values: object, what: str) -> FloatArray:
+    """Unit vector (3,) along three finite numbers that are not all 0; refuses anything else."""
+    row = three(values, what)
+    if not row.any():
+        raise InputError("{what} is zero: give a direction of three numbers", what=what)
+    return np.asarray(row / np.linalg.norm(row))
+
+
 def alike(**values: object) -> tuple[FloatArray, ...]:
     """Numbers of shapes that go together, by their names, each as it is.
 

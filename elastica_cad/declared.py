@@ -6,11 +6,17 @@ A field, or a parameter of a function, is declared by its annotation:
 
 import inspect
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields, is_dataclass
 from functools import cache
 from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, TypeAlias, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, TypeAlias, Union, cast, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+from elastica_cad._values import is_number, is_one_of, is_series, is_whole
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.refusals import note, sentences
 
 Record: TypeAlias = Callable[..., Any]
 """A dataclass, or a function whose parameters are declared in the same way."""
@@ -30,7 +36,9 @@ class Asked:
     unit : str
         "mm", "1/mm", "rad", "g" and so on; empty for what has none.
     least, most : float or None
-        Bounds that input fields show; the record checks them itself.
+        Bounds that count as well.
+    above : float or None
+        A lower bound that does not.
     group : str
         Heading below which front ends list it.
     common : bool
@@ -43,9 +51,24 @@ class Asked:
     unit: str = ""
     least: float | None = None
     most: float | None = None
+    above: float | None = None
     group: str = ""
     common: bool = False
     written: Any = None
+
+    @property
+    def bounds(self) -> str:
+        """The bounds in words; empty for none."""
+        said = {"from {bound:g}": self.least, "above {bound:g}": self.above, "up to {bound:g}": self.most}
+        return sentences((note(text, bound=bound) for text, bound in said.items() if bound is not None), " ")
+
+    def holds(self, value: float) -> bool:
+        """Whether a number keeps within the bounds."""
+        return (
+            (self.least is None or value >= self.least)
+            and (self.above is None or value > self.above)
+            and (self.most is None or value <= self.most)
+        )
 
 
 @dataclass(frozen=True)
@@ -118,6 +141,62 @@ def declared(record: Record) -> tuple[Field, ...]:
             written = get_args(hint)[0] if asked.written is None else asked.written
             found.append(Field(name, kind_of(written), asked, default))
     return tuple(found)
+
+
+def require_declared(record: Record, values: Mapping[str, Any], whose: str = "") -> None:
+    """Refuse values of declared fields, by their names, that are of another kind or out of bounds.
+
+    Values of fields that are not declared pass, as does None where that is the default.
+
+    Raises
+    ------
+    InputError
+        `whose` is what the field belongs to.
+
+    Examples
+    --------
+    >>> def hang(at: Annotated[float, Asked("Place along the strip.", "mm", least=0)]): ...
+    >>> require_declared(hang, {"at": -3}, "mass")
+    Traceback (most recent call last):
+    elastica_cad.errors.InputError: mass at is -3: it must be a number from 0, in mm
+    """
+    for one in declared(record):
+        value = values.get(one.name, one.default)
+        if one.asked.written is None and value is not one.default and not _fits(value, one.kind, one.asked):
+            raise InputError(
+                "{field} is {given}: it must be {wanted}",
+                field=f"{whose} {one.name}".strip(), given=quoted(value), wanted=_wanted(one.kind, one.asked),
+                where=None if whose else {"field": one.name},
+            )  # fmt: skip
+
+
+def _fits(value: Any, kind: Kind, asked: Asked) -> bool:
+    """Whether a value is of a kind and within bounds; kinds that only files tell apart are not looked at."""
+    match kind.name:
+        case "number" | "count":
+            return (is_number if kind.name == "number" else is_whole)(value) and asked.holds(value)
+        case "flag" | "text":
+            return isinstance(value, str if kind.name == "text" else bool | np.bool_)
+        case "choice":
+            return is_one_of(value, kind.choices)
+        case "list" if kind.size is not None:
+            several = tuple(value) if is_series(value) else ()
+            return len(several) == kind.size and all(_fits(one, kind.of[0], asked) for one in several)
+        case "table":
+            return not is_dataclass(kind.record) or isinstance(value, cast(type, kind.record))
+        case _:
+            return True
+
+
+def _wanted(kind: Kind, asked: Asked) -> str:
+    """What a value must be, in words."""
+    if kind.name == "choice":
+        return note("one of {choices}", choices=", ".join(kind.choices))
+    if kind.name == "table":
+        return note("a {record}", record=getattr(kind.record, "__name__", ""))
+    words = {"number": "a number", "count": "a whole number", "flag": "True or False", "text": "a text"}
+    said = sentences((note(words.get(kind.name, "{size} numbers"), size=kind.size), asked.bounds), " ")
+    return sentences((said, asked.unit and note("in {unit}", unit=asked.unit)), ", ")
 
 
 def _defaults(record: Record) -> list[tuple[str, Any]]:

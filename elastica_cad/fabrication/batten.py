@@ -161,24 +161,21 @@ class BattenSpec:
         return place
 
     def _taper(self) -> tuple[float, float]:
-        """Logarithm of end over start size, and chord over length, by Newton's method on finite differences."""
-        # what taper does to the place of an even batten's camber, to begin with
-        x = np.array([6.0 * (0.5 - self.place), self._even_chord])
+        """Logarithm of end over start size, and chord over length."""
+        from scipy.optimize import least_squares
 
         def missed(x: FloatArray) -> FloatArray:
             found = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
             return np.array(found) - (self.camber, self.place)
 
-        for _ in range(MOST_STEPS):
-            now = missed(x)
-            if np.abs(now).max() < SETTLED:
-                return float(x[0]), float(x[1])
-            step = np.array([1e-4, -1e-5])
-            slopes = np.column_stack([(missed(x + h) - now) / h.sum() for h in np.diag(step)])
-            change = np.linalg.solve(slopes, -now)
-            change *= min(1.0, 0.5 / abs(change[0]) if change[0] else 1.0)
-            chord = np.clip(x[1] + change[1], x[1] - 0.1, (1 + x[1]) / 2)
-            x = np.array([np.clip(x[0] + change[0], -4.0, 4.0), max(chord, 0.3)])
+        # what taper does to the place of an even batten's camber, to begin with
+        first = [6.0 * (0.5 - self.place), self._even_chord]
+        found = least_squares(
+            missed, first, bounds=([-4.0, 0.3], [4.0, 1.0 - 1e-6]), x_scale=[1.0, 0.1], ftol=None, gtol=None,
+            xtol=1e-10, max_nfev=MOST_STEPS,
+        )  # fmt: skip
+        if np.abs(found.fun).max() < SETTLED:
+            return float(found.x[0]), float(found.x[1])
         raise NotConvergedError(
             "no taper brings a camber of {camber:g} % to {place:g} % of the chord: move it "
             "nearer to the middle",

@@ -8,8 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication.holding.held_shape import Seats, closes, shape_responses, strayed
-from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.fabrication.holding.held_shape import closes, shape_responses, strayed
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.splines import bezier_spans
@@ -63,13 +62,9 @@ def _correct_widths(
     # the whole change is to be small and smooth
     whole = scale * np.concatenate([SMOOTHING * np.diff(one, n=2, axis=0), SIZE * one])
     system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ kept])
-    step = np.linalg.lstsq(system, wanted, rcond=None)[0]
-    if np.abs(kept + step).max() > largest:
-        from scipy.optimize import lsq_linear
+    from scipy.optimize import lsq_linear
 
-        bounds = (-largest - kept, largest - kept)
-        step = lsq_linear(system, wanted, bounds, method="bvls").x
-    return np.asarray(kept + step)
+    return np.asarray(kept + lsq_linear(system, wanted, (-largest - kept, largest - kept), method="bvls").x)
 
 
 def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
@@ -87,10 +82,8 @@ LARGEST_GUESS = 0.5  # of the logarithm of a width's change
 ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
 
 
-def compensate_widths(
-    strip: Strip, start: TabSeat | None = None, end: TabSeat | None = None, *, largest: float = np.inf
-) -> Strip:
-    """The strip with widths that bring it, as it is made and held, back to its design.
+def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
+    """The strip with widths that bring it, as it is made and held as designed, back to its design.
 
     Bent forward as made (`Strip.held`) it strays; its widths are changed smoothly, to first order, and that is
     repeated as long as it helps. What is left is `Strip.held().deviation`.
@@ -98,8 +91,6 @@ def compensate_widths(
     Parameters
     ----------
     strip : Strip
-    start, end : TabSeat, optional
-        What holds the ends.
     largest : float
         Of the logarithm of a width's change, against the mean: ends flare where a slot lies beside a narrow tab,
         and a strip as wide as before at its ends is narrower elsewhere.
@@ -124,9 +115,6 @@ def compensate_widths(
     require_record(strip, Strip, "what is compensated", "a Strip")
     if not is_one_of(largest, [np.inf]):
         require_positive(largest, "the largest change of width", "shares of it")
-    for seat in (start, end):
-        if seat is not None:
-            require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
@@ -134,7 +122,7 @@ def compensate_widths(
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
-    starts = [_held(strip, basis, start_at, (start, end)) for start_at in (np.zeros(basis.shape[1]), guess)]
+    starts = [_held(strip, basis, start_at) for start_at in (np.zeros(basis.shape[1]), guess)]
     best = min(filter(None, starts), key=lambda one: one.strayed, default=None)
     if best is None:
         return strip
@@ -145,7 +133,7 @@ def compensate_widths(
         drift = best.rod.position - design.position
         wanted = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
         coefficients = best.coefficients + step * (wanted - best.coefficients)
-        found = _held(strip, basis, coefficients, (start, end))
+        found = _held(strip, basis, coefficients)
         if found is None or found.strayed >= best.strayed:
             step /= 2
             continue
@@ -164,13 +152,13 @@ class _Held(NamedTuple):
     strayed: float
 
 
-def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray, seats: Seats) -> _Held | None:
+def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Held | None:
     """A strip with its widths changed by a basis (n, m), held; None where the style or the rest refuses it."""
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
             strip = replace(strip, correction=Profile.interpolate(design.s, np.exp(change)))
-        rod = strip.as_made.rest(seats)
+        rod = strip.as_made.rest()
     except (InputError, NotConvergedError):
         return None
     return _Held(strip, coefficients, rod, strayed(design, rod.position))

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
@@ -74,14 +74,13 @@ class Pad:
         From the ends of the pad to the middles of the holes, mm.
     """
 
-    length: Annotated[float, Asked("Along the part.", "mm", least=0)] = 18.0
-    width: Annotated[float, Asked("Across the part.", "mm", least=0)] = 10.0
-    hole: Annotated[float, Asked("Diameter of its two holes; 3.2 for M3.", "mm", least=0)] = 3.2
-    inset: Annotated[float, Asked("From its ends to the middles of the holes.", "mm", least=0)] = 4.5
+    length: Annotated[float, Asked("Along the part.", "mm", above=0)] = 18.0
+    width: Annotated[float, Asked("Across the part.", "mm", above=0)] = 10.0
+    hole: Annotated[float, Asked("Diameter of its two holes; 3.2 for M3.", "mm", above=0)] = 3.2
+    inset: Annotated[float, Asked("From its ends to the middles of the holes.", "mm", above=0)] = 4.5
 
     def __post_init__(self) -> None:
-        for name in ("length", "width", "hole", "inset"):
-            require_positive(getattr(self, name), f"the {name} of a pad")
+        require_declared(Pad, vars(self), "pad")
         if self.hole + 2 > min(self.width, self.length - 2 * self.inset, 2 * self.inset):
             raise InputError(
                 "two holes of {hole:g} leave no material in a pad of {length:g} by {width:g}: make it larger",

@@ -2,11 +2,9 @@
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Literal
 
-from elastica_cad._values import require_record
-from elastica_cad.declared import Asked
-from elastica_cad.errors import InputError
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.fabrication.flexure import Flexure, Pad
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.matched_pair import MatchedPair, matched_pair, same_way
@@ -99,11 +97,7 @@ class FlexureSpec:
     ] = False
 
     def __post_init__(self) -> None:
-        require_record(self.limits, PairLimits, "limits", "a PairLimits record")
-        if self.match not in get_args(Match):
-            raise InputError(
-                "match is {match!r}: give one of {known}", match=self.match, known=", ".join(get_args(Match))
-            )
+        require_declared(FlexureSpec, vars(self))
 
     @cached_property
     def matched(self) -> MatchedPair | None:

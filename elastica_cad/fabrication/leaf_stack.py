@@ -7,7 +7,8 @@ import numpy as np
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.sheets.cut_list import CutList, CutListRow
+from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
+from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.strip.strip_record import Strip
 
 APART_MM = 5.0
@@ -39,26 +40,11 @@ class LeafStack:
     @property
     def cut_list(self) -> CutList:
         """A row for every leaf, the through one first."""
-        stack = self.strip.layout.stack
+        stack, label = self.strip.layout.stack, self.strip.label or "stack"
         assert stack is not None
-        label = self.strip.label or "stack"
-        rows = []
-        for layer, name in zip(self.strip.layers, stack.names, strict=True):
-            length, width = np.ptp(layer.outline.bounds, axis=0).tolist()
-            rows.append(
-                CutListRow(
-                    part=f"{label} {name}",
-                    sheet=layer.sheet.name,
-                    thickness=layer.sheet.thickness,
-                    length=length,
-                    width=width,
-                    count=1,
-                    cut_length=2 * (length + width),
-                    mass=layer.mass,
-                    file="",
-                )
-            )
-        return CutList(tuple(rows))
+        layers = zip(self.strip.drawings(), self.strip.layers, stack.names, strict=True)
+        leaves = [Piece(f"{label} {name}", drawing, layer.sheet) for drawing, layer, name in layers]
+        return cut_list(leaves, dict.fromkeys((leaf.name for leaf in leaves), ""))
 
     @property
     def drawing(self) -> Drawing:

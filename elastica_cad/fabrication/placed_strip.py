@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, several
+from elastica_cad._values import numbers, several, three
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
@@ -71,10 +71,7 @@ class Placed:
                 "a strip is moved by a 3x3 rotation or mirror and a shift: others would deform it"
             )
         strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
-        way = numbers(shift, "the shift of a strip")
-        if way.shape != (3,):
-            raise InputError("a strip is shifted by three numbers, mm, not {shift!r}", shift=shift)
-        origin = m @ self.origin + way
+        origin = m @ self.origin + three(shift, "the shift of a strip")
         return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis)
 
 

@@ -95,9 +95,9 @@ NEAREST_CALL = (
 
 def check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
     """Refuse a place to begin that is not on the curve, or on one that is open."""
-    if seam_position is not None and not (is_number(seam_position) and 0 <= seam_position <= curve.length):
+    if seam_position is not None and seam_position > curve.length:
         raise InputError(
-            "seam_position is {seam!r}: give a place along the curve, 0 to {length:.4g}, or none",
+            "seam_position is {seam:g}: give a place along the curve, 0 to {length:.4g}, or none",
             seam=seam_position,
             length=Length(curve.length),
             where={"field": "seam_position"},
@@ -108,17 +108,6 @@ def check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
             "out, or close the curve",
             seam=Length(seam_position),
             where={"field": "seam_position"},
-        )
-
-
-def check_compensate(compensate: object) -> None:
-    """Refuse what is neither a truth value nor None."""
-    if not (compensate is None or isinstance(compensate, bool)):
-        raise InputError(
-            "compensate is {compensate!r}: give True for all that widths can make up for, False "
-            "for nothing, or leave it out",
-            compensate=compensate,
-            where={"field": "compensate"},
         )
 
 

@@ -8,8 +8,8 @@ from typing import Annotated, Any, cast
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
-from elastica_cad._values import require_flag, require_positive, require_record, several
-from elastica_cad.declared import Asked
+from elastica_cad._values import require_record, several
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown
 from elastica_cad.fabrication.holding.expected_error import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
@@ -21,7 +21,6 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
 from elastica_cad.fabrication.strip_checks import (
     AskedGravity,
-    check_compensate,
     check_law,
     check_seam,
     hung_weight,
@@ -154,11 +153,11 @@ class StripSpec(EqualByValue):
     ]
     frame: Frame | None = None
     max_width: Annotated[
-        float | None, Asked("Width of the widest place.", "mm", least=0, group="widths", common=True)
+        float | None, Asked("Width of the widest place.", "mm", above=0, group="widths", common=True)
     ] = None
     min_width: Annotated[
         float | None,
-        Asked("Width of the narrowest place, or its limit.", "mm", least=0, group="widths", common=True),
+        Asked("Width of the narrowest place, or its limit.", "mm", above=0, group="widths", common=True),
     ] = None
     style: Annotated[Style, Asked("How stiffness becomes material.", group="widths", common=True)] = PLAIN
     limits: Annotated[
@@ -277,14 +276,10 @@ class StripSpec(EqualByValue):
     def __post_init__(self) -> None:
         require_curve(self.curve)
         given = Sheet.of(self.sheet)
-        if not (self.frame is None or isinstance(self.frame, Frame)):
-            raise InputError(
-                "frame is {frame!r}: give a Frame, the plane of the curve, or None", frame=self.frame
-            )
-        for name in ("max_width", "min_width"):
-            width = getattr(self, name)
-            if width is not None:
-                require_positive(width, name)
+        object.__setattr__(self, "supports", require_supports(self.supports))
+        require_declared(StripSpec, vars(self))
+        if self.frame is not None:
+            require_record(self.frame, Frame, "the frame", "a Frame, the plane of the curve, or None")
         require_style(self.style)
         ends, slots = pair_of_tabs(self.ends), several("slots", self.slots, Slot, "Slot")
         sized = bool(self.max_width or self.min_width)
@@ -293,25 +288,9 @@ class StripSpec(EqualByValue):
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
         check_seam(self.seam_position, self.curve)
-        if not isinstance(self.label, str):
-            raise InputError("label is {label!r}: give a text, empty for none", label=self.label)
-        if not isinstance(self.ignore_limits, bool):
-            raise InputError(
-                "ignore_limits must be True or False, got {ignore_limits!r}",
-                ignore_limits=self.ignore_limits,
-                where={"field": "ignore_limits"},
-            )
-        require_flag(self.straight_ends, "straight_ends")
-        check_compensate(self.compensate)
-        if not isinstance(self.shop, FabricationLimits):
-            raise InputError(
-                "shop is {shop!r}: give a FabricationLimits record, such as FabricationLimits(least_width=2.0)",
-                shop=self.shop,
-            )
         settled = {
             "sheet": given,
             "loads": self.loads if isinstance(self.loads, Weight) else masses_of(self.loads),
-            "supports": require_supports(self.supports),
             "ends": ends,
             "slots": slots,
             "creep": require_creep(self.creep),
@@ -338,15 +317,8 @@ class StripSpec(EqualByValue):
     @property
     def in_plane(self) -> "StripSpec":
         """The same request in the plane of the curve alone, without its frame in space."""
-        return self if self.frame is None else self._without_frame
-
-    @cached_property
-    def _without_frame(self) -> "StripSpec":
-        if self.gravity is None:  # the frame says nothing then: what was checked and found holds
-            made = object.__new__(StripSpec)
-            vars(made).update({one.name: getattr(self, one.name) for one in fields_of(self)})
-            vars(made).update(frame=None, rod_spec=self.rod_spec)
-            return made
+        if self.frame is None:
+            return self
         gravity, share = self._pulled
         return replace(self, frame=None, gravity=gravity, loads=lightened(self.loads, share))
 
@@ -370,7 +342,7 @@ class StripSpec(EqualByValue):
         return RodSpec(
             self._begun,
             gravity,
-            require_supports(self.supports),
+            self.supports,
             self.natural_curvature,
             self.samples,
             weight=weight,
@@ -387,7 +359,7 @@ class StripSpec(EqualByValue):
         """The drawn curve and the part of it that is bent, between straight ends that are the tabs."""
         if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
-        return StraightEnds.of(self.curve, require_supports(self.supports), self.natural_curvature)
+        return StraightEnds.of(self.curve, self.supports, self.natural_curvature)
 
     @cached_property
     def tabs(self) -> tuple[Tab, Tab]:
@@ -476,15 +448,13 @@ class StripSpec(EqualByValue):
 
     @property
     def _asks_for_margin(self) -> bool:
-        return isinstance(self.limits, Limits) and self.limits.margin is not None
+        return self.limits is not None and self.limits.margin is not None
 
     @property
     def _makeable_limits(self) -> Limits:
         """The limits with what sheet and widths imply: a nearest rod can be cut and bent."""
         limits = Limits() if self.limits is None else self.limits
-        if self.ignore_limits or not isinstance(
-            limits, Limits
-        ):  # the rod's request refuses what is no record
+        if self.ignore_limits:
             return limits
         if self.law is None:
             widths = {"max_width": self.max_width, "min_width": self.min_width}
@@ -571,7 +541,7 @@ class StripSpec(EqualByValue):
     @property
     def _bent(self) -> PlaneCurve:
         """The curve that the strip takes where it may not change."""
-        return smooth_curve(self._begun, self.smooth, supports=require_supports(self.supports)).curve
+        return smooth_curve(self._begun, self.smooth, supports=self.supports).curve
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
         """What the rod of a laminate is found from; its weight is known for sheets that stand upright only."""

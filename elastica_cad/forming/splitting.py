@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import (
     require_curve,
     require_ratio,
@@ -137,7 +137,7 @@ class _Cut:
         """The part between two places."""
         if (start, end) == self.curve.domain:
             return self.curve
-        return trim_curve(self.curve, start, end)
+        return self.curve.trimmed(start, end)
 
     def ratio_of(self, start: float, end: float) -> float:
         """Least stiffness ratio of a piece; infinite where no strip can take it."""

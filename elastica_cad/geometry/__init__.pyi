@@ -10,7 +10,6 @@ from elastica_cad.geometry.curves.plane_curve import (
     Break as Break,
     CurvatureZero as CurvatureZero,
     CurveSamples as CurveSamples,
-    LineCrossing as LineCrossing,
     PlaneCurve as PlaneCurve,
     TangentBreak as TangentBreak,
     line_crossings as line_crossings,

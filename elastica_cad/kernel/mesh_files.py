@@ -42,8 +42,8 @@ def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[
         yield np.array([(p.X(), p.Y(), p.Z()) for p in nodes]), corners
 
 
-CHORD_MM, TURN_RAD = 0.02, 0.4
-"""How closely triangles follow faces: finer than a printer's layer."""
+PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4
+"""How closely triangles follow faces: finer than a printer's layer, or than a screen shows."""
 
 HEADING = b"binary STL, mm".ljust(80)
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -69,7 +69,7 @@ def write_stl(
         A file that is there already (without `force`), or one that cannot be written.
     """
     bed = bed or Frame()
-    nets = face_triangles(body, chord=CHORD_MM, turn=TURN_RAD)
+    nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
     corners = np.concatenate([bed.local(points)[triangles] for points, triangles in nets]).astype("<f4")
     # triangles at the pole of a ball have no area, and make programs call the body open
     same = [(corners[:, i] == corners[:, i - 1]).all(axis=1) for i in range(3)]
@@ -88,10 +88,6 @@ def _normals(corners: np.ndarray) -> np.ndarray:
     return np.asarray(across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None])
 
 
-CHORD_MM, TURN_RAD = 0.2, 0.4
-"""How closely triangles follow faces: finer than a screen shows."""
-
-
 def write_glb(
     parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str, force: bool = False
 ) -> None:
@@ -104,7 +100,7 @@ def write_glb(
     """
     k = kernel()
     for part in parts:
-        k.BRepMesh_IncrementalMesh(bare(part.shape), CHORD_MM, False, TURN_RAD, True)
+        k.BRepMesh_IncrementalMesh(bare(part.shape), SHOWN_MM, False, TURN_RAD, True)
     document = make_document(parts, name=name)
     with TemporaryDirectory(prefix="elastica-") as folder:
         file = Path(folder, "model.glb")

@@ -20,12 +20,12 @@ from elastica_cad.fabrication.model.assembly import Holder, unheld_ends
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
-from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces, widened_by
+from elastica_cad.fabrication.sheets.nesting import NestedSheet, Nesting, nest_pieces, widened_by
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
+from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.strip_report import tell_blank
@@ -132,8 +132,7 @@ def kit_of(
 
 def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:
     """The model whose strips have the plates that join them, clear of the slots that neighbours cut."""
-    asked = {entry.label: entry.spec.shop for entry in entries}
-    known = {id(strip): joined_within(strip, _shop_of(strip, spec, asked)) for strip in model.strips}
+    known = {id(strip): joined_within(strip, _shop_of(strip, spec, entries)) for strip in model.strips}
     if all(known[id(strip)] is strip for strip in model.strips):
         return model
     return model.with_strips([known[id(strip)] for strip in model.strips])
@@ -141,9 +140,8 @@ def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model
 
 def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:
     """Strips that are longer than the stock, by name, where the shop joins pieces."""
-    asked = {entry.label: entry.spec.shop for entry in entries}
     found = {
-        part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, asked))
+        part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, entries))
         for part in model.parts
     }
     ends = ("1", "2") if _numbers_ends(model, spec) else ("", "")
@@ -155,9 +153,9 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
     return bool(spec.holders or model.plates or spec.pages)
 
 
-def _shop_of(strip: Strip, spec: KitSpec, asked: Mapping[str, FabricationLimits]) -> FabricationLimits:
+def _shop_of(strip: Strip, spec: KitSpec, entries: Sequence[StripEntry]) -> FabricationLimits:
     """The shop asked for, whose stock is what the margins of a nested sheet leave where that is less."""
-    shop = asked.get(strip.label, spec.shop)
+    shop = next((entry.spec.shop for entry in entries if entry.label == strip.label), spec.shop)
     if shop.lap is None:
         return shop
     lost = 2 * spec.nesting.margin + widened_by(strip.sheet, spec.cutting.kerf)

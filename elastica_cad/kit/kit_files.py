@@ -20,10 +20,10 @@ from elastica_cad.fabrication.holders.holding_template import holding_template
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
-from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
+from elastica_cad.fabrication.sheets.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct, file_word
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
+from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec
 from elastica_cad.formats.file_access.write_files import check_folder, write_json, write_text, write_together
 from elastica_cad.formats.reports.model_report import compose_start_page
 from elastica_cad.geometry.paths.path import Path as ClosedPath

@@ -1,7 +1,7 @@
 """Everything that one strip becomes: its cutting files, bodies, picture and report."""
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib.util import find_spec
@@ -88,32 +88,48 @@ class StripKit:
         """Whether the rest shape is stable, and by how much."""
         return stability(self.strip.rod)
 
-    @cached_property
+    @property
     def files(self) -> dict[str, str]:
         """The name of each file by its kind, for all kinds that the installed packages can write."""
-        # R12 has no header for its unit, so the name says it
-        dxf = f"{self.name}-mm.dxf" if self.asked.cutting.version == "R12" else f"{self.name}.dxf"
-        names = {"dxf": dxf} | {kind: f"{self.name}.{kind}" for kind in ("svg", "json")}
-        cuts = {kind: names[kind] for kind in ("dxf", "svg")}
-        for layer in self.strip.layers[1:]:
-            glued = layer.called(self.name)
-            names |= {
-                f"{layer.name} {kind}": file.replace(self.name, glued, 1) for kind, file in cuts.items()
-            }
-        if not self.strip.is_closed:
-            held = {"holding dxf": f"{self.name}-holding.dxf", "holding svg": f"{self.name}-holding.svg"}
-            names |= held | ({"holding pdf": f"{self.name}-holding.pdf"} if self.asked.paper else {})
-        if self.strip.layout.size is not None:
-            names["bench csv"] = f"{self.name}-bench.csv"
-            kinds = ("dxf", "svg", *(["pdf"] if self.asked.pictures and find_spec("matplotlib") else []))
-            names |= {f"side {kind}": f"{self.name}-side.{kind}" for kind in kinds}
+        return {kind: name for kind, (name, _) in self.writers.items()}
+
+    @cached_property
+    def writers(self) -> dict[str, tuple[str, Callable[[Path], object]]]:
+        """The name of each file and what writes it, by its kind; "backing dxf" is of a layer that is glued on."""
+        asked, strip, files = self.asked, self.strip, dict[str, tuple[str, Callable[[Path], object]]]()
+        pictures = asked.pictures and find_spec("matplotlib") is not None
+        version = asked.cutting.version
+        unit = "-mm" if version == "R12" else ""  # R12 has no header for its unit, so the name says it
+        for number, layer in enumerate(strip.layers):
+            kind, stem = f"{layer.name} ".lstrip(), layer.called(self.name)
+            files[f"{kind}dxf"] = f"{stem}{unit}.dxf", partial(self._write_pattern, number, version=version)
+            files[f"{kind}svg"] = f"{stem}.svg", partial(self._write_pattern, number)
+            if number == 0:
+                files["json"] = f"{self.name}.json", lambda path: write_json(path, self.report)
+        if not strip.is_closed:
+            files |= self._drawn("holding", holding_template, pdf=bool(asked.paper))
+        if strip.layout.size is not None:
+            files["bench csv"] = f"{self.name}-bench.csv", lambda path: write_text(path, bench_csv(strip))
+            files |= self._drawn("side", bench_drawing, pdf=pictures)
         more = {
-            "png": self.asked.pictures and find_spec("matplotlib"),
-            "pdf": self.asked.paper,
-            "step": self.asked.step and not step_trouble(),
-            "glb": self.asked.glb,
+            "png": (pictures, self._draw_picture),
+            "pdf": (asked.paper, self._draw_template),
+            "step": (asked.step and not step_trouble(), self._write_step),
+            "glb": (asked.glb, self._write_glb),
         }
-        return names | {kind: f"{self.name}.{kind}" for kind, asked in more.items() if asked}
+        return files | {
+            kind: (f"{self.name}.{kind}", write) for kind, (wanted, write) in more.items() if wanted
+        }
+
+    def _drawn(
+        self, name: str, made: Callable[[Strip], Drawing], *, pdf: bool
+    ) -> dict[str, tuple[str, Callable[[Path], object]]]:
+        """One of the drawings that are written beside the cut pattern, in each kind of file."""
+        kinds = ("dxf", "svg", *(("pdf",) if pdf else ()))
+        return {
+            f"{name} {kind}": (f"{self.name}-{name}.{kind}", partial(self._write_drawing, made, kind))
+            for kind in kinds
+        }
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
@@ -147,6 +163,51 @@ class StripKit:
         )
         return report | ({"joints": self.joints} if any(self.joints) else {})
 
+    def _write_pattern(self, number: int, path: Path, **version: str) -> None:
+        save(
+            self.patterns[number],
+            path,
+            **version,
+            **self.asked.cutting.options(self.strip.layers[number].sheet),
+        )
+
+    def _write_drawing(self, made: Callable[[Strip], Drawing], kind: str, path: Path) -> None:
+        drawing = replace(made(self.strip), name=path.stem)
+        if kind == "pdf":
+            from elastica_cad.plot.template_pages import save_template
+
+            save_template(drawing, path, paper=self.asked.paper or "A4")
+        else:
+            version = {"version": self.asked.cutting.version} if kind == "dxf" else {}
+            save(drawing, path, **version)
+
+    def _draw_picture(self, path: Path) -> None:
+        from elastica_cad.plot.canvas import save_figure
+        from elastica_cad.plot.strip_pictures import strip_sheet
+
+        save_figure(strip_sheet(self.strip, wish=None if self.near is None else self.near.target), path)
+
+    def _draw_template(self, path: Path) -> None:
+        from elastica_cad.plot.template_pages import save_template
+
+        drawing = bench_drawing(self.strip) if self.strip.layout.stack else self.patterns[0]
+        save_template(drawing, path, paper=str(self.asked.paper))
+
+    def _write_step(self, path: Path) -> None:
+        from elastica_cad.kernel.step_files import write_strip_step
+
+        write_strip_step(self.strip, path, frame=self.spec.frame)
+
+    def _write_glb(self, path: Path) -> None:
+        from elastica_cad.fabrication.model.strip_model import Model
+        from elastica_cad.fabrication.placed_strip import Placed
+        from elastica_cad.kernel.mesh_files import write_glb
+        from elastica_cad.kernel.step_files import model_shapes
+
+        frame = self.spec.frame or UPRIGHT
+        placed = Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
+        write_glb(model_shapes(Model((placed,), self.name)), path, name=self.name)
+
 
 def write_strip(
     kit: StripKit, folder: Path, *, force: bool = False, kept: Path | None = None
@@ -164,91 +225,6 @@ def write_strip(
             "{kept} holds the drawn curve and is kept: name another folder, e.g. -o out", kept=kept
         )
     with write_together(folder, kit.files.values(), force=force) as workshop:
-        for kind, file in kit.files.items():
-            writer_of(kit, kind)(kit, workshop / file)
+        for file, write in kit.writers.values():
+            write(workshop / file)
     return written
-
-
-def _write_dxf(kit: StripKit, path: Path, layer: int = 0) -> None:
-    drawing, options = _pattern(kit, layer)
-    save(drawing, path, version=kit.asked.cutting.version, **options)
-
-
-def _write_svg(kit: StripKit, path: Path, layer: int = 0) -> None:
-    drawing, options = _pattern(kit, layer)
-    save(drawing, path, **options)
-
-
-def _pattern(kit: StripKit, layer: int) -> tuple[Drawing, dict[str, Any]]:
-    """What is cut of one layer, and how its file is to be written."""
-    sheet = kit.strip.layers[layer].sheet
-    return kit.patterns[layer], kit.asked.cutting.options(sheet)
-
-
-def writer_of(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
-    """What writes a kind of file; "backing dxf" and the like are of a layer that is glued on."""
-    if kind in WRITERS:
-        return WRITERS[kind]
-    name, _, kind = kind.rpartition(" ")
-    if name == "holding":
-        return partial(_write_drawing, lambda kit: holding_template(kit.strip), kind=kind)
-    if name == "side":
-        return partial(_write_drawing, lambda kit: bench_drawing(kit.strip), kind=kind)
-    number = [layer.name for layer in kit.strip.layers].index(name)
-    return partial({"dxf": _write_dxf, "svg": _write_svg}[kind], layer=number)
-
-
-def _write_drawing(made: Callable[[StripKit], Drawing], kit: StripKit, path: Path, kind: str) -> None:
-    """One of the drawings that are written beside the cut pattern."""
-    drawing = replace(made(kit), name=path.stem)
-    if kind == "pdf":
-        from elastica_cad.plot.template_pages import save_template
-
-        save_template(drawing, path, paper=kit.asked.paper or "A4")
-    else:
-        version = {"version": kit.asked.cutting.version} if kind == "dxf" else {}
-        save(drawing, path, **version)
-
-
-def _draw_picture(kit: StripKit, path: Path) -> None:
-    from elastica_cad.plot.canvas import save_figure
-    from elastica_cad.plot.strip_pictures import strip_sheet
-
-    save_figure(strip_sheet(kit.strip, wish=None if kit.near is None else kit.near.target), path)
-
-
-def _draw_template(kit: StripKit, path: Path) -> None:
-    from elastica_cad.plot.template_pages import save_template
-
-    drawing = bench_drawing(kit.strip) if kit.strip.layout.stack else _pattern(kit, 0)[0]
-    save_template(drawing, path, paper=str(kit.asked.paper))
-
-
-def _write_step(kit: StripKit, path: Path) -> None:
-    from elastica_cad.kernel.step_files import write_strip_step
-
-    write_strip_step(kit.strip, path, frame=kit.spec.frame)
-
-
-def _write_glb(kit: StripKit, path: Path) -> None:
-    from elastica_cad.fabrication.model.strip_model import Model
-    from elastica_cad.fabrication.placed_strip import Placed
-    from elastica_cad.kernel.mesh_files import write_glb
-    from elastica_cad.kernel.step_files import model_shapes
-
-    frame = kit.spec.frame or UPRIGHT
-    placed = Placed(kit.strip, frame.origin, frame.x_axis, frame.y_axis)
-    write_glb(model_shapes(Model((placed,), kit.name)), path, name=kit.name)
-
-
-WRITERS: Mapping[str, Callable[[StripKit, Path], None]] = {
-    "dxf": _write_dxf,
-    "svg": _write_svg,
-    "png": _draw_picture,
-    "pdf": _draw_template,
-    "step": _write_step,
-    "glb": _write_glb,
-    "bench csv": lambda kit, path: write_text(path, bench_csv(kit.strip)),
-    "json": lambda kit, path: write_json(path, kit.report),
-}
-"""How each kind of file is written."""

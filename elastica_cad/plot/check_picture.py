@@ -11,14 +11,14 @@ from elastica_cad.geometry.boxes import box_about
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, measured_points
 from elastica_cad.plot.canvas import INK, Figure, new_page
 from elastica_cad.plot.strip_pictures import (
-    COMB,
-    COMB_SHARE,
     FAINT,
     LINE,
     NUMBERED,
     WIDE,
     clipped,
+    comb_tips,
     finish_axes,
+    paint_comb,
 )
 
 POINTS = 601
@@ -53,17 +53,13 @@ def check(check: EquilibriumCheck) -> Figure:
     require_record(check, EquilibriumCheck, "what is drawn", "what check_equilibrium answers")
     curve = check.curve
     nodes = curve.sample(POINTS)
-    normal = np.column_stack([-np.sin(nodes.angle), np.cos(nodes.angle)])
-    largest, extent = float(np.abs(nodes.curvature).max()), float(np.ptp(nodes.position, axis=0).max())
-    tips = nodes.position - normal * (COMB_SHARE * extent / max(largest, 1e-300) * nodes.curvature)[:, None]
+    tips, extent = comb_tips(nodes), float(np.ptp(nodes.position, axis=0).max())
     box = box_about(np.concatenate([nodes.position, tips]))
     width, height = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
     told = fill(" ".join((*check.told_of_points, *check.reasons)) if check.reasons else str(check), LETTERS)
     panel = NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
     figure, (axes,) = new_page([panel], told)
-    teeth = np.stack([nodes.position, tips, np.full_like(tips, np.nan)], axis=1)[::6].reshape(-1, 2)
-    axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
-    axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
+    paint_comb(axes, nodes.position, tips)
     axes.plot(*nodes.position.T, color=GOOD if check.realizable else INK, linewidth=2.2)
     measured, dots = measured_points(curve), ""
     if measured is not None:

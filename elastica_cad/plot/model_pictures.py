@@ -12,7 +12,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.plates import BasePlate, Ring
+from elastica_cad.fabrication.holders.plates import BasePlate
 from elastica_cad.fabrication.holders.slotted_frame import Rib
 from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model, single_holders
 from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, Color, sheet_color
@@ -105,12 +105,12 @@ def _polygon_of(loop: Path, step: float) -> FloatArray:
     return np.concatenate(rows)
 
 
-Plate: TypeAlias = BasePlate | Ring | Rib
+Plate: TypeAlias = BasePlate | Rib
 
 
 def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
     """The planes of both faces of the plates that tabs go through."""
-    plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate | Ring)]
+    plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate)]
     return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
 
 

@@ -13,7 +13,7 @@ from elastica_cad.fabrication.model.material_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import Travel
 from elastica_cad.geometry.boxes import box_about
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import require_curve
@@ -155,7 +155,7 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
     """The room of a bent rod."""
     if wish is not None:
         require_curve(wish)
-    shown = [rod.position, _comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
+    shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
     shown += [end.tip[None] for end in ends]
     width, height = _widened(np.ptp(np.concatenate(shown), axis=0))
     return NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
@@ -163,11 +163,8 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
 
 def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> None:
     """The rod as it is bent, its curvature comb and inflection line, how it is held, and the curve asked for."""
-    position, tips, turns = rod.position, _comb_tips(rod), _inflections(rod)
-    step = max(1, len(position) // 100)
-    teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
-    axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
-    axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
+    position, tips, turns = rod.position, comb_tips(rod), _inflections(rod)
+    paint_comb(axes, position, tips)
     wished = [] if wish is None else [wish.sample(600).position]
     for points in wished:
         dashed = {"color": FAINT, "linewidth": 1.4, "linestyle": (0, (4, 2))}
@@ -315,13 +312,21 @@ def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: Flo
     )
 
 
-def _comb_tips(rod: Rod) -> FloatArray:
-    """Ends (n, 2) of the teeth of the curvature comb."""
+def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
+    """Return the ends (n, 2) of the teeth of the curvature comb."""
     largest = float(np.abs(rod.curvature).max())
     extent = float(np.ptp(rod.position, axis=0).max())
     scale = COMB_SHARE * extent / largest if largest > 0 else 0.0
     normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
     return np.asarray(rod.position - scale * rod.curvature[:, None] * normal)
+
+
+def paint_comb(axes: Axes, position: FloatArray, tips: FloatArray) -> None:
+    """Paint some hundred teeth of a curvature comb, and the line along all its tips."""
+    step = max(1, len(position) // 100)
+    teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
+    axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
+    axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
 
 
 def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:

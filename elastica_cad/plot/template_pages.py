@@ -221,9 +221,8 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: f
                 axes.plot([x - dx, x + dx], [y - dy, y + dy], color=INK, linewidth=0.4)
     height = 3.0 * POINTS_PER_MM
     axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
-    if k == 0:
-        x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
-        axes.plot([x, x + RULER_MM], [y, y], color=INK, linewidth=0.8)
-        for end in (x, x + RULER_MM):
-            axes.plot([end, end], [y - 1.5, y + 1.5], color=INK, linewidth=0.8)
-        axes.text(x + RULER_MM / 2, y + 0.8, "100 mm", fontsize=0.8 * height, color=INK, ha="center")
+    x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
+    axes.plot([x, x + RULER_MM], [y, y], color=INK, linewidth=0.8)
+    for end in (x, x + RULER_MM):
+        axes.plot([end, end], [y - 1.5, y + 1.5], color=INK, linewidth=0.8)
+    axes.text(x + RULER_MM / 2, y + 0.8, "100 mm", fontsize=0.8 * height, color=INK, ha="center")

@@ -1,8 +1,5 @@
 """What bodies cost on top of the core, how that compares with the core, and how much is OpenCASCADE's share."""
 
-from time import perf_counter
-
-import numpy as np
 import pytest
 
 from elastica_cad.fabrication.model.strip_model import Model
@@ -19,17 +16,9 @@ from elastica_cad.kernel import step_files as step
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod, integrate_edges
+from tests.benchmarks.timing import seconds
 
 ENDS = (Tab(12, holes=(Hole(6, 3.2),)), Tab(12, holes=(Hole(6, 3.2),)))
-
-
-def seconds(function, repeats=9):
-    best = np.inf
-    for _ in range(repeats):
-        start = perf_counter()
-        function()
-        best = min(best, perf_counter() - start)
-    return best
 
 
 def arch(lift=0.0, slots=()):

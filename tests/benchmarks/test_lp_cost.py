@@ -1,7 +1,6 @@
 """Cost of the stiffness programs as ratios, in one run, against one plain HiGHS solve of all their rows."""
 
 import runpy
-from time import perf_counter
 
 import numpy as np
 import pytest
@@ -10,21 +9,13 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.stiffness.minimax_lp import minimax_ratio
 from elastica_cad.published.sampled_lp import sampled_rows, sampled_stiffness
+from tests.benchmarks.timing import seconds
 
 
 @pytest.fixture(scope="module")
 def plain(project_root):
     """The names of examples/plain_highs.py: the programs of the paper, all rows written out."""
     return runpy.run_path(str(project_root / "examples" / "plain_highs.py"))
-
-
-def seconds(function, repeats=15):
-    best = np.inf
-    for _ in range(repeats):
-        start = perf_counter()
-        function()
-        best = min(best, perf_counter() - start)
-    return best
 
 
 def half_ellipse(n):

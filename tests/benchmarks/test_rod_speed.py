@@ -1,7 +1,5 @@
 """Speed as ratios within one run: bend and stability against dense and adaptive methods."""
 
-from time import perf_counter
-
 import numpy as np
 import pytest
 import scipy.linalg
@@ -10,15 +8,7 @@ from scipy.integrate import solve_bvp
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
-
-
-def seconds(function, repeats=5):
-    best = np.inf
-    for _ in range(repeats):
-        start = perf_counter()
-        function()
-        best = min(best, perf_counter() - start)
-    return best
+from tests.benchmarks.timing import seconds
 
 
 def arch(samples):

@@ -141,9 +141,6 @@ def test_names_in_any_script(plain, tmp_path):
     assert found.Get().ToExtString() == name
 
 
-EMPTY = "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"
-
-
 class TestBadInput:
     def test_nothing_to_write(self, tmp_path):
         with pytest.raises(InputError, match="nothing to write"):

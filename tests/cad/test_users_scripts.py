@@ -228,7 +228,7 @@ class TestCadQuery:
         ball = cq.Workplane().sphere(60)
         slips = {
             "max_width is '12'": lambda: bent_strip(CURVE, SHEET, max_width="12"),
-            "compensate is 'no': give True for all": lambda: bent_strip(
+            "compensate is 'no': it must be True or False": lambda: bent_strip(
                 CURVE, SHEET, max_width=12, compensate="no"
             ),
             "walls is no option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),

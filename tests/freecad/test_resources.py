@@ -36,6 +36,8 @@ def words_of_code():
                     assert not words[:1], f"{path}: lupdate does not find the title {words[0]}"
                 if called in ("QT_TRANSLATE_NOOP", "translate") and len(words) == len(node.args) == 2:
                     yield tuple(words)
+                elif called == "result" and len(words) > len(("type", "name")):
+                    yield "App::Property", words[2]
                 elif called == "Property" and len(words) > len(("type", "name", "group")):
                     yield "App::Property", words[3]
                     if words[0] == "Enumeration":

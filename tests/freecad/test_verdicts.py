@@ -1,4 +1,4 @@
-"""Three verdicts, DXF without ezdxf, caches that grow, strips that follow their body."""
+"""Three verdicts, DXF without ezdxf, strips that follow their body."""
 
 import re
 import sys
@@ -11,13 +11,7 @@ from freecad.elastica_wb.export.cutting_files import write_cut
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, strip_answer
-from freecad.elastica_wb.solving.strip_cache import (
-    LEAST,
-    find_nearest_now,
-    growing_cache,
-    sharpest_bend,
-    solve_strip,
-)
+from freecad.elastica_wb.solving.strip_cache import find_nearest_now, sharpest_bend, solve_strip
 
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip_spec import StripSpec
@@ -126,17 +120,6 @@ def test_dxf_without_ezdxf(monkeypatch, tmp_path, check_drawing_file):
     box = made.outline.bounds
     assert loops[0].points.min(axis=0) == pytest.approx(box[0], abs=0.05)
     assert loops[0].points.max(axis=0) == pytest.approx(box[1], abs=0.05)
-
-
-def test_caches_grow_with_the_documents(document):
-    calls = []
-    ask = growing_cache(lambda number: calls.append(number) or number)
-    for _ in range(LEAST):
-        document.addObject("App::FeaturePython", "One")
-    for turn in range(2):
-        for number in range(2 * LEAST):
-            assert ask(number) == number
-        assert len(calls) == 2 * LEAST, turn
 
 
 def test_a_strip_beside_a_body_follows_it(document, sketch):

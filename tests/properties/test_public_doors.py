@@ -27,7 +27,7 @@ INNER = {
     "HalfPlane.clearance", "InflectionsOnLine.equations", "LaidLeaves.strains",
     "Laminated.bounded", "PerforatedSection.strains",
     "PlainSection.strains", "PlaneCurve.basis", "PlaneCurve.derivatives",
-    "PlaneCurve.position_and_velocity", "SmoothJoints.equations", "Spline.motion_at",
+    "SmoothJoints.equations",
     "Strip.breadth", "TSlot.side", "Tab.depth_at", "TabSeat.bends", "TabSeat.gaps", "TabSeat.moved",
     "TabSeat.slopes",
 }  # fmt: skip

@@ -92,10 +92,10 @@ def test_laminates_have_the_stiffness_they_should(length, stiffness, outline, si
     assume(strip is not None)
     s = np.linspace(0.0, length, 300)
     w1, w2 = width(s), strip.layout.backing.width(s)
-    assert w2.min() > 1.0 - 1e-6
-    assert (w2 - w1).max() < 1e-6
+    assert w2.min() > 1.0 - 2e-5
+    assert (w2 - w1).max() < 2e-5
     found = LaminatedSection(base, backing).bending_stiffness(w1, np.minimum(w1, w2))
-    assert np.abs(found / (strip.bending_stiffness * rod.profile(s)) - 1).max() < 1e-8
+    assert np.abs(found / (strip.bending_stiffness * rod.profile(s)) - 1).max() < 1e-4
 
 
 @settings(max_examples=6, deadline=None)

@@ -12,7 +12,7 @@ from elastica_cad.declared import Asked, declared, kind_of
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.key_paths import require_path_of
-from elastica_cad.formats.design_files.records import Reader, described, read_line
+from elastica_cad.formats.design_files.records import Reader, described, parsed_line
 from elastica_cad.formats.design_files.strip_table import StripKeys
 from elastica_cad.formats.design_files.tables import Table
 
@@ -27,8 +27,12 @@ class Ring:
     inner: "Annotated[Ring | None, Asked('A ring within.')]" = None
 
 
+def ring_of(line):
+    return Reader().record(Ring, Table(parsed_line(line, "ring"), "ring", {}))
+
+
 def test_a_record_is_read_from_a_table_of_its_declared_fields():
-    made = read_line("radius = '2 * 5', places = [[0, 1], [2, 3]], inner = { radius = 1 }", "ring", Ring)
+    made = ring_of("radius = '2 * 5', places = [[0, 1], [2, 3]], inner = { radius = 1 }")
     assert made == Ring(10.0, places=((0, 1), (2, 3)), inner=Ring(1.0))
 
 
@@ -45,7 +49,7 @@ def test_a_record_is_read_from_a_table_of_its_declared_fields():
 )
 def test_what_a_table_lacks_or_has_too_much_is_told_at_its_place(line, sentence):
     with pytest.raises(InputError, match=f"ring: {sentence}"):
-        read_line(line, "ring", Ring)
+        ring_of(line)
 
 
 def test_forms_know_all_fields_of_a_strip():

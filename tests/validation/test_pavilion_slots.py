@@ -55,7 +55,7 @@ def test_mates_line_up(slotted):
             placed = slotted.placed[member]
             centre = placed.strip.rod.curve.at(slot.path[:, 0]).position
             rows.append(placed.frame.point(np.column_stack([centre, slot.path[:, 1]])))
-        assert np.linalg.norm(rows[0][0] - rows[1][0]) < 1e-8
+        assert np.linalg.norm(rows[0][0] - rows[1][0]) < 1e-6
         assert np.linalg.norm(rows[0][0] - joint.position) < 1e-8
         lengths = [np.linalg.norm(np.diff(row, axis=0), axis=1).sum() for row in rows]
         assert lengths[0] == pytest.approx(lengths[1], abs=1e-5)

@@ -206,10 +206,8 @@ def explained(path: str, option: str) -> str:
     field = require_path_of(path.removeprefix("strips."), record)
     asked = field.asked
     lines = [told(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
-    bounds = [f"least {asked.least:g}"] if asked.least is not None else []
-    bounds += [f"most {asked.most:g}"] if asked.most is not None else []
-    if bounds:
-        lines.append(f"Bounds: {', '.join(bounds)}.")
+    if asked.bounds:
+        lines.append(f"Bounds: {asked.bounds}.")
     if isinstance(field.default, bool | int | float | str) and field.default != "":
         lines.append(
             f"Default: {field.default}.".lower()

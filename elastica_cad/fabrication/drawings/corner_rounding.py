@@ -9,8 +9,8 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import cross, norm, turn_between
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segment_table import SegmentTable, trim_all
-from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, chord_points, place
+from elastica_cad.geometry.paths.segment_table import SegmentTable
+from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, chord_points, place, trim_segment
 from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02
@@ -87,7 +87,10 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
         beyond = np.maximum(-first, last - 1) * sizes > CLOSE_MM
         short = set(np.flatnonzero((first > last) | beyond).tolist())
         last = np.where((last - first) * sizes > CLOSE_MM, last, first)
-        parts = trim_all(segments, *np.clip([first, last], 0, 1))
+        parts = [
+            trim_segment(segment, a, b) if a < b else None
+            for segment, a, b in zip(segments, *np.clip([first, last], 0, 1).tolist(), strict=True)
+        ]
         arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
         following: dict[int, _Ring] = {}
         for i, ring in left.items():

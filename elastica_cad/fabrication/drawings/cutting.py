@@ -6,8 +6,8 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, is_whole, require_positive, require_record
-from elastica_cad.declared import Asked
+from elastica_cad._values import require_number, require_record
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.geometry.curves.curve_derivatives import turn_between
@@ -51,8 +51,7 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     >>> compensate_kerf(plate, 0.2).paths[0].path.segments[0].radius
     10.1
     """
-    if not is_number(kerf):
-        raise InputError("the kerf is {kerf!r}: it must be a finite number of mm, 0 for none", kerf=kerf)
+    require_number(kerf, "the kerf", "mm")
     require_record(drawing, Drawing, "what is cut", "a Drawing record")
     if abs(kerf) > WIDEST_KERF_MM:
         raise InputError(
@@ -138,16 +137,13 @@ class HoldingTabs:
         Interrupt inner cuts too, those longer than `spacing`.
     """
 
-    width: Annotated[float, Asked("Width of a bridge.", "mm", least=0)] = 0.5
-    spacing: Annotated[float, Asked("Largest distance between two bridges.", "mm", least=0)] = 100.0
+    width: Annotated[float, Asked("Width of a bridge.", "mm", above=0)] = 0.5
+    spacing: Annotated[float, Asked("Largest distance between two bridges.", "mm", above=0)] = 100.0
     least: Annotated[int, Asked("How many bridges each loop has at least.", least=1)] = 2
     inner: Annotated[bool, Asked("Interrupt inner cuts too.")] = False
 
     def __post_init__(self) -> None:
-        for name in ("width", "spacing"):
-            require_positive(getattr(self, name), f"holding tab {name}")
-        if not (is_whole(self.least) and self.least >= 1):
-            raise InputError("holding tabs: least is {least!r}, give a whole number from 1", least=self.least)
+        require_declared(HoldingTabs, vars(self), "holding tabs:")
 
 
 def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:

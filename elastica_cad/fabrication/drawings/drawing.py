@@ -10,12 +10,11 @@ from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_record, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.lettering import Text, strokes_of, text_strokes
+from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.geometry.boxes import box_around
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.plane_matrices import is_similarity, similarity_of, transform_points
-from elastica_cad.geometry.running_sums import numbers_in_groups
 from elastica_cad.mechanics.material.sheet_library import require_printable
 
 CUT_OUTER = "CUT_OUTER"
@@ -88,11 +87,7 @@ class Drawing:
     @cached_property
     def strokes(self) -> tuple[LayeredPath, ...]:
         """Everything as paths in working order: texts as strokes, inner cuts before outer, nothing twice."""
-        written = [
-            LayeredPath(text.layer, stroke)
-            for text, strokes in zip(self.texts, strokes_of(self.texts), strict=True)
-            for stroke in strokes
-        ]
+        written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
         return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
 
@@ -156,18 +151,14 @@ def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
     if not items:
         return ()
-    boxes = np.array([item.path.bounds for item in items])
-    left = boxes[:, 0, 0]
-    order = np.argsort(left, kind="stable")
-    first = np.searchsorted(left[order], left - SAME_MM)
-    count = np.searchsorted(left[order], left + SAME_MM) - first
-    later = np.repeat(np.arange(len(items)), count)
-    earlier = order[numbers_in_groups(count) + np.repeat(first, count)]
-    alike = (earlier < later) & (np.abs(boxes[later] - boxes[earlier]).max(axis=(1, 2)) <= SAME_MM)
+    from scipy.spatial import cKDTree
+
+    boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
+    alike = cKDTree(boxes).query_pairs(SAME_MM, p=np.inf, output_type="ndarray")
     dropped: set[int] = set()
-    for i, j in zip(later[alike].tolist(), earlier[alike].tolist(), strict=True):
-        if not {i, j} & dropped and _twins(items[j], items[i]):
-            dropped.add(i)
+    for i, j in sorted(alike.tolist()):
+        if not {i, j} & dropped and _twins(items[i], items[j]):
+            dropped.add(j)
     return tuple(item for i, item in enumerate(items) if i not in dropped)
 
 

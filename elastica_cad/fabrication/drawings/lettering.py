@@ -128,23 +128,14 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
     (3, 5.0)
     """
     require_record(text, Text, "what is engraved", "a Text")
-    return strokes_of([text])[0]
-
-
-def strokes_of(texts: Sequence[Text]) -> list[tuple[Path, ...]]:
-    """Return the strokes of many texts, as `strokes` does for one."""
-    return [tuple(_placed_strokes(text)) for text in texts]
-
-
-def _placed_strokes(text: Text) -> Iterator[Path]:
-    scale = text.height / CAP_HEIGHT
+    scale, strokes = text.height / CAP_HEIGHT, list[Path]()
     c, s = scale * np.cos(text.angle), scale * np.sin(text.angle)
     (x, y), advance = text.position, 0.0
     for character in text.text:
         place = [[c, -s, x + c * advance], [s, c, y + s * advance], [0.0, 0.0, 1.0]]
-        for stroke in _glyph(character):
-            yield stroke.transformed(place)
+        strokes += [stroke.transformed(place) for stroke in _glyph(character)]
         advance += _glyphs()[character][0] + _GAP
+    return tuple(strokes)
 
 
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:

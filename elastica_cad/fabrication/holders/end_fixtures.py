@@ -11,11 +11,16 @@ import numpy as np
 from elastica_cad._counts import and_more
 from elastica_cad._equality import EqualByValue
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, is_one_of, require_record
-from elastica_cad.declared import Asked
+from elastica_cad._values import require_record
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import centred_text, text_strokes
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
+from elastica_cad.fabrication.holders.placed_tab import (
+    PlacedTab,
+    require_ends,
+    require_holdable,
+    tabs_to_hold,
+)
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, require_placed, strip_names
@@ -89,9 +94,9 @@ class EndFixture(EqualByValue):
     tab: PlacedTab
     floor: Frame | None = None
     clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0)] = 0.15
-    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=0)] = 4.0
+    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=LEAST_WALL_MM)] = 4.0
     foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0)] = 12.0
-    foot_height: Annotated[float, Asked("Height of the foot.", "mm", least=0)] = 4.0
+    foot_height: Annotated[float, Asked("Height of the foot.", "mm", above=0)] = 4.0
     screw: Annotated[float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0)] = (
         4.3
     )
@@ -105,20 +110,7 @@ class EndFixture(EqualByValue):
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
             raise InputError("{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)", who=who)
-        least = {"clearance": 0.0, "wall": 1e-9, "foot": 0.0, "foot height": 1e-9, "screw": 0.0}
-        for name, smallest in least.items():
-            value = getattr(self, name.replace(" ", "_"))
-            if not (is_number(value) and value >= smallest):
-                raise InputError(
-                    "{who}: {name} is {given!r}: it must be positive, in mm", who=who, name=name, given=value
-                )
-        if self.wall < LEAST_WALL_MM:
-            raise InputError(
-                "{who}: a wall of {wall:g} is too thin to print: make it {least_wall_mm:g} or more",
-                who=who,
-                wall=Length(self.wall),
-                least_wall_mm=Length(LEAST_WALL_MM),
-            )
+        require_declared(EndFixture, vars(self), f"{who}:")
         if self.foot and self.screw > 0.8 * min(self.foot, self.across):
             raise InputError(
                 "{who}: a screw of {screw:g} does not fit a foot of {foot:g} by {across:.4g}: make "
@@ -161,9 +153,9 @@ class EndFixture(EqualByValue):
         The pocket leans against the strip's force and moment, so that the tab lies as designed when it has taken up
         the clearance.
         """
-        _require_end(strip, end)
+        tab = PlacedTab.of(strip, end, frame)
         require_holdable(strip)
-        return cls(PlacedTab.of(strip, end, frame), floor, engrave=engrave, **sizes).leaning(strip, end)
+        return cls(tab, floor, engrave=engrave, **sizes).leaning(strip, end)
 
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """The fixture with its pocket leaned against what an end of the strip does to it.
@@ -171,7 +163,7 @@ class EndFixture(EqualByValue):
         The tab bends between the walls that it is pressed against, as it does between two plates: the body of a
         straight tab runs into them a little.
         """
-        _require_end(strip, end)
+        require_ends([end])
         index, straight = ENDS.index(end), replace(self, lean=(0.0, 0.0)).seat
         loaded = strip.as_made.loaded
         lean = lean_against(loaded, index, straight, strip.as_made.tab_ratios(loaded)[index])
@@ -366,12 +358,6 @@ def end_fixtures(
 def _polygon(corners: FloatArray) -> Path:
     path = Path.polygon(corners)
     return path if path.area > 0 else path.reversed()
-
-
-def _require_end(strip: object, end: object) -> None:
-    if not is_one_of(end, ENDS):
-        raise InputError('a strip has the ends "start" and "end", not {end!r}', end=end)
-    require_record(strip, Strip, "the strip", "a Strip")
 
 
 TOUCHING_MM = 0.1

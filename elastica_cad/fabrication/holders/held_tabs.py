@@ -1,7 +1,7 @@
 """What holders leave free: the seats of tabs, strips' shapes in them, their play, and tabs that rock."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TypeAlias, TypeGuard
+from typing import TypeGuard
 
 import numpy as np
 
@@ -19,10 +19,8 @@ from elastica_cad.fabrication.sheets.pieces import cut_key
 from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
 from elastica_cad.refusals import Length, note
 
-Slotted: TypeAlias = BasePlate | Ring
 
-
-def _seat_between(walls: FloatArray, tab: PlacedTab, plate: Slotted) -> TabSeat:
+def _seat_between(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
     """The walls (2, n, 2) of a slot beside its tab, in the plane of the strip's curve."""
     # of a wall that begins beyond the tab's tip its edge counts
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
@@ -30,7 +28,7 @@ def _seat_between(walls: FloatArray, tab: PlacedTab, plate: Slotted) -> TabSeat:
     return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))
 
 
-def slot_walls(plate: Slotted) -> list[tuple[int, PlacedTab, FloatArray]]:
+def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     """Return for each slot with a tab its number among the plate's slots, the tab, and its walls, the first
     corners' first.
 
@@ -89,12 +87,12 @@ def _require_holders(holders: object) -> tuple[object, ...]:
     return tuple(holders)
 
 
-def _plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
+def _plates_of(holders: Iterable[object]) -> Iterator[BasePlate]:
     """The plates among holders whose slots leave tabs their play: of frames too, none whose tabs are glued."""
     for holder in holders:
         # a slotted frame is told by its rails: it is made by means of this module
         for plate in getattr(holder, "rails", (holder,)):
-            if isinstance(plate, Ring) or (isinstance(plate, BasePlate) and not plate.glued):
+            if isinstance(plate, BasePlate) and not plate.glued:
                 yield plate
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, TypeVar
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import require_positive
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError, refuse_options_unlike, refusing_old_names
 from elastica_cad.fabrication.holders.held_tabs import slot_walls, tab_seats
@@ -46,7 +46,7 @@ LEAN_ROUNDS = 6
 LEANED_MM = 0.03
 """Rounds end when they move slots by less than this, mm; each leaves a tenth of what it moved."""
 
-Plate = TypeVar("Plate", BasePlate, Ring)
+Plate = TypeVar("Plate", bound=BasePlate)
 
 
 def plate_pair(
@@ -86,7 +86,7 @@ def plate_pair(
         A tab too short for the lower plate, with the length it needs; and as `base_plate`.
     """
     sheet = Sheet.of(sheet)
-    require_gap(gap)
+    require_positive(gap, "the gap between two plates")
     refuse_options_unlike(options, base_plate, "a pair of plates")
     upper = base_plate(placed, sheet, frame=frame, **options)
 
@@ -132,7 +132,7 @@ def ring_pair(
     InputError
         A tab too short for the second ring, with the length it needs; and as `ring_plate`.
     """
-    require_gap(gap)
+    require_positive(gap, "the gap between two plates")
     refuse_options_unlike(options, ring_plate, "a pair of rings")
     first = ring_plate(tabs, sheet, name=name, **options)
     if first.seats:
@@ -144,12 +144,6 @@ def ring_pair(
 
     room = {key: options[key] for key in ("play", "clearance") if key in options}
     return _add_second(placed, first, outer, gap=gap, **room)
-
-
-def require_gap(gap: float) -> None:
-    """Refuse a gap between two plates that is none."""
-    if not (is_number(gap) and gap > 0):
-        raise InputError("the gap between two plates is {gap!r} mm: it must be positive", gap=gap)
 
 
 def _add_second(
@@ -264,10 +258,10 @@ def end_plates(
     together: bool = False,
     border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
     play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = PLAY_MM,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
     name: Annotated[str, Asked("Name of its files.")] = "ring",
-    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> tuple[BasePlate, ...]:
@@ -336,7 +330,7 @@ def _pair_plate(
     **rest: Any,
 ) -> tuple[BasePlate, BasePlate]:
     """A plate and another behind it, so that inclined tabs keep their angle; the rest as for `plate_with`."""
-    require_gap(gap)
+    require_positive(gap, "the gap between two plates")
 
     def outer(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
         return plate_with(slots, plate.sheet, ground, name=f"{plate.name}-outer", **rest)

@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, is_one_of, several
-from elastica_cad.declared import Asked
+from elastica_cad._values import several
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_width
@@ -106,20 +106,36 @@ class BasePlate:
     sheet: Sheet
     frame: Frame
     outline: Path
-    slots: tuple[TabSlot, ...]
+    slots: tuple[TabSlot, ...] = ()
     name: str = "base"
     warnings: tuple[str, ...] = ()
     opening: Path | None = None
     glued: bool = False
 
-    @cached_property
+    @property
     def _inner(self) -> tuple[Path, ...]:
         """All loops that are cut out."""
         return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))
 
+    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> Self:
+        """The plate with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
+
+        Raises
+        ------
+        InputError
+            Slots that meet or are far wider than their tabs, thin bridges, a plate larger than the stock.
+        """
+        _refuse_meetings(self.slots, self.name)
+        called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
+        faults = (
+            *find_slot_faults(self.name, [(slot.name, slot.size[1], slot.through) for slot in self.slots]),
+            *find_plate_faults(self.name, self.sheet, self.outline, self._inner, shop, called),
+        )
+        return replace(self, warnings=accept_faults(faults, ignore_limits))
+
     @property
     def solid(self) -> FlatSolid:
-        """The plate in space, below its frame."""
+        """The plate in space, behind its frame."""
         thickness = self.sheet.thickness
         return FlatSolid(self.outline, self._inner, thickness, self.frame.shifted(z=-thickness))
 
@@ -174,7 +190,7 @@ def base_plate(
     *,
     frame: Frame | None = None,
     play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = BASE_PLAY_MM,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
     slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0)] = None,
     border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = BASE_BORDER_MM,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
@@ -220,14 +236,10 @@ def base_plate(
         No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
         too thin to cut, a leaning strip wider than its tab that runs into the plate; the parts are named.
     """
+    require_declared(base_plate, locals(), f"{name}:")
     sheet = Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
     slot_width = 0.0 if slot_width is None else slot_width
-    _check_sizes(name, play=play, clearance=clearance, slot_width=slot_width, border=border)
-    if not is_one_of(shape, ("hull", "rectangle", "ring")):
-        raise InputError(
-            '{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}', name=name, shape=shape
-        )
     require_ends(ends)
     widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
     tabs = tabs_to_hold(placed, ends)
@@ -259,18 +271,6 @@ def base_plate(
     return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
 
 
-def _check_sizes(name: str, **sizes: float) -> None:
-    """Refuse sizes of a plate below 0."""
-    for what, value in sizes.items():
-        if not (is_number(value) and value >= 0):
-            raise InputError(
-                "{name}: {replace} is {given!r}: it must be 0 mm or more",
-                name=name,
-                replace=what.replace("_", " "),
-                given=value,
-            )
-
-
 def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
     """Depth, mm, to which the end of a strip of width `wide` would reach into the plate where its tab begins."""
     height = float(ground.local(tab.frame.origin)[2])
@@ -296,30 +296,9 @@ def plate_with(
         inner, outer = around([slot.corners for slot in slots], center, border)
         if inner > LEAST_OPENING_SHARE * outer:
             outline, opening = Path.circle(center, outer), Path.circle(center, inner)
-    others = () if opening is None else (opening,)
-    told = _check_slots(name, sheet, outline, slots, others, shop=shop, ignore_limits=ignore_limits)
-    return BasePlate(sheet, frame, outline, tuple(slots), name, told, opening)
-
-
-def _check_slots(
-    name: str,
-    sheet: Sheet,
-    outline: Path,
-    slots: Sequence[TabSlot],
-    others: Sequence[Path] = (),
-    *,
-    shop: FabricationLimits | None,
-    ignore_limits: bool,
-) -> tuple[str, ...]:
-    """Warnings for a plate with slots and other cuts that was made in spite of faults; see `accept_faults`."""
-    _refuse_meetings(slots, name)
-    loops = (*(slot.path for slot in slots), *others)
-    called = [note("the slot of {name}", name=slot.name) for slot in slots]
-    faults = (
-        *find_slot_faults(name, [(slot.name, slot.size[1], slot.through) for slot in slots]),
-        *find_plate_faults(name, sheet, outline, loops, shop, called),
+    return BasePlate(sheet, frame, outline, tuple(slots), name, opening=opening).checked(
+        shop, ignore_limits=ignore_limits
     )
-    return accept_faults(faults, ignore_limits)
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
@@ -445,81 +424,44 @@ LEAST_LABEL_MM = 1.5
 
 
 @dataclass(frozen=True, eq=False)
-class Ring:
-    """A flat ring about an axis, or a cap where it has no hole.
+class Ring(BasePlate):
+    """A flat ring about an axis, or a cap where it has no opening; its frame is the face that looks at the strips,
+    its middle on the axis, z towards them.
 
     Attributes
     ----------
-    sheet : Sheet
-    frame : Frame
-        The face that looks at the strips, its middle on the axis, z towards them.
-    radii : (inner, outer)
-        mm; inner 0 for a cap.
-    slots : tuple of TabSlot
-        For tabs that go through.
     seats : tuple of Path
         Engraved outlines of tabs that lie on it.
     holes : tuple of Path
         Of the bolts of such tabs.
     seated : tuple of str
         Names of such tabs.
-    name : str
-    warnings : tuple of str
-        Why it should not be cut, where it was made all the same.
     """
 
-    sheet: Sheet
-    frame: Frame
-    radii: tuple[float, float]
-    slots: tuple[TabSlot, ...] = ()
     seats: tuple[Path, ...] = ()
     holes: tuple[Path, ...] = ()
-    name: str = "ring"
     seated: tuple[str, ...] = ()
-    warnings: tuple[str, ...] = ()
 
-    @cached_property
-    def outline(self) -> Path:
-        """The rim of the ring, in its frame, mm."""
-        return Path.circle((0.0, 0.0), self.radii[1])
-
-    @cached_property
-    def opening(self) -> Path | None:
-        """A closed loop in its middle that is cut out; None of a cap."""
-        return Path.circle((0.0, 0.0), self.radii[0]) if self.radii[0] else None
+    @classmethod
+    def around(
+        cls, loops: Sequence[FloatArray], border: float, sheet: Sheet, frame: Frame, name: str, **more: Any
+    ) -> Self:
+        """The ring that has loops (4, 2), slots or seats, with so much material about them, mm; without an opening
+        where that would be too small."""
+        inner, outer = around(loops, np.zeros(2), border)
+        opening = Path.circle((0.0, 0.0), inner) if inner > LEAST_OPENING_SHARE * outer else None
+        return cls(sheet, frame, Path.circle((0.0, 0.0), outer), name=name, opening=opening, **more)
 
     @property
-    def _others(self) -> tuple[Path, ...]:
-        return (*self.holes, *(() if self.opening is None else (self.opening,)))
-
-    @cached_property
-    def _inner(self) -> tuple[Path, ...]:
-        return (*(slot.path for slot in self.slots), *self._others)
-
-    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> "Ring":
-        """The ring with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
-
-        Raises
-        ------
-        InputError
-            Slots that meet or are far wider than their tabs, thin bridges, a ring larger than the stock.
-        """
-        told = _check_slots(
-            self.name,
-            self.sheet,
-            self.outline,
-            self.slots,
-            self._others,
-            shop=shop,
-            ignore_limits=ignore_limits,
+    def radii(self) -> tuple[float, float]:
+        """Of the opening, 0 of a cap, and of the rim, mm."""
+        return 0.0 if self.opening is None else float(self.opening.bounds[1, 0]), float(
+            self.outline.bounds[1, 0]
         )
-        return replace(self, warnings=told)
 
     @property
-    def solid(self) -> FlatSolid:
-        """The plate in space, behind its frame."""
-        thickness = self.sheet.thickness
-        return FlatSolid(self.outline, self._inner, thickness, self.frame.shifted(z=-thickness))
+    def _inner(self) -> tuple[Path, ...]:
+        return (*super()._inner, *self.holes)
 
     @cached_property
     def drawing(self) -> Drawing:
@@ -527,14 +469,9 @@ class Ring:
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
         paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
         paths.append(LayeredPath(CUT_OUTER, self.outline))
-        return Drawing(self.name, tuple(paths), self._label())
+        return Drawing(self.name, tuple(paths), self._name())
 
-    @property
-    def piece(self) -> Piece:
-        """The ring as a piece to be cut."""
-        return Piece(self.name, self.drawing, self.sheet)
-
-    def _label(self) -> tuple[Text, ...]:
+    def _name(self) -> tuple[Text, ...]:
         loops = [slot.corners for slot in self.slots] + [seat.points(0.1) for seat in self.seats]
         inner = max(float(np.hypot(*loop.T).max()) for loop in loops) + CLEAR_MM
         return _rim_text(self.name, inner, self.radii[1] - CLEAR_MM)
@@ -610,7 +547,7 @@ def ring_plate(
         far wider than their tabs, bridges too thin to cut.
     """
     sheet = Sheet.of(sheet)
-    _check_sizes(name, border=border, play=play, clearance=clearance)
+    require_declared(base_plate, {"border": border, "play": play, "clearance": clearance}, f"{name}:")
     tabs = several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
         raise InputError("{name}: there is no tab for it to hold: give it PlacedTab records", name=name)
@@ -647,8 +584,8 @@ def ring_plate(
         for hole in tab.holes
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
-    found = Ring(sheet, frame, _radii(seats, border), seats=loops, holes=holes, name=name,
-                 seated=tuple(tab.name for tab in tabs))  # fmt: skip
+    seated = tuple(tab.name for tab in tabs)
+    found = Ring.around(seats, border, sheet, frame, name, seats=loops, holes=holes, seated=seated)
     return found.checked(shop, ignore_limits=ignore_limits)
 
 
@@ -664,8 +601,10 @@ def ring_around(
 ) -> Ring:
     """The ring about the axis of its frame that has these slots; see `ring_plate`."""
     sheet = Sheet.of(sheet)
-    radii = _radii([slot.corners for slot in slots], border)
-    return Ring(sheet, frame, radii, tuple(slots), name=name).checked(shop, ignore_limits=ignore_limits)
+    loops = [slot.corners for slot in slots]
+    return Ring.around(loops, border, sheet, frame, name, slots=tuple(slots)).checked(
+        shop, ignore_limits=ignore_limits
+    )
 
 
 def _facing(height: float, *, up: bool) -> Frame:
@@ -678,13 +617,6 @@ def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
     half = tab.width / 2
     corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
     return frame.local(tab.frame.point(corners))[:, :2]
-
-
-def _radii(loops: Sequence[FloatArray], border: float) -> tuple[float, float]:
-    """Inner and outer radius of the ring around loops (4, 2); the inner one is 0 where the opening would be too
-    small."""
-    inner, outer = around(loops, np.zeros(2), border)
-    return (inner if inner > LEAST_OPENING_SHARE * outer else 0.0), outer
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
@@ -702,7 +634,7 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
         )
 
 
-def needed_length(tab: PlacedTab, first: BasePlate | Ring, gap: float) -> float:
+def needed_length(tab: PlacedTab, first: BasePlate, gap: float) -> float:
     """Length, in whole mm, that a tab needs to reach through a plate and another `gap` mm behind it."""
     back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
     missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))

@@ -8,13 +8,13 @@ from typing import Annotated, Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, is_whole, several
-from elastica_cad.declared import Asked
+from elastica_cad._values import is_number, several
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, centred_text
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
-from elastica_cad.fabrication.holders.plate_pairs import lean_pair, require_gap, tab_plane, through_slots
+from elastica_cad.fabrication.holders.plate_pairs import lean_pair, tab_plane, through_slots
 from elastica_cad.fabrication.holders.plates import PLAY_MM, BasePlate, TabSlot, plate_with
 from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits, limits_or_default
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_plate_faults
@@ -133,13 +133,13 @@ def slotted_frame(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ribs: Annotated[int, Asked("Ribs between the rails.", least=1)] = 3,
-    depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=0)] = 20.0,
-    tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=0)] = 12.0,
+    ribs: Annotated[int, Asked("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
+    depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=1)] = 20.0,
+    tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=1)] = 12.0,
     play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = PLAY_MM,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
     border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
-    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None,
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:
@@ -188,24 +188,7 @@ def slotted_frame(
     ['rail-start', 'rail-end', 'rib-1', 'rib-2', 'rib-3']
     """
     sheet = Sheet.of(sheet)
-    sizes = {"depth": depth, "tongue": tongue, "play": play, "clearance": clearance, "border": border}
-    for name, value in sizes.items():
-        least = 0.0 if name in ("play", "clearance", "border") else 1.0
-        if not (is_number(value) and value >= least):
-            raise InputError(
-                "frame {name} is {given!r}: it must be {least:g} or more",
-                name=name,
-                given=value,
-                least=Mm(least),
-            )
-    if not (is_whole(ribs) and 2 <= ribs <= MOST_RIBS):
-        raise InputError(
-            "a frame of {ribs!r} ribs: two rails need 2 or more to stay apart, {most_ribs} at most",
-            ribs=ribs,
-            most_ribs=MOST_RIBS,
-        )
-    if gap is not None:
-        require_gap(gap)
+    require_declared(slotted_frame, locals(), "frame")
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
     if tongue <= 2 * step:
         raise InputError(

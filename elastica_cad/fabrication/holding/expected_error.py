@@ -7,9 +7,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_number
-from elastica_cad.declared import Asked
-from elastica_cad.errors import InputError
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.fabrication.holding.held_shape import (
     ANTICLASTIC,
     LEAF_ENDS,
@@ -114,13 +112,7 @@ class MakingTolerance:
     ] = 0.05
 
     def __post_init__(self) -> None:
-        for name in ("thickness_wave", "grain", "clamps", "kerf"):
-            if require_number(getattr(self, name), f"the tolerance {name}") < 0:
-                raise InputError(
-                    "the tolerance {name} is {given!r}: it can't be negative",
-                    name=name,
-                    given=getattr(self, name),
-                )
+        require_declared(MakingTolerance, vars(self), "tolerance")
 
 
 USUAL_TOLERANCE = MakingTolerance()

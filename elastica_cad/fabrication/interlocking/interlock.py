@@ -9,8 +9,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_one_of, is_series, is_whole, numbers, require_number
-from elastica_cad.declared import Asked
+from elastica_cad._values import direction, is_series, is_whole, numbers, require_number
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.crossings import PARALLEL_RAD, Crossing, strip_crossings
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
@@ -152,7 +152,7 @@ class InterlockedStrips:
 def interlock(
     placed: Sequence[Placed],
     *,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm")] = CLEARANCE_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
     fit: Annotated[Fit, Asked("Slots for the exact angle, or as the paper cuts them.")] = "exact",
     relief: Annotated[Relief, Asked("Inner end of slots.")] = "square",
     pairs: Iterable[tuple[int, int]] | None = None,
@@ -190,14 +190,9 @@ def interlock(
         Strips that touch along a line or cross where one of them ends, slots that meet, a clearance larger
         than a strip.
     """
-    if not is_one_of(fit, ("exact", "paper")):
-        raise InputError('fit is "exact" or "paper", not {fit!r}', fit=fit)
-    if not (is_number(clearance) and clearance >= 0):
-        raise InputError("clearance is {clearance!r}: it must be 0 mm or more", clearance=clearance)
+    require_declared(interlock, locals())
     placed = require_placed(placed)
-    up = None if above is None else numbers(above, "above")
-    if up is not None and not (up.shape == (3,) and np.all(np.isfinite(up)) and np.any(up != 0)):
-        raise InputError("above must be a direction of three numbers")
+    up = None if above is None else direction(above, "above")
     ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
     names = distinct_names(placed)
     cutter = _Cutter(tuple(one.strip for one in placed), names, clearance, fit, relief, up)
@@ -239,21 +234,14 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
         return list(combinations(range(count), 2))
     found = []
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
-        if not isinstance(pair, Sequence) or len(pair) != 2 or not all(map(is_whole, pair)):
+        two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
+        if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
             raise InputError(
                 "pair {pair!r}: name two different strips by their places 0 to {count}",
                 pair=pair,
                 count=count - 1,
             )
-        i, j = pair
-        if not (0 <= i < count and 0 <= j < count and i != j):
-            raise InputError(
-                "pair ({i}, {j}): name two different strips by their places 0 to {count}",
-                i=i,
-                j=j,
-                count=count - 1,
-            )
-        found.append((min(i, j), max(i, j)))
+        found.append((min(pair), max(pair)))
     return sorted(set(found))
 
 

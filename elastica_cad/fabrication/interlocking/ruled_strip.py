@@ -3,21 +3,17 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
-from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.refusals import Length
 
 STATIONS = 400
-"""Least number of samples of a strip from which crossings are found."""
-
-CURVE_ERROR = 1e-13
-"""Error of the curve over arc length, relative to its length."""
+"""Least number of samples of a strip from which crossings are found; between them it is known to 1e-5 mm."""
 
 _TABLES = 128  # curves whose tables are kept: equal strips share theirs, as do crossings and collisions
 _ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it
@@ -55,7 +51,7 @@ class RuledStrip:
     @property
     def stations(self) -> FloatArray:
         """Arc lengths (n,) dense enough to find crossings from."""
-        return self.quintics[0]
+        return np.asarray(self._spline.x)
 
     def half_width(self, s: FloatArray) -> FloatArray:
         """Half the width (n,) at arc lengths (n,), mm."""
@@ -79,22 +75,10 @@ class RuledStrip:
 
     def in_plane(self, s: FloatArray) -> InPlane:
         """Points and tangents at arc lengths (n,)."""
-        nodes, c = self.quintics
-        k = nodes[1:-1].searchsorted(s, side="right")
-        # as wide as the rows: twice as fast as to stretch it
-        u = np.repeat(s - nodes.take(k), 2).reshape(-1, 2)
-        rows = c.take(k, axis=1)
-        point, slope = rows[5] * u + rows[4], rows[5]
-        for row in rows[3::-1]:  # Horner's scheme, for both at once
-            slope *= u
-            slope += point
-            point *= u
-            point += row
-        return point, slope
+        return self._spline(s), self._spline(s, 1)
 
-    @cached_property
-    def quintics(self) -> tuple[FloatArray, FloatArray]:
-        """The curve over arc length: nodes (n + 1,) and quintic pieces (6, n, 2) in s - node."""
+    @property
+    def _spline(self) -> Any:
         return _over_arc_length(self.curve, self.length)
 
 
@@ -124,51 +108,15 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
 
 
 @lru_cache(maxsize=_TABLES)
-def _over_arc_length(curve: PlaneCurve, length: float) -> tuple[FloatArray, FloatArray]:
-    """A curve over arc lengths that end at `length`: nodes (n + 1,) and quintic pieces (6, n, 2) in s - node."""
-    count = STATIONS
-    while count < 64 * STATIONS:
-        nodes, pieces = _quintics(curve, count)
-        if _error(curve, nodes, pieces) <= CURVE_ERROR * curve.length:
-            scale = length / curve.length
-            powers = scale ** (1.0 - np.arange(6))[:, None, None]
-            return curve.arc_length(nodes) * scale, pieces * powers
-        count *= 2
-    raise NotConvergedError(
-        "the curve of a strip {length:.6g} long is too wild to be followed: smooth it", length=Length(length)
-    )
+def _over_arc_length(curve: PlaneCurve, length: float) -> Any:
+    """Cubic spline of a curve over arc lengths that end at `length`, with the curve's own tangents at its nodes."""
+    from scipy.interpolate import CubicHermiteSpline
 
-
-def _quintics(curve: PlaneCurve, count: int) -> tuple[FloatArray, FloatArray]:
-    """Parameters of the nodes, and Hermite quintics with the curve's position, tangent and curvature there."""
     panels = curve.smooth_panels
-    each = max(1, -(-count // (panels.size - 1)))
+    each = -(-STATIONS // (panels.size - 1))
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
     t = np.append(inner, panels[-1])
-    h = np.diff(curve.arc_length(t))[:, None]
-    p = curve.evaluate(t)
-    d0, c0 = _turning(curve, t[:-1], left=False)
-    d1, c1 = _turning(curve, t[1:], left=True)
-    gap, turn, change = p[1:] - p[:-1] - h * d0 - h**2 / 2 * c0, h * (d1 - d0 - h * c0), h**2 * (c1 - c0)
-    rows = (
-        p[:-1], d0, c0 / 2,
-        (10 * gap - 4 * turn + change / 2) / h**3,
-        (-15 * gap + 7 * turn - change) / h**4,
-        (6 * gap - 3 * turn + change / 2) / h**5,
-    )  # fmt: skip
-    return t, np.array(rows)
-
-
-def _turning(curve: PlaneCurve, t: FloatArray, *, left: bool) -> tuple[FloatArray, FloatArray]:
-    """Unit tangents and their derivatives by arc length (n, 2)."""
-    d = curve.evaluate(t, 1, left=left)
-    d = d / np.hypot(*d.T)[:, None]
-    return d, curve.curvature_at(t, left=left)[:, None] * np.stack([-d[:, 1], d[:, 0]], axis=1)
-
-
-def _error(curve: PlaneCurve, t: FloatArray, pieces: FloatArray) -> float:
-    """Largest distance from the curve, measured between the nodes, mm."""
-    middle = (t[:-1] + t[1:]) / 2
-    u = (curve.arc_length(middle) - curve.arc_length(t[:-1]))[:, None]
-    points = sum(row * u**k for k, row in enumerate(pieces))
-    return float(np.abs(points - curve.evaluate(middle)).max())
+    way = curve.evaluate(t, 1)
+    return CubicHermiteSpline(
+        curve.arc_length(t) * length / curve.length, curve.evaluate(t), way / np.hypot(*way.T)[:, None]
+    )

@@ -1,12 +1,10 @@
 """What a workshop can make: least widths, the largest sheet it takes, the slots it accepts."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
-from elastica_cad._values import is_number, require_record
-from elastica_cad.declared import Asked
-from elastica_cad.errors import InputError
+from elastica_cad._values import require_record
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.mechanics.material.sheet import Sheet
 
 LEAST_STRIP_MM = 3.0  # narrower strips of any sheet break when they are lifted out
@@ -46,7 +44,7 @@ class FabricationLimits:
     --------
     >>> FabricationLimits().width_for(Sheet.named("birch-plywood-0.8"))
     3.0
-    >>> FabricationLimits(least_width=1.5).width_for(None)
+    >>> FabricationLimits(least_width=1.5).width_for(Sheet.named("birch-plywood-0.8"))
     1.5
     """
 
@@ -55,53 +53,39 @@ class FabricationLimits:
         Asked(
             "Narrowest strip, tab or tongue that can be made; that of the sheet unless given.",
             "mm",
-            least=0,
+            above=0,
             group="limits",
         ),
     ] = None
     least_ligament: Annotated[
         float | None,
-        Asked("Least material between the holes of a perforated strip.", "mm", least=0, group="limits"),
+        Asked("Least material between the holes of a perforated strip.", "mm", above=0, group="limits"),
     ] = None
     least_bridge: Annotated[
-        float | None, Asked("Least material between the cuts of a plate.", "mm", least=0, group="limits")
+        float | None, Asked("Least material between the cuts of a plate.", "mm", above=0, group="limits")
     ] = None
     stock: Annotated[
-        tuple[float, float] | None, Asked("Sides of the largest sheet.", "mm", least=0, group="limits")
+        tuple[float, float] | None, Asked("Sides of the largest sheet.", "mm", above=0, group="limits")
     ] = None
     lap: Annotated[
         float | None,
         Asked(
             "Length of the plates that join pieces of a strip longer than the stock.",
             "mm",
-            least=0,
+            above=0,
             group="limits",
         ),
     ] = None
 
     def __post_init__(self) -> None:
-        for name in ("least_width", "least_ligament", "least_bridge", "lap"):
-            value = getattr(self, name)
-            if value is not None and not (is_number(value) and value > 0):
-                raise InputError("{name} is {given!r}: give a positive width in mm", name=name, given=value)
-        if self.stock is None:
-            return
-        sides = self.stock if isinstance(self.stock, Sequence) else ()
-        if len(sides) != 2 or not all(is_number(side) and side > 0 for side in sides):
-            raise InputError(
-                "the stock is {stock!r}: give the two sides of the sheet in mm", stock=self.stock
-            )
-        object.__setattr__(self, "stock", (float(max(sides)), float(min(sides))))
+        require_declared(FabricationLimits, vars(self))
+        if self.stock is not None:
+            object.__setattr__(self, "stock", (float(max(self.stock)), float(min(self.stock))))
 
-    def width_for(self, sheet: Sheet | None) -> float:
+    def width_for(self, sheet: Sheet) -> float:
         """Least width of strips, tabs and tongues of a sheet, mm."""
-        if self.least_width is not None:
-            return self.least_width
-        if sheet is not None:
-            sheet = Sheet.of(sheet)
-        if sheet is not None and sheet.least_width is not None:
-            return sheet.least_width
-        return max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness if sheet else 0.0)
+        sheet = Sheet.of(sheet)
+        return self.least_width or sheet.least_width or max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness)
 
     def ligament_for(self, sheet: Sheet) -> float:
         """Least material between the holes of a perforated strip, mm."""

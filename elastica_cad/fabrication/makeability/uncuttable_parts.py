@@ -26,7 +26,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
-COARSE = 4  # the same for a first look, which finds nothing in most parts
 FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
@@ -60,9 +59,6 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     [1.0]
     """
     chords = _Chords.of(outlines, holes, FLAT_SHARE * least)
-    points, chord = chords.middles(least / COARSE)
-    if not _near_opposite_pairs(points, chords.inward[chord], (1 + 1 / COARSE) * least)[0].size:
-        return ()
     points, chord = chords.middles(least / SAMPLES_PER_WIDTH)
     i, j, width = _widths_across(points, chords.inward[chord], least)
     if not width.size:

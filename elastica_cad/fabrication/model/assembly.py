@@ -24,7 +24,7 @@ from elastica_cad.refusals import note
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
 """Names of the records that hold strips, for messages."""
 
-SingleHolder: TypeAlias = BasePlate | Rib | Ring | EndFixture
+SingleHolder: TypeAlias = BasePlate | Rib | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
 """Record that holds strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""
 
@@ -240,7 +240,7 @@ def _by_hand(one: Placed, end: StripEnd) -> str:
 def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
     """Names of tabs with what holds them."""
     for holder in single_holders(holders):
-        if isinstance(holder, BasePlate | Ring):
+        if isinstance(holder, BasePlate):
             yield from (
                 (slot.name, note("slot {slot} of {holder}", slot=slot.name, holder=holder.name))
                 for slot in holder.slots

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike
-from elastica_cad._values import is_whole, require_number, require_record, several
+from elastica_cad._values import is_whole, require_number, require_record
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pairs import ring_pair
@@ -16,7 +16,7 @@ from elastica_cad.fabrication.makeability.makeable_strip import refuse_broken
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.strip.outline import ENDS, Tab
+from elastica_cad.fabrication.strip.outline import ENDS, Tab, pair_of_tabs
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.forming.revolution.meridian import Meridian, meridian
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -144,10 +144,7 @@ def revolve(
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
     require_record(shop, FabricationLimits, "the shop", "a FabricationLimits")
-    if ends is not None:
-        ends = several("ends", ends, Tab, "Tab")
-        if len(ends) != 2:
-            raise InputError("ends are {count} tabs: give two, for start and end", count=len(ends))
+    ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")
     asked = _Asked(strips, sheet, ends, rings, gap, shop, ignore_limits)

@@ -9,9 +9,9 @@ import numpy as np
 
 from elastica_cad._counts import counted
 from elastica_cad._notebook import html_table
-from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, is_number, is_whole, several
-from elastica_cad.declared import Asked
+from elastica_cad._types import ArrayLike
+from elastica_cad._values import direction, is_whole, several, three
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.held_tabs import held_shapes
@@ -48,10 +48,7 @@ def mirror(
     keep: Annotated[bool, Asked("Keep the original too.")] = True,
 ) -> tuple[Placed, ...]:
     """The mirror images in the plane through `point` across `normal`, behind the strips themselves if kept."""
-    n, p = _vector(normal), _vector(point)
-    if n is None or p is None or not n.any():
-        raise InputError("a mirror needs a point and a normal of three numbers, the normal not zero")
-    n = n / np.linalg.norm(n)
+    n, p = direction(normal, "the normal of a mirror"), three(point, "the point of a mirror")
     turn = np.eye(3) - 2 * np.outer(n, n)
     images = tuple(one.moved(turn, 2 * (p @ n) * n) for one in placed)
     return (*placed, *images) if keep else images
@@ -66,19 +63,10 @@ def rotate(
     step: Annotated[float | None, Asked("Angle between two; all around unless given.", "rad")] = None,
 ) -> tuple[Placed, ...]:
     """The strips `count` times about an axis, each `step` rad further; the full turn by `count` unless given."""
-    k, p = _vector(axis), _vector(point)
-    _refuse_too_many(count, len(placed))
-    if not (is_whole(count) and count >= 1) or k is None or not k.any():
-        raise InputError("a rotation pattern needs a count of 1 or more and an axis that is not zero")
-    if p is None or not (step is None or is_number(step)):
-        raise InputError(
-            "a rotation pattern turns about a point of three numbers by a step in rad, not "
-            "{point!r} and {step!r}",
-            point=point,
-            step=step,
-        )
+    _require_count(count, len(placed))
+    require_declared(rotate, {"step": step}, "rotation")
+    k, p = direction(axis, "the axis of a rotation"), three(point, "the point of a rotation")
     angle = 2 * np.pi / count if step is None else float(step)
-    k = k / np.linalg.norm(k)
     cross = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
     copies = list(placed)
     for i in range(1, count):
@@ -93,29 +81,20 @@ def repeat(
     step: Annotated[ArrayLike, Asked("From one to the next.", "mm", written=Triple)],
 ) -> tuple[Placed, ...]:
     """The strips `count` times, the first where they are, each `step` (3,) mm further."""
-    if not (is_whole(count) and count >= 1):
-        raise InputError("a pattern repeats 1 time or more, not {count}", count=count)
-    _refuse_too_many(count, len(placed))
-    d = _vector(step)
-    if d is None:
-        raise InputError("a pattern repeats at a step of three numbers in mm, not {step!r}", step=step)
+    _require_count(count, len(placed))
+    d = three(step, "the step of a pattern")
     return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)
 
 
-def _refuse_too_many(count: int, of: int) -> None:
-    if is_whole(count) and count * of > MOST_PLACED:
+def _require_count(count: int, of: int) -> None:
+    require_declared(repeat, {"count": count}, "pattern")
+    if count * of > MOST_PLACED:
         raise InputError(
             "a pattern of {of} strips, {count} times: a model holds {most_placed} at most",
             of=of,
             count=quoted(count),
             most_placed=MOST_PLACED,
         )
-
-
-def _vector(values: ArrayLike) -> FloatArray | None:
-    """Three finite numbers (3,); None of anything else."""
-    array = as_floats(values)
-    return array if array is not None and array.shape == (3,) and np.isfinite(array).all() else None
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,6 +10,22 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.sheets.pieces import FlatShape, Piece
 from elastica_cad.fabrication.strip.strip_layers import Layer
 
+IN_FILES = {
+    "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
+    "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}", "cut_length_mm": "{0.cut_length:.1f}",
+    "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}",
+}  # fmt: skip
+"""Columns of the list in a file, with how a row says them."""
+
+FOR_PEOPLE = {
+    "part": "{0.part}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}", "size mm": "{0.length:.1f} x {0.width:.1f}",
+    "count": "{0.count}", "cut mm": "{0.cut_length:.0f}", "g": "{0.mass:.2f}", "grain": "{0.grain}",
+    "shape as": "{0.like}", "file": "{0.file}",
+}  # fmt: skip
+"""The same of the table."""
+
+SUMMED = ("count", "cut mm", "g")
+
 
 @dataclass(frozen=True)
 class CutListRow:
@@ -71,36 +87,8 @@ class CutList:
         """
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(
-            [
-                "part",
-                "sheet",
-                "thickness_mm",
-                "length_mm",
-                "width_mm",
-                "count",
-                "file",
-                "cut_length_mm",
-                "mass_g",
-                "grain",
-                "same_shape_as",
-            ]
-        )
-        for row in self.rows:
-            size = [f"{row.length:.2f}", f"{row.width:.2f}", row.count]
-            writer.writerow(
-                [
-                    _cell(row.part),
-                    _cell(row.sheet),
-                    f"{row.thickness:g}",
-                    *size,
-                    _cell(row.file),
-                    f"{row.cut_length:.1f}",
-                    f"{row.mass:.3f}",
-                    _cell(row.grain),
-                    _cell(row.like),
-                ]
-            )
+        writer.writerow(IN_FILES)
+        writer.writerows([_cell(text.format(row)) for text in IN_FILES.values()] for row in self.rows)
         return stream.getvalue()
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
@@ -110,35 +98,9 @@ class CutList:
 
     def __str__(self) -> str:
         """A table for people, with the sums below."""
-        head = ("part", "sheet", "mm", "size mm", "count", "cut mm", "g", "grain", "shape as", "file")
-        body = [
-            (
-                row.part,
-                row.sheet,
-                f"{row.thickness:g}",
-                f"{row.length:.1f} x {row.width:.1f}",
-                str(row.count),
-                f"{row.cut_length:.0f}",
-                f"{row.mass:.2f}",
-                row.grain,
-                row.like,
-                row.file,
-            )
-            for row in self.rows
-        ]
-        total = (
-            "in all",
-            "",
-            "",
-            "",
-            str(self.count),
-            f"{self.cut_length:.0f}",
-            f"{self.mass:.2f}",
-            "",
-            "",
-            "",
-        )
-        return _table([head, *body, total], right=(2, 3, 4, 5, 6))
+        body = [[text.format(row) for text in FOR_PEOPLE.values()] for row in self.rows]
+        sums = [FOR_PEOPLE[name].format(self) if name in SUMMED else "" for name in FOR_PEOPLE]
+        return _table([[*FOR_PEOPLE], *body, ["in all", *sums[1:]]], right=(2, 3, 4, 5, 6))
 
 
 def _cell(text: str) -> str:

@@ -3,10 +3,12 @@
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
-from elastica_cad._values import is_number, is_series, several
+from elastica_cad._values import require_number, several
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPath
@@ -23,6 +25,20 @@ _TIE_DECIMALS = 6
 
 LEAST_GAP_MM = 0.01
 """Least distance between the paths of the tool, mm; loops that touch cannot be offset by the kerf."""
+
+
+@dataclass(frozen=True)
+class Nesting:
+    """Sheets that pieces are laid on: (width, height) and least distance, mm."""
+
+    sheet_size: Annotated[tuple[float, float], Asked("Width and height of the sheets.", "mm", above=0)] = (
+        600.0,
+        400.0,
+    )
+    margin: Annotated[float, Asked("Least distance between parts.", "mm", least=0)] = 2.0
+
+    def __post_init__(self) -> None:
+        require_declared(Nesting, vars(self))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -136,25 +152,10 @@ def nest_pieces(
     problems, EJOR 141, 2002). Boxes are the exact bounds of what is cut, so boxes that keep the margin prove
     that curves keep it.
     """
-    sides = tuple(sheet_size) if is_series(sheet_size) else ()
-    if len(sides) != 2 or not all(map(is_number, sides)):
-        raise InputError(
-            "sheet size is {sheet_size!r}: give its width and height, two finite numbers of mm",
-            sheet_size=sheet_size,
-        )
-    width, height = map(float, sides)
-    if not (kerf is None or is_number(kerf)):
-        raise InputError("the kerf is {kerf!r}: it must be a finite number of mm, 0 for none", kerf=kerf)
-    if not is_number(margin):
-        raise InputError("the margin is {margin!r}: it must be 0 mm or more", margin=margin)
-    if not (min(width, height) > 0 and margin >= 0):
-        raise InputError(
-            "sheet size is {width:g} by {height:g} with a margin of {margin:g}: sizes must be "
-            "positive and the margin 0 or more",
-            width=width,
-            height=Length(height),
-            margin=Length(margin),
-        )
+    asked = Nesting(sheet_size, margin)
+    if kerf is not None:
+        require_number(kerf, "the kerf", "mm")
+    width, height = map(float, asked.sheet_size)
     groups: dict[Sheet, list[Piece]] = {}
     for piece in several("pieces", pieces, Piece, "Piece"):
         groups.setdefault(piece.sheet, []).append(piece)

@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_one_of, numbers
-from elastica_cad.declared import Asked
+from elastica_cad._values import numbers
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -75,9 +75,9 @@ class Slot:
     """
 
     at: Annotated[float, Asked("Place along the strip.", "mm")]
-    width: Annotated[float, Asked("Width of the slot.", "mm", least=0)]
+    width: Annotated[float, Asked("Width of the slot.", "mm", above=0)]
     depth: Annotated[
-        float | None, Asked("Depth from the edge; to the centre line unless given.", "mm", least=0)
+        float | None, Asked("Depth from the edge; to the centre line unless given.", "mm", above=0)
     ] = None
     side: Annotated[Side, Asked("The edge on which it opens.")] = "upper"
     lean: Annotated[float, Asked("Angle to the ruling of the strip.", "rad")] = 0.0
@@ -87,24 +87,8 @@ class Slot:
     widths: FloatArray | None = None
 
     def __post_init__(self) -> None:
-        for name in ("at", "width", "lean", *(() if self.depth is None else ("depth",))):
-            if not is_number(getattr(self, name)):
-                raise InputError(
-                    "slot {name} is {given!r}: it must be a finite number",
-                    name=name,
-                    given=getattr(self, name),
-                )
+        require_declared(Slot, vars(self), "slot")
         here = note("slot at {at}", at=Length(self.at))
-        if self.width <= 0 or (self.depth is not None and self.depth <= 0):
-            raise InputError("{here}: width and depth must be positive, in mm", here=here)
-        if not (is_one_of(self.side, ("upper", "lower")) and is_one_of(self.relief, ("square", "round"))):
-            raise InputError(
-                '{here}: side is "upper" or "lower" and relief "square" or "round", not {side!r} and '
-                "{relief!r}",
-                here=here,
-                side=self.side,
-                relief=self.relief,
-            )
         if abs(self.lean) >= np.pi / 2:
             raise InputError(
                 "{here}: lean is {lean:g} rad: it must stay within a quarter turn", here=here, lean=self.lean

@@ -232,7 +232,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
     scale = curve.length / rod.length
 
     def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        position, velocity = curve.position_and_velocity(curve.parameter(s * scale))
+        position, velocity = curve.derivatives(curve.parameter(s * scale), 1)
         return position, velocity / np.hypot(velocity[:, 0], velocity[:, 1])[:, None]
 
     breaks = [(b.s / scale, _smoothness(curve, b.t, b.continuity)) for b in curve.breaks]

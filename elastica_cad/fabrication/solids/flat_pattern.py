@@ -220,14 +220,7 @@ class CutPattern:
 def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
     """Points (..., 2) of a segment at its parameters `t` (see `Piece`)."""
     if isinstance(segment, Spline):
-        curve = segment.curve
-        if curve.is_rational:
-            return np.asarray(curve.evaluate(t), dtype=float)
-        from scipy.interpolate import BSpline
-
-        # asked for few places of many splines: Bezier pieces of each would cost more than they save
-        rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), curve.degree)
-        return np.asarray(rows(t), dtype=float)
+        return segment.curve.evaluate(t)
     if isinstance(segment, Arc):
         return segment.at((t - segment.start_angle) / segment.sweep)
     return segment.at(t / segment.length)
@@ -278,7 +271,7 @@ class _Cutter:
         corners = [*range(first, first + len(parts)), first]
         pieces: list[tuple[int, Piece]] = []
         for (segment, a, b, forward), i, j in zip(parts, corners[:-1], corners[1:], strict=True):
-            self.points.append(_corner(segment, a if forward else b))
+            self.points.append(on_segment(segment, np.array(a if forward else b)))
             piece = Piece(segment, a, b, forward, i, j, self._next())
             pieces.append((self._interval(piece), piece))
         intervals = [interval for interval, _ in pieces]
@@ -328,11 +321,6 @@ class _Cutter:
     def _interval(self, piece: Piece) -> int:
         """Which interval a piece lies in; one along a station belongs to the side on its left."""
         segment, stations = piece.segment, self.stations
-        if isinstance(segment, Spline):
-            x = segment.curve.control_points[:, 0]
-            low, high = (bisect_left(stations, float(end)) for end in (x.min(), x.max()))
-            if low == high:
-                return low
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
         else:
@@ -413,18 +401,6 @@ def _parted(loop: Sequence[Piece]) -> Iterator[list[Piece]]:
         if back is not None:
             yield walk[back:]
             del walk[back:]
-
-
-def _corner(segment: Segment, t: float) -> FloatArray:
-    """The point at a parameter; of a clamped spline's ends the control points."""
-    if isinstance(segment, Line) and t == 0.0:
-        return segment.start
-    if isinstance(segment, Spline):
-        curve = segment.curve
-        for end, knot in ((0, curve.knots[0]), (-1, curve.knots[-1])):
-            if t == knot and curve.domain[end] == knot:
-                return np.asarray(curve.control_points[end], dtype=float)
-    return on_segment(segment, np.array(t))
 
 
 def _crossings(segment: Segment, x: float) -> list[float]:

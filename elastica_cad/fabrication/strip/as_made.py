@@ -215,21 +215,27 @@ class Curl:
         return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
 
 
-def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
-    """How a strip curls about its design; None where that changes nothing or a section knows its own.
+def _curl_factor(rod: Rod, layout: Layout, *, everywhere: bool = False) -> BendFactor | None:
+    """How the stiffness of a strip's nodes follows their bend, about its design or however it is bent; None where
+    that changes nothing or a section knows its own.
 
     Where plates lie over joints it curls as without them.
     """
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
-        table = LaminateCurl.about(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
-        return Curl(table(rod.curvature), table)
+        made = LaminateCurl.everywhere if everywhere else LaminateCurl.about
+        return made(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
     nu = layout.sheet.poisson_ratio
     if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
         return None
-    factor = SheetCurl(_breadth(layout, s), layout.sheet.thickness, nu, rest)
-    return Curl(factor(rod.curvature), factor)
+    return SheetCurl(_breadth(layout, s), layout.sheet.thickness, nu, rest)
+
+
+def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
+    """How a strip curls about its design."""
+    factor = _curl_factor(rod, layout)
+    return None if factor is None else Curl(factor(rod.curvature), factor)
 
 
 def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
@@ -244,21 +250,14 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     Widths that were not made for that leave it out of balance until it is bent; those that are `corrected` are as
     stiff as K in the design. A sheet whose Poisson ratio is only estimated bends with E.
     """
-    if rod.follows_bend or isinstance(rod.law, CurlingLaw):
+    sheet = layout.section is None and layout.sheet.poisson_known
+    if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
         return rod
-    s, rest = rod.s, rod.natural_curvature
-    factor: BendFactor
-    if layout.backing is not None:
-        section = LaminatedSection(layout.sheet, layout.backing.sheet)
-        factor = LaminateCurl.everywhere(
-            rod.curvature, layout.width(s), layout.backing.width(s), section, rest
-        )
-    elif layout.section is None and layout.sheet.poisson_known and layout.sheet.poisson_ratio > 0:
-        factor = SheetCurl(_breadth(layout, s), layout.sheet.thickness, layout.sheet.poisson_ratio, rest)
-    else:
+    factor = _curl_factor(rod, layout, everywhere=True)
+    if factor is None:
         return rod
-    designed = factor(rod.curvature) if corrected else np.ones(s.size)
-    return replace(rod, law=CurlingLaw(factor, designed, rest, rod.law))
+    designed = factor(rod.curvature) if corrected else np.ones(rod.s.size)
+    return replace(rod, law=CurlingLaw(factor, designed, rod.natural_curvature, rod.law))
 
 
 def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:

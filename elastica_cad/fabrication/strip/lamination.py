@@ -6,9 +6,9 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, require_positive
-from elastica_cad.declared import Asked
-from elastica_cad.errors import InputError, NotConvergedError, rounded_up
+from elastica_cad._values import is_number
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.fabrication.strip.styles import (
     Backing,
     Layout,
@@ -19,7 +19,6 @@ from elastica_cad.fabrication.strip.styles import (
     width_profile,
 )
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.mechanics.material.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -30,8 +29,8 @@ SLACK = 3e-4
 """Relative amount by which the stiffness of a rod, fitted at fewer stations, may exceed the largest possible
 one; it is reduced to that."""
 
-FIT_MM, DRAWN_MM = 1e-9, 1e-5
-"""Largest error of the backing's width: near rounding for the stiffness, as of other outlines for the cut."""
+FIT_MM = 1e-5
+"""Largest error of the backing's width, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,13 +58,13 @@ class Laminated:
     >>> card = Sheet.named("card-200gsm")
     >>> style = Laminated(width=20.0, backing=card)
     >>> strip = Strip(Rod.straight(120.0, [1, 2, 1]), card, style=style)
-    >>> round(strip.layout.backing.width.extremes[1], 6)
+    >>> round(strip.layout.backing.width.extremes[1], 4)
     20.0
     """
 
     width: Annotated[Width, Asked("Width of the base.", "mm", least=0, common=True, written=float)]
     backing: Annotated[Sheet, Asked("Sheet that is glued on.")]
-    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", least=0)] = (
+    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", above=0)] = (
         1.0
     )
     dots: Annotated[
@@ -73,11 +72,8 @@ class Laminated:
     ] = 1.0
 
     def __post_init__(self) -> None:
-        if isinstance(self.backing, str):
-            object.__setattr__(self, "backing", Sheet.named(self.backing))
-        require_positive(self.least_backing, "least_backing")
-        if not (is_number(self.dots) and self.dots >= 0):
-            raise InputError("dots are {dots!r} mm across: give a diameter, 0 for none", dots=self.dots)
+        object.__setattr__(self, "backing", Sheet.of(self.backing))
+        require_declared(Laminated, vars(self))
 
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
@@ -99,11 +95,7 @@ class Laminated:
         section = LaminatedSection(sheet, self.backing)
         least = max(self.least_backing, min_width or 0.0)
         scale = self._scale(rod, section, base, least, max_width)
-        backing = Backing(
-            self.backing,
-            width=_backing_width(rod, section, base, scale, tolerance=FIT_MM, smooth=3),
-            drawn=_backing_width(rod, section, base, scale, tolerance=DRAWN_MM, smooth=2),
-        )
+        backing = Backing(self.backing, _backing_width(rod, section, base, scale))
         told: tuple[str, ...] = ()
         if rod.gravity is not None and rod.weight is None:
             told = (
@@ -205,27 +197,12 @@ def _infeasible(
     )  # fmt: skip
 
 
-def _backing_width(
-    rod: Rod, section: LaminatedSection, base: Profile, scale: float, *, tolerance: float, smooth: int
-) -> Profile:
-    """w2 along the free part, with knots where K or the base have less than `smooth` derivatives."""
+def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
+    """w2 along the free part, with knots where K or the base have less than two derivatives."""
 
     def width(s: FloatArray) -> FloatArray:
         return section.backing_width(base(s), scale * rod.profile(s))
 
-    breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < smooth]
-    try:
-        knots, coefficients = adaptive_spline(
-            width, (0.0, rod.length), degree=3, tolerance=tolerance, breaks=breaks, rounding=1e-13
-        )
-    except NotConvergedError:
-        # where the backing fills the base its width is cut off there, with a kink too small to be declared
-        knots, coefficients = adaptive_spline(
-            width,
-            (0.0, rod.length),
-            degree=3,
-            tolerance=max(tolerance, DRAWN_MM),
-            breaks=breaks,
-            rounding=1e-9,
-        )
-    return Profile(knots, coefficients)
+    breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
+    # where the backing fills the base its width is cut off there, with a kink too small to be declared
+    return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

@@ -10,8 +10,8 @@ import numpy as np
 
 from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, require_positive, several
-from elastica_cad.declared import Asked
+from elastica_cad._values import several
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -42,17 +42,11 @@ class Hole:
     """
 
     at: Annotated[float, Asked("Distance from where the tab begins.", "mm")]
-    diameter: Annotated[float, Asked("Diameter of the hole.", "mm", least=0)]
+    diameter: Annotated[float, Asked("Diameter of the hole.", "mm", above=0)]
     across: Annotated[float, Asked("Distance from the centre line.", "mm")] = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("at", "diameter", "across"):
-            if not is_number(getattr(self, name)):
-                raise InputError(
-                    "hole {name} is {given!r}: it must be a finite number, in mm",
-                    name=name,
-                    given=getattr(self, name),
-                )
+        require_declared(Hole, vars(self), "hole")
 
 
 @dataclass(frozen=True)
@@ -76,19 +70,16 @@ class TSlot:
         Sizes that are not positive, a nut narrower than the screw, a depth that ends before the nut.
     """
 
-    depth: Annotated[float, Asked("From the outer edge inward.", "mm", least=0)]
-    screw: Annotated[float, Asked("Width of the slot.", "mm", least=0)] = 3.2
-    nut: Annotated[tuple[float, float], Asked("Pocket across and along the screw.", "mm", least=0)] = (
+    depth: Annotated[float, Asked("From the outer edge inward.", "mm", above=0)]
+    screw: Annotated[float, Asked("Width of the slot.", "mm", above=0)] = 3.2
+    nut: Annotated[tuple[float, float], Asked("Pocket across and along the screw.", "mm", above=0)] = (
         5.6,
         2.6,
     )
-    wall: Annotated[float, Asked("Between the outer edge and the nut.", "mm", least=0)] = 4.0
+    wall: Annotated[float, Asked("Between the outer edge and the nut.", "mm", above=0)] = 4.0
 
     def __post_init__(self) -> None:
-        nut = self.nut if isinstance(self.nut, Sequence) else ()
-        sizes = (self.depth, self.screw, *nut, self.wall)
-        if len(nut) != 2 or not all(is_number(v) and v > 0 for v in sizes):
-            raise InputError("a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall")
+        require_declared(TSlot, vars(self), "T-slot")
         if self.nut[0] <= self.screw:
             raise InputError(
                 "a nut of {nut:g} is held by nothing in a slot of {screw:g}: make it wider",
@@ -142,7 +133,7 @@ class Tab:
 
     length: Annotated[float, Asked("Length of the tab; 0 for none.", "mm", least=0, common=True)] = 10.0
     width: Annotated[
-        float | None, Asked("Width of the tab; that of the strip unless given.", "mm", least=0)
+        float | None, Asked("Width of the tab; that of the strip unless given.", "mm", above=0)
     ] = None
     corner_radius: Annotated[float, Asked("Rounding of the outer corners.", "mm", least=0)] = 0.0
     chamfer: Annotated[float, Asked("Chamfer of the outer corners.", "mm", least=0)] = 0.0
@@ -152,25 +143,13 @@ class Tab:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "holes", several("holes", self.holes, Hole, "Hole"))
-        if not (self.t_slot is None or isinstance(self.t_slot, TSlot)):
-            raise InputError("t_slot is {t_slot!r}: give a TSlot record, or None", t_slot=self.t_slot)
-        sizes = {
-            "length": self.length,
-            "corner radius": self.corner_radius,
-            "chamfer": self.chamfer,
-            "taper": self.taper,
-        }
-        for name, value in sizes.items():
-            if not (is_number(value) and value >= 0):
-                raise InputError("tab {name} is {given!r}: it must be 0 mm or more", name=name, given=value)
+        require_declared(Tab, vars(self), "tab")
         if 0 < self.length < SHORTEST_MM:
             raise InputError(
                 "tab length is {length!r}: use 0 for no tab, or {shortest_mm:g} or more",
                 length=self.length,
                 shortest_mm=Length(SHORTEST_MM),
             )
-        if self.width is not None:
-            require_positive(self.width, "tab width")
         if self.corner_radius and self.chamfer:
             raise InputError("a tab has either a corner radius or a chamfer, not both")
         if self.taper and (self.corner_radius or self.chamfer):
@@ -183,10 +162,6 @@ class Tab:
             )
         for hole in self.holes:
             r = hole.diameter / 2
-            if r <= 0:
-                raise InputError(
-                    "hole diameter is {diameter}: it must be positive, in mm", diameter=hole.diameter
-                )
             if hole.at - r <= 0 or hole.at + r >= self.length:
                 raise InputError(
                     "a {diameter:g} hole {at:g} into the tab does not fit its length of {length:g}: move "

@@ -9,8 +9,7 @@ import numpy as np
 
 from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, is_one_of, require_positive
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
@@ -366,34 +365,14 @@ class Perforated:
     rows: Annotated[int | None, Asked("Diamond holes one after the other; chosen unless given.", least=1)] = (
         None
     )
-    hole_ratio: Annotated[float, Asked("Largest share of the width that holes take.", least=0, most=1)] = 0.85
-    least_ligament: Annotated[float, Asked("Narrowest ligament between holes.", "mm", least=0)] = 0.5
-    least_hole: Annotated[float, Asked("Widest place of the narrowest hole.", "mm", least=0)] = 1.0
+    hole_ratio: Annotated[float, Asked("Largest share of the width that holes take.", above=0, most=1)] = 0.85
+    least_ligament: Annotated[float, Asked("Narrowest ligament between holes.", "mm", above=0)] = 0.5
+    least_hole: Annotated[float, Asked("Widest place of the narrowest hole.", "mm", above=0)] = 1.0
     corner_radius: Annotated[float, Asked("Rounding of the corners of the holes.", "mm", least=0)] = 0.0
     sides: Annotated[Literal["spline", "arc"], Asked("What the sides of holes are made of.")] = "spline"
 
     def __post_init__(self) -> None:
-        for name in ("columns", "rows"):
-            count = getattr(self, name)
-            if count is not None and not (is_number(count) and count == int(count) and count >= 1):
-                raise InputError(
-                    "{name} is {count!r}: a perforated strip has a whole number of them, from 1",
-                    name=name,
-                    count=count,
-                )
-        if not (is_number(self.hole_ratio) and 0 < self.hole_ratio < 1):
-            raise InputError(
-                "hole_ratio is {hole_ratio!r}: it must lie between 0 and 1", hole_ratio=self.hole_ratio
-            )
-        for name in ("least_ligament", "least_hole"):
-            require_positive(getattr(self, name), name)
-        if not (is_number(self.corner_radius) and self.corner_radius >= 0):
-            raise InputError(
-                "corner_radius is {corner_radius!r}: it must be 0 mm or more",
-                corner_radius=self.corner_radius,
-            )
-        if not is_one_of(self.sides, ("spline", "arc")):
-            raise InputError('sides are "spline" or "arc", not {sides!r}', sides=self.sides)
+        require_declared(Perforated, vars(self))
 
     @property
     def ligaments(self) -> int:

@@ -147,7 +147,7 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
     base = Layer(layout.sheet, outline, holes)
     if layout.backing is None:
         return (base,)
-    drawn = layout.backing.drawn
+    drawn = layout.backing.width
     held = fix_tab_widths(width, ends_held)
     reaching = [slot for slot in slots if _reaches(slot, width, drawn)]
     holes = end_holes(drawn, held)

@@ -108,14 +108,11 @@ class Backing:
     ----------
     sheet : Sheet
     width : Profile
-        mm along the free part, as the section asks for it.
-    drawn : Profile
-        The same with fewer pieces, as it is cut: within 1e-5 mm.
+        mm along the free part.
     """
 
     sheet: Sheet
     width: Profile
-    drawn: Profile
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,7 +176,7 @@ class Layout:
         s = stations_of(self.width.length, count=201)
         if float((self.width(s) - self.backing.width(s)).max()) < GUIDE_MM:
             return ()
-        return tuple(Path([side]) for sides in long_sides(self.backing.drawn) for side in sides)
+        return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
     def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
         """The law where the sheet is `material` (n,) mm wide, and its parameter (n,)."""

@@ -151,7 +151,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
                 continue
             handle = str(entity.dxf.get("handle") or "")
             source = Source(f"{kind} {handle}" if handle else kind, layer, rounding * size)
-            mapped = tuple(edge.mapped(scale * np.eye(3), np.zeros(3)).drawn_by(source) for edge in run)
+            mapped = tuple(edge.mapped(scale * np.eye(3), np.zeros(3), source) for edge in run)
             for edge in mapped:
                 check_places(edge.points)
         except InputError as error:

@@ -1,7 +1,7 @@
 """A drawn piece as a file holds it: a NURBS of any degree from 1, in the plane or in space."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -173,10 +173,6 @@ class Edge:
             weights,
             self.source,
         )
-
-    def drawn_by(self, source: Source) -> "Edge":
-        """Return the same edge, noted as a part of the file's shape `source`."""
-        return replace(self, source=source)
 
     @property
     def is_pen_drawn(self) -> bool:

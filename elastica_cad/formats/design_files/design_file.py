@@ -32,7 +32,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.formats.design_files.model_tables import PATTERNS, DesignKeys, read_kit
 from elastica_cad.formats.design_files.records import CurveReader, Reader, names_of
-from elastica_cad.formats.design_files.revolution_table import INHERITED, RevolutionEntry, read_revolution
+from elastica_cad.formats.design_files.revolution_table import INHERITED, RevolutionTable, read_revolution
 from elastica_cad.formats.design_files.sections_table import read_sections
 from elastica_cad.formats.design_files.strip_table import StripEntry, StripKeys, read_strip
 from elastica_cad.formats.design_files.tables import Slips, Table, merged
@@ -67,7 +67,7 @@ class Design:
         What goes with the strips.
     reports : tuple of str
         What sections of meshes and meridians have to say.
-    revolution : RevolutionEntry or None
+    revolution : RevolutionTable or None
         A surface of revolution, made before all strips.
     """
 
@@ -77,7 +77,7 @@ class Design:
     interlock: dict[str, Any] | None = None
     kit: KitSpec = field(default_factory=KitSpec)
     reports: tuple[str, ...] = ()
-    revolution: RevolutionEntry | None = None
+    revolution: RevolutionTable | None = None
 
     def with_limits_ignored(self) -> "Design":
         """Return the design with `ignore_limits`: parts that cannot be cut or handled are made, with a warning."""
@@ -269,7 +269,7 @@ def parse_design(path: Path) -> dict[str, Any]:
         ) from error
 
 
-def _read_revolution(top: Table, reader: Reader) -> RevolutionEntry | None:
+def _read_revolution(top: Table, reader: Reader) -> RevolutionTable | None:
     """The surface of revolution, where the design has one; keys that it leaves out are those of the design."""
     if not top.has("revolution"):
         return None

@@ -10,6 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.placed_strip import strip_names
+from elastica_cad.fabrication.sheets.nesting import Nesting
 from elastica_cad.formats.drawing_files.drawing_style import Scheme
 from elastica_cad.formats.drawing_files.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -20,17 +21,6 @@ if TYPE_CHECKING:
     from elastica_cad.fabrication.holders.slotted_frame import Rib
     from elastica_cad.fabrication.model.strip_model import Model
     from elastica_cad.fabrication.sheets.pieces import Piece
-
-
-@dataclass(frozen=True)
-class Nesting:
-    """Sheets that pieces are laid on: (width, height) and least distance, mm."""
-
-    sheet_size: Annotated[tuple[float, float], Asked("Width and height of the sheets.", "mm", least=0)] = (
-        600.0,
-        400.0,
-    )
-    margin: Annotated[float, Asked("Least distance between parts.", "mm", least=0)] = 2.0
 
 
 @dataclass(frozen=True)

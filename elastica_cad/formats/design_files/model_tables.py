@@ -12,10 +12,11 @@ from elastica_cad.fabrication.holders.plates import base_plate
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
 from elastica_cad.fabrication.interlocking.interlock import interlock as slots_at_crossings
 from elastica_cad.fabrication.model.strip_model import mirror, repeat, rotate
+from elastica_cad.fabrication.sheets.nesting import Nesting
 from elastica_cad.fabrication.strip.outline import StripEnd
-from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec, Nesting
+from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec
 from elastica_cad.formats.design_files.records import Reader, fields_of
-from elastica_cad.formats.design_files.revolution_table import RevolutionKeys
+from elastica_cad.formats.design_files.revolution_table import RevolutionTable
 from elastica_cad.formats.design_files.strip_table import SharedKeys, StripKeys
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.frame import Frame
@@ -155,7 +156,7 @@ class DesignKeys(SharedKeys):
     sheets: Annotated[dict[str, OwnSheet] | None, Asked("Sheets of your own, [sheets.NAME].")] = None
     sheets_file: Annotated[str | None, Asked("A file with sheets of your own.")] = None
     strips: Annotated[tuple[StripKeys, ...], Asked("One or several strips each.")] = ()
-    revolution: Annotated[RevolutionKeys | None, Asked("A surface about z, tiled by equal strips.")] = None
+    revolution: Annotated[RevolutionTable | None, Asked("A surface about z, tiled by equal strips.")] = None
     patterns: Annotated[
         tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
     ] = ()

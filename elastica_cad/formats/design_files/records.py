@@ -165,10 +165,6 @@ class Reader:
     read_curves: CurveReader | None = None
     sheet: Sheet | None = None
 
-    def of_sheet(self, sheet: Sheet) -> "Reader":
-        """Return the same reader for a strip of that sheet."""
-        return replace(self, sheet=sheet)
-
     def record(self, record: Record, table: Table) -> Any:
         """Make the record that a table describes; where the record is a `BY_KIND` one the key `kind` selects it.
 
@@ -320,7 +316,7 @@ def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any])
 
 
 def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
-    """Return the table that is written in one line, as `read_line` reads it.
+    """Return the table that is written in one line, as its inside: `at = 40, width = 1.2`.
 
     Raises
     ------
@@ -339,37 +335,6 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
         ) from error
     table: dict[str, Any] = data["line"]
     return table
-
-
-def read_line(
-    line: str, where: str, record: Record, reader: Reader | None = None, *, example: str = ""
-) -> Any:
-    """Make a record from one line that is written as the inside of a table: `at = 40, width = 1.2`.
-
-    Parameters
-    ----------
-    line : str
-    where : str
-        What messages call the place of the line.
-    record : callable
-        What it makes.
-    reader : Reader, optional
-    example : str
-        What a line that cannot be read is told to look like.
-
-    Raises
-    ------
-    InputError
-        A line that is no such table, or what the record refuses; it names `where` the line stands.
-
-    Examples
-    --------
-    >>> from elastica_cad.fabrication.slots.slot import Slot
-    >>> read_line("at = 40, width = 1.2, side = 'lower'", "slot", Slot).side
-    'lower'
-    """
-    data = parsed_line(line, where, example)
-    return (reader or Reader()).record(record, Table(data, where, {}))
 
 
 def title(record: Record) -> str:
@@ -405,7 +370,7 @@ def described(record: Record) -> list[dict[str, Any]]:
             **_plain_kind(one.kind),
             "help": one.help,
             "unit": one.asked.unit,
-            "least": one.asked.least,
+            "least": one.asked.least if one.asked.above is None else one.asked.above,
             "most": one.asked.most,
             "group": one.asked.group,
             "common": one.asked.common,

@@ -1,6 +1,7 @@
 """What a design file says about a surface of revolution: its meridian, and the strips and rings it is made of."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
 from elastica_cad.declared import Asked
@@ -23,8 +24,8 @@ NEAR_MM = 1e-3
 
 
 @dataclass(frozen=True)
-class RevolutionKeys:
-    """All keys of the table `revolution`."""
+class RevolutionTable:
+    """The table `revolution`: a surface of revolution, made of strips and rings."""
 
     sheet: Annotated[Sheet, Asked("Sheet of the strips.")]
     points: Annotated[
@@ -54,7 +55,7 @@ class RevolutionKeys:
     shop: Annotated[FabricationLimits, Asked("What the workshop can make.")] = DEFAULT_LIMITS
     ignore_limits: Annotated[bool, Asked("Make strips that cannot be cut or handled, and say so.")] = False
 
-    @property
+    @cached_property
     def meridian(self) -> Meridian:
         """Return the meridian, which the table gives in exactly one of several forms.
 
@@ -77,44 +78,6 @@ class RevolutionKeys:
             raise InputError("{key} is missing; give it a number or a formula in quotes", key=missing[0])
         return meridian(*given, ring=self.ring)
 
-
-OWN_KEYS = ("a", "b", "start", "angle", "length")
-"""What says a meridian by its equation."""
-
-INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
-"""Keys that it has of the design, unless it has its own."""
-
-
-@dataclass(frozen=True, eq=False)
-class RevolutionEntry:
-    """A surface of revolution that a design requests.
-
-    Attributes
-    ----------
-    meridian : Meridian
-    strips : int
-    sheet : Sheet
-    ends : pair of Tab or None
-        None for tabs that keep apart.
-    rings : Sheet or None
-        Of the rings at both ends.
-    gap : float or None
-        Between two rings that hold inclined tabs, mm; one ring each without.
-    shop : FabricationLimits
-        What the workshop can make.
-    ignore_limits : bool
-        Make what it cannot, and say so.
-    """
-
-    meridian: Meridian
-    strips: int
-    sheet: Sheet
-    ends: tuple[Tab, Tab] | None = None
-    rings: Sheet | None = None
-    gap: float | None = None
-    shop: FabricationLimits = DEFAULT_LIMITS
-    ignore_limits: bool = False
-
     def model(self, name: str) -> Model:
         """Make all strips, and the rings.
 
@@ -127,7 +90,7 @@ class RevolutionEntry:
             self.meridian,
             self.strips,
             sheet=self.sheet,
-            ends=self.ends,
+            ends=None if self.ends is None else pair_of_tabs(self.ends),
             rings=self.rings,
             gap=self.gap,
             name=name,
@@ -149,7 +112,14 @@ class RevolutionEntry:
         )
 
 
-def read_revolution(table: Table, reader: Reader) -> RevolutionEntry:
+OWN_KEYS = ("a", "b", "start", "angle", "length")
+"""What says a meridian by its equation."""
+
+INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
+"""Keys that it has of the design, unless it has its own."""
+
+
+def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
     """Read the surface of revolution that the table `revolution` requests.
 
     Raises
@@ -157,13 +127,10 @@ def read_revolution(table: Table, reader: Reader) -> RevolutionEntry:
     InputError
         Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
     """
-    asked: RevolutionKeys = reader.record(RevolutionKeys, table)
+    asked: RevolutionTable = reader.record(RevolutionTable, table)
     try:
         with table.naming():
-            line = asked.meridian
-            ends = None if asked.ends is None else pair_of_tabs(asked.ends)
+            _ = asked.meridian
     except NotConvergedError as problem:
         raise NotConvergedError("{place}: {problem}", place=table.where, problem=problem) from problem
-    return RevolutionEntry(
-        line, asked.strips, asked.sheet, ends, asked.rings, asked.gap, asked.shop, asked.ignore_limits
-    )
+    return asked

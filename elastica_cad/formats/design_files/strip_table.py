@@ -1,7 +1,7 @@
 """What a design file says about one strip: its curve, its place in space, and how it is made."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
 from elastica_cad.declared import Asked, Record
@@ -144,7 +144,7 @@ def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
             '{key} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"', key=table.place("sheet")
         )
     sheet: Sheet = reader.value(known["sheet"].kind, table, "sheet")
-    reader = reader.of_sheet(sheet)
+    reader = replace(reader, sheet=sheet)
     asked = {name: reader.value(one.kind, table, name) for name, one in known.items() if table.has(name)}
     if "limits" in asked or "keep" in asked:
         asked = {"limits": Limits(), "keep": Keep(), **asked}

@@ -241,11 +241,6 @@ class Table:
             )
         return self.vector(key, len(given), ())
 
-    def pair(self, key: str, default: Sequence[float] | None = None) -> tuple[float, float]:
-        """Return two numbers, each of which a formula may give."""
-        x, y = self.vector(key, 2, default)
-        return x, y
-
     def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
         """Return points of `size` numbers each: `count` of them, or any number."""
         rows = self.raw(key)
@@ -258,10 +253,6 @@ class Table:
             )
         numbered = Table({f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, self.where, self.scope)
         return [numbered.vector(name, size) for name in numbered.data]
-
-    def numbers(self, *keys: str) -> dict[str, float]:
-        """Return the numbers of those keys that are given."""
-        return {key: self.number(key) for key in keys if self.has(key)}
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
         """Return a text, and refuse it where `choices` are given and it is none of them."""
@@ -278,18 +269,6 @@ class Table:
                 choices=", ".join(choices),
             )
         return value
-
-    def texts(self, key: str, default: Sequence[str]) -> tuple[str, ...]:
-        """Return several texts, which a file may also give as one text."""
-        value = self.raw(key, list(default))
-        rows = [value] if isinstance(value, str) else value
-        if not isinstance(rows, list) or not rows or not all(isinstance(row, str) for row in rows):
-            raise InputError(
-                "{key} is {given}: it must be text in quotes, or a list of texts",
-                key=self.place(key),
-                given=quoted(value),
-            )
-        return tuple(rows)
 
     def flag(self, key: str, default: bool = False) -> bool:
         """Return true or false."""

@@ -20,6 +20,8 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.pen_curves.tangent_healing import SURE, Healing, heal_tangents
 from elastica_cad.geometry.polynomials.spline_fits import smoothest_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans
@@ -294,32 +296,19 @@ class _Problem:
 def two_sided_distance(one: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
     """Largest distance of a point of either curve from the other curve, mm, over `count` points of each.
 
-    Points are taken at equal distances and at all knots; the foot of the perpendicular is found by Newton steps
-    from the nearest point of the other curve's sample.
+    Points are taken at equal distances and at all knots.
     """
-    return max(_one_sided(one, other, count), _one_sided(other, one, count))
+    return max(_farthest(_points(one, count), other), _farthest(_points(other, count), one))
 
 
-def _one_sided(of: PlaneCurve, to: PlaneCurve, count: int) -> float:
-    s = np.union1d(np.linspace(0.0, of.length, count), [b.s for b in of.breaks])
-    return _farthest(np.asarray(of.evaluate(of.parameter(np.clip(s, 0.0, of.length)))), to, count)
+def _points(curve: PlaneCurve, count: int) -> FloatArray:
+    s = np.union1d(np.linspace(0.0, curve.length, count), [b.s for b in curve.breaks])
+    return curve.evaluate(curve.parameter(np.clip(s, 0.0, curve.length)))
 
 
-def _farthest(points: FloatArray, to: PlaneCurve, count: int) -> float:
+def _farthest(points: FloatArray, curve: PlaneCurve) -> float:
     """Largest distance of points (n, 2) from a curve, mm."""
-    from scipy.spatial import cKDTree
-
-    beside = to.sample(2 * count)
-    _, nearest = cKDTree(beside.position).query(points)
-    low, high = to.domain
-    t = beside.t[nearest]
-    best = np.hypot(*(beside.position[nearest] - points).T)
-    for _ in range(3):
-        at, velocity = to.position_and_velocity(t)
-        speed = np.maximum((velocity**2).sum(axis=1), 1e-300)
-        t = np.clip(t + ((points - at) * velocity).sum(axis=1) / speed, low, high)
-        best = np.minimum(best, np.hypot(*(np.asarray(to.evaluate(t)) - points).T))
-    return float(best.max())
+    return float(distances(Spline(curve), points).max())
 
 
 PER_ROUNDING = 2 * np.sqrt(2.0)
@@ -349,7 +338,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     drawn = curve.provenance
     if drawn is not None and drawn.measured is not None:
         fitted = PlaneCurve(*smoothest_spline(drawn.measured.points, DEGREE, smooth), DEGREE)
-        moved = _farthest(drawn.measured.points, fitted, 2 * len(drawn.measured.points))
+        moved = _farthest(drawn.measured.points, fitted)
         return fitted.drawn_as(drawn.of_part()), moved
     if not curve.has_corners or curve.degree < 2:
         return curve, 0.0

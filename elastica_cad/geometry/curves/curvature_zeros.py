@@ -16,6 +16,7 @@ from elastica_cad.geometry.polynomials.bernstein import (
     divide_out_end_root,
     product,
     roots,
+    without_end_roots,
 )
 
 ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
@@ -213,16 +214,7 @@ class _Pieces:
 
 def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
     count = f.flat.size
-    c = f.coefficients.copy()
-    zero = np.zeros((count, 2), dtype=bool)
-    ends = np.abs(c[:, [0, -1]]) <= f.noise[:, None]
-    for i in (ends.any(axis=1) & ~f.flat).nonzero()[0].tolist():
-        for side in (0, 1):
-            for _ in range(c.shape[1] - 1):
-                if abs(c[i, -side]) > f.noise[i]:
-                    break
-                c[i] = divide_out_end_root(c[i], at_end=bool(side))
-                zero[i, side] = True
+    c, zero = without_end_roots(f.coefficients, f.noise, ~f.flat)
     for i in range(count - 1):
         if f.flat[i] or f.flat[i + 1] or not f.smooth[i]:
             continue

@@ -212,11 +212,6 @@ class RationalPieces:
         both = self.within(np.concatenate([before, before + 1]), np.repeat([1.0, 0.0], knots), order)
         return [d[:knots] for d in both], [d[knots:] for d in both]
 
-    def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions and velocities d/dt, (n, 2) each."""
-        position, velocity = self.at(t, 1)
-        return position, velocity
-
     def speed(self, index: IntArray, t: FloatArray) -> FloatArray:
         """Lengths (n,) of the velocities d/dt, mm, at parameters (n,) of spans (n,)."""
         u = (t - self.edges[index]) / self.spans.widths[index]

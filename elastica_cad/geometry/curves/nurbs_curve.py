@@ -278,10 +278,6 @@ class NurbsCurve:
         """Positions and their derivatives d/dt up to `order`, (n, 2) each, at parameters (n,), at one go."""
         return self._pieces.at(t, order)
 
-    def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions and their derivatives d/dt, (n, 2) each, at parameters (n,), in one evaluation."""
-        return self._pieces.position_and_velocity(t)
-
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
 
@@ -298,13 +294,12 @@ class NurbsCurve:
         """The curve with the same knots and weights over other control points (m, 2)."""
         return type(self)(self.knots, numbers(control_points, "control_points"), self.degree, self.weights)
 
-    def siblings(self, control_points: FloatArray, knots: FloatArray | None = None) -> list[Self]:
-        """Curves without weights over control points (n, m, 2), and knots (n, k) unless they have the same.
+    def siblings(self, control_points: FloatArray) -> list[Self]:
+        """Curves over the same knots and control points (n, m, 2), without weights.
 
         They are not checked, for thousands at one go: like this one they must run on without standing still.
         """
-        all_knots = [self.knots] * len(control_points) if knots is None else list(knots)
-        return [self._part(own, points, None) for own, points in zip(all_knots, control_points, strict=True)]
+        return [self._part(self.knots, points, None) for points in control_points]
 
     @property
     def bezier_table(self) -> tuple[FloatArray, FloatArray]:

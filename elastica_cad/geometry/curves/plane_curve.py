@@ -89,19 +89,6 @@ class CurvatureZero:
 
 
 @dataclass(frozen=True)
-class LineCrossing:
-    """A common point of curve and line; fields as in `CurvatureZero` ("flat": the curve runs along it)."""
-
-    s: float
-    t: float
-    kind: ZeroKind
-    s_end: float
-    t_end: float
-    before: int
-    after: int
-
-
-@dataclass(frozen=True)
 class Break:
     """An interior knot.
 
@@ -350,7 +337,7 @@ class PlaneCurve(NurbsCurve):
         if self._turning.spread <= np.pi * (1 + _ROUNDING):
             return np.zeros((0, 2))  # it never comes back: what closes must turn by more than half a turn
         bezier, edges = self._pieces.bezier, self._pieces.edges
-        return self.arc_length(find_self_intersections(bezier, edges, self.position_and_velocity))
+        return self.arc_length(find_self_intersections(bezier, edges, lambda t: self.derivatives(t, 1)))
 
     @cached_property
     def _turning(self) -> TangentAngle:
@@ -410,7 +397,7 @@ class PlaneCurve(NurbsCurve):
         )
 
 
-def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:
+def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[CurvatureZero, ...]:
     """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.
 
     Parameters
@@ -436,11 +423,7 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
         )
     edges, bezier = curve.bezier_table
     found = line_places(bezier, edges, float(constant), normal)
-    s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
-    return tuple(
-        LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
-        for p, (at, to) in zip(found, s, strict=True)
-    )
+    return curve._measured(found)
 
 
 def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
@@ -449,11 +432,6 @@ def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
     if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
         return curve
     return curve.trimmed(*curve.domain)
-
-
-def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
-    """The part of a curve between two parameters as a clamped curve of its own."""
-    return curve.trimmed(t0, t1)
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:

@@ -1,6 +1,6 @@
 """Where a curve meets itself, and under which angles it is seen from one of its own points."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,7 +30,7 @@ _MOST_PAIRS = 1000  # more are overlapping stretches: a tenth of their points is
 
 
 def find_self_intersections(
-    bezier: FloatArray, edges: FloatArray, motion: Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+    bezier: FloatArray, edges: FloatArray, motion: Callable[[FloatArray], Sequence[FloatArray]]
 ) -> FloatArray:
     """Pairs of parameters (k, 2), first < second, at which homogeneous Bezier pieces (p, degree + 1, 3) meet.
 
@@ -112,7 +112,7 @@ def _halved(
 
 def _polished(
     pairs: FloatArray,
-    motion: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
+    motion: Callable[[FloatArray], Sequence[FloatArray]],
     edges: FloatArray,
     small: float,
 ) -> FloatArray:

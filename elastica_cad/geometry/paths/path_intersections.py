@@ -182,7 +182,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
 
 def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
     """x and y of the point at u, and their derivatives by u."""
-    (x, y), (dx, dy) = segment.motion_at(u)
+    (x, y), (dx, dy) = segment.at(u), segment.velocity_at(u)
     return float(x), float(y), float(dx), float(dy)
 
 

@@ -6,7 +6,6 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.segments import (
     Arc,
     Line,
@@ -14,7 +13,6 @@ from elastica_cad.geometry.paths.segments import (
     Spline,
     first_places,
     halve_chords,
-    trim_segment,
 )
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
@@ -57,39 +55,6 @@ def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArr
     which, u = np.repeat(np.arange(len(places)), [one.size for one in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
     return halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)[::2]
-
-
-def trim_all(segments: Sequence[Segment], first: FloatArray, last: FloatArray) -> list[Segment | None]:
-    """`trim_segment` of each between places (n,); None where the first is not before the last."""
-    parts: list[Segment | None] = [None] * len(segments)
-    pieces: dict[int, list[tuple[int, PlaneCurve]]] = {}  # splines that are one polynomial, by degree
-    for i in np.flatnonzero(first < last).tolist():
-        segment, degree = segments[i], _kind(segments[i])
-        if isinstance(segment, Spline) and degree == segment.curve.knots.size / 2 - 1:
-            pieces.setdefault(segment.curve.degree, []).append((i, segment.curve))
-        else:
-            parts[i] = trim_segment(segment, float(first[i]), float(last[i]))
-    for degree, members in pieces.items():
-        numbers, curves = zip(*members, strict=True)
-        a, b = first[list(numbers)], last[list(numbers)]
-        low, high = np.array([curve.domain for curve in curves]).T
-        knots = np.repeat(low + (high - low) * [a, b], degree + 1, axis=0).T
-        points = _bezier_parts(np.array([curve.control_points for curve in curves]), a, b)
-        for i, curve in zip(numbers, curves[0].siblings(points, knots), strict=True):
-            parts[i] = Spline(curve)
-    return parts
-
-
-def _bezier_parts(points: FloatArray, a: FloatArray, b: FloatArray) -> FloatArray:
-    """Bezier points (n, p + 1, 2) of the parts from a to b (n,): the blossom at a and, j times, at b."""
-    degree, parts = points.shape[1] - 1, []
-    for j in range(degree + 1):
-        row = points
-        for k in range(degree):
-            t = (b if k < j else a)[:, None, None]
-            row = row[:, :-1] * (1 - t) + row[:, 1:] * t
-        parts.append(row[:, 0])
-    return np.stack(parts, axis=1)
 
 
 def _kind(segment: Segment) -> Hashable:

@@ -83,10 +83,6 @@ class Line:
         """Derivative (..., 2) of `at` by u, mm."""
         return np.broadcast_to(self.end - self.start, (*numbers(u, "u").shape, 2)).copy()
 
-    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
-        """The point (2,) at u and its derivative by u, mm."""
-        return self.at(u), self.velocity_at(u)
-
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]."""
         return np.asarray(self.velocity_at(u) / self.length, dtype=float)
@@ -214,10 +210,6 @@ class Arc:
         """Derivative (..., 2) of `at` by u, mm."""
         return np.asarray(self.length * self.tangent_at(u), dtype=float)
 
-    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
-        """The point (2,) at u and its derivative by u, mm."""
-        return self.at(u), self.velocity_at(u)
-
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]."""
         angle = self.start_angle + self.sweep * numbers(u, "u")
@@ -303,12 +295,6 @@ class Spline:
         t0, t1 = self.curve.domain
         return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
 
-    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
-        """The point (2,) at u and its derivative by u, in one evaluation, mm."""
-        t0, t1 = self.curve.domain
-        position, velocity = self.curve.position_and_velocity(np.array([t0 * (1 - u) + t1 * u]))
-        return position[0], velocity[0] * (t1 - t0)
-
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]; at a corner the one after it, with `left` the one before."""
         d = np.asarray(
@@ -326,7 +312,7 @@ class Spline:
         x, w = gauss_rule(RATIONAL_NODES if self.curve.is_rational else self.curve.degree)
         half = np.diff(edges)[:, None] / 2
         t = (edges[:-1, None] + half * (1 + x)).ravel()
-        p, d = self.curve.position_and_velocity(t)
+        p, d = self.curve.derivatives(t, 1)
         return float(0.5 * np.sum((half * w).ravel() * cross(p - origin, d)))
 
     def reversed(self) -> "Spline":

@@ -99,6 +99,23 @@ def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArra
     return c[:, 0] + step * u[:, 0], degree * step
 
 
+def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tuple[FloatArray, BoolArray]:
+    """Polynomials (k, n+1) without the zeros at their ends, below `noise` (k,), and whether they had any (k, 2).
+
+    Only those of `which` (k,) are looked at.
+    """
+    c, zero = c.copy(), np.zeros((len(c), 2), dtype=bool)
+    ends = np.abs(c[:, [0, -1]]) <= noise[:, None]
+    for i in (ends.any(axis=1) & which).nonzero()[0].tolist():
+        for side in (0, 1):
+            for _ in range(c.shape[1] - 1):
+                if abs(c[i, -side]) > noise[i]:
+                    break
+                c[i] = divide_out_end_root(c[i], at_end=bool(side))
+                zero[i, side] = True
+    return c, zero
+
+
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
     """Polynomials (..., n+1) divided by 1 - u (or by u), at the same degree: same signs inside (0, 1)."""
     return c @ _division(c.shape[-1] - 1, at_end) if c.shape[-1] > 1 else c
@@ -182,13 +199,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
     """Zeros in (0, 1) of polynomials (k, n+1), not those at the ends, none of vanishing polynomials."""
     noise = 32 * _EPS * np.abs(c).max(axis=1)
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
-    c = c.copy()
-    for i in (np.abs(c[:, [0, -1]]) <= noise[:, None]).any(axis=1).nonzero()[0].tolist():
-        for at_end in (False, True):
-            for _ in range(c.shape[1] - 1):
-                if abs(c[i, -1 if at_end else 0]) > noise[i]:
-                    break
-                c[i] = divide_out_end_root(c[i], at_end=at_end)
+    c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
     kept = np.flatnonzero(np.abs(c).max(axis=1) > noise)
     found = roots(c[kept], noise[kept])
     return [Root(int(kept[root.piece]), root.u, root.crossing) for root in found]

@@ -13,7 +13,6 @@ from elastica_cad.geometry.curves.plane_curve import (
     PlaneCurve,
     TangentBreak,
     clamp_ends,
-    trim_curve,
 )
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import Turn
@@ -158,7 +157,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     t = knot if abs(knot - t) <= ALIKE * (high - low) else t
     if t <= low or t >= high:
         return curve.drawn_as(drawn)
-    first, second = trim_curve(curve, t, high), trim_curve(curve, low, t)
+    first, second = curve.trimmed(t, high), curve.trimmed(low, t)
     p = curve.degree
     knots = np.concatenate([first.knots[:-1], second.knots[p + 1 :] + (high - low)])
     points = np.concatenate([first.control_points, second.control_points[1:]])

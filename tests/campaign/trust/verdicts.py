@@ -26,9 +26,3 @@ def together(records: list[Record]) -> Record:
     return list(
         {(one["file"], one["number"], one["change"]): one for record in records for one in record}.values()
     )
-
-
-def survivors(record: Record) -> list[list[str]]:
-    """File, change and reason of each mutant that no test notices though it may change an answer."""
-    left = [one for one in record if one["verdict"] == "survived"]
-    return [[one["file"], one["change"], one.get("reason", one.get("bank", ""))] for one in left]

@@ -20,6 +20,7 @@ from inside import (
     drag,
     fit,
     keys,
+    open_panel,
     panel,
     press,
     press_button,
@@ -36,13 +37,6 @@ from inside import (
 )
 
 ACROSS = [(65, -40), (72, 0), (75, 50), (72, 100), (65, 140)]
-
-
-def open_panel(command, *things):
-    choose(*things)
-    press(command)
-    until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
-    at_rest()
 
 
 def ok():

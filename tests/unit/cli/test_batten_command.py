@@ -16,7 +16,7 @@ from elastica_cad.fabrication.batten import BattenSpec
 from elastica_cad.fabrication.bench import bench_drawing
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.kit.strip_kit import StripFiles, StripKit, writer_of
+from elastica_cad.kit.strip_kit import StripFiles, StripKit
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
 
@@ -266,8 +266,8 @@ def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_dr
     found = spec.rod_spec.solve()
     kit = StripKit(spec, found, spec.make(found), "own", asked=StripFiles(step=False))
     assert {"own-bench.csv", "own-side.dxf", "own-side.svg", "own-side.pdf"} <= {*kit.files.values()}
-    for kind in ("bench csv", "side dxf"):
-        writer_of(kit, kind)(kit, tmp_path / kit.files[kind])
+    for file, write in (kit.writers["bench csv"], kit.writers["side dxf"]):
+        write(tmp_path / file)
     rows = list(csv.DictReader((tmp_path / "own-bench.csv").read_text().splitlines()))
     sizes = np.array([float(row["thickness_mm"]) for row in rows])
     assert sizes.max() == pytest.approx(4.0, rel=1e-2)

@@ -127,7 +127,7 @@ def test_leaning_strips_stand_square_to_their_tabs(arch):
         ({"clearance": -1}, "clearance is -1"),
         ({"wall": 0}, "wall is 0"),
         ({"screw": 30}, "a screw of 30 mm does not fit"),
-        ({"end": "middle"}, "not 'middle'"),
+        ({"end": "middle"}, r"ends are \['middle'\]"),
     ],
 )
 def test_impossible_blocks_are_refused(arch, options, message):

@@ -88,7 +88,7 @@ def test_numbers_have_two_digits(value, text):
 
 
 def test_slips_are_refused(strip):
-    with pytest.raises(InputError, match="the tolerance kerf is -1: it can't be negative"):
+    with pytest.raises(InputError, match="tolerance kerf is -1: it must be a number from 0, in mm"):
         MakingTolerance(kerf=-1)
     with pytest.raises(InputError, match="MakingTolerance"):
         replace(strip, tolerance=0.01)

@@ -126,7 +126,7 @@ def test_parts_larger_than_the_sheet_are_named():
 
 @pytest.mark.parametrize("bad", [{"sheet_size": (0, 400)}, {"sheet_size": (np.nan, 1)}, {"margin": -1}])
 def test_impossible_sheets_are_refused(bad):
-    with pytest.raises(InputError, match="sheet size is"):
+    with pytest.raises(InputError, match=r"(sheet_size|margin) is"):
         nest_pieces([plate("a", 10, 10)], **bad)
 
 

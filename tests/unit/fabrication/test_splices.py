@@ -17,8 +17,9 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.makeability.makeable_strip import Splice, joined_within, splice, spliced
+from elastica_cad.fabrication.sheets.nesting import Nesting
 from elastica_cad.fabrication.strip.laps import PLATE_CUT, PLATE_END, LapPlates
-from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec, Nesting
+from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import clip_across
 from elastica_cad.kit.kit_contents import kit_of

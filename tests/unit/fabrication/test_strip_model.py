@@ -152,11 +152,11 @@ def test_bad_models():
     with pytest.raises(InputError, match="rotation or mirror"):
         Placed(strip()).moved(np.diag([1, 1, 2]))
     model = Model([Placed(strip())])
-    with pytest.raises(InputError, match="mirror needs"):
+    with pytest.raises(InputError, match="normal of a mirror"):
         model.mirrored((0, 0, 0), (0, 0, 0))
-    with pytest.raises(InputError, match="count of 1 or more"):
+    with pytest.raises(InputError, match="count is 0"):
         model.rotated(0)
-    with pytest.raises(InputError, match="1 time or more"):
+    with pytest.raises(InputError, match="count is 0"):
         model.repeated(0, (1, 0, 0))
 
 
@@ -207,7 +207,7 @@ def test_a_refusal_in_python_ends_with_the_argument_that_works():
     (note,) = refused.value.__notes__
     assert note.startswith("limits=ec.Limits() asks for the nearest curve")
     assert make_strip(wave, "birch-plywood-0.8", max_width=12, limits=Limits()).rod.ratio > 1
-    with pytest.raises(InputError, match="positive") as other:
+    with pytest.raises(InputError, match="above 0") as other:
         make_strip(PlaneCurve.line((0, 0), (100, 0)), "birch-plywood-0.8", max_width=-12)
     assert not getattr(other.value, "__notes__", [])
 

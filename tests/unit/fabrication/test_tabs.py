@@ -52,7 +52,7 @@ def test_the_slot_lies_in_the_middle_of_the_edge():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: TSlot(-1), "needs positive sizes"),
+        (lambda: TSlot(-1), "T-slot depth is -1: it must be a number above 0, in mm"),
         (lambda: TSlot(10, nut=(3.0, 2.0)), "held by nothing"),
         (lambda: TSlot(5), "ends before its nut is in, at 6.6 mm"),
         (lambda: Tab(10, t_slot=TSlot(10)), "does not fit a tab of 10 mm"),

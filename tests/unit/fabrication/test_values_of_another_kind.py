@@ -61,8 +61,8 @@ SLIPS = {
     "holes hold 3: give Hole records": lambda: Tab(10, holes=3),
     "holes hold 'x'": lambda: Tab(10, holes="x"),
     "hole diameter is '3.2'": lambda: Hole(5, "3.2"),
-    "t_slot is 12: give a TSlot record": lambda: Tab(20, t_slot=12),
-    "T-slot needs positive sizes": lambda: TSlot("12"),
+    "t_slot is 12: it must be a TSlot": lambda: Tab(20, t_slot=12),
+    "T-slot depth is '12'": lambda: TSlot("12"),
     "slot width is '3'": lambda: Slot(30, "3"),
     "slot depth is": lambda: Slot(30, 3, (1, 2)),
     "columns is '2'": lambda: Perforated(width=30, columns="2"),
@@ -70,10 +70,10 @@ SLIPS = {
     "hole_ratio is '0.8'": lambda: Perforated(width=30, hole_ratio="0.8"),
     "least_hole is '1'": lambda: Perforated(width=30, least_hole="1"),
     "least_backing is '1'": lambda: Laminated(20, SHEET, least_backing="1"),
-    "dots are '1'": lambda: Laminated(20, SHEET, dots="1"),
+    "dots is '1'": lambda: Laminated(20, SHEET, dots="1"),
     "least_width is '2'": lambda: FabricationLimits(least_width="2"),
-    "the stock is 300: give the two sides": lambda: FabricationLimits(stock=300),
-    r"the stock is \('a', 3\)": lambda: FabricationLimits(stock=("a", 3)),
+    "stock is 300: it must be 2 numbers above 0, in mm": lambda: FabricationLimits(stock=300),
+    r"stock is \('a', 3\)": lambda: FabricationLimits(stock=("a", 3)),
     "a point mass is '5'": lambda: PointMass(50, "5"),
     "weight alpha is '1'": lambda: Weight("1"),
     "gravity length is '96'": lambda: Gravity("96"),
@@ -92,7 +92,9 @@ SLIPS = {
         Model(3)
     ),
     "placed hold <Strip": lambda: Model([STRIP]),
-    "clearance is '0.1': it must be 0 mm or more": lambda: interlock([Placed(STRIP)], clearance="0.1"),
+    "clearance is '0.1': it must be a number from 0, in mm": lambda: interlock(
+        [Placed(STRIP)], clearance="0.1"
+    ),
     "keep ends=3": lambda: Keep(ends=3),
     "frame origin must be three finite numbers, got 'x'": lambda: Frame("x"),
     "angles must be two numbers, rad": lambda: bend(ROD, end=(90, 0), angles=[1, "a"]),
@@ -110,10 +112,12 @@ SLIPS = {
     "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
     "the name of a sheet is needed, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
-    "the kerf is 'a': it must be a finite number": lambda: nest_pieces(PIECES, kerf="a"),
-    "the margin is '2': it must be 0 mm or more": lambda: nest_pieces(PIECES, margin="2"),
-    "sheet size is '600x400'": lambda: nest_pieces(PIECES, sheet_size="600x400"),
-    "sheet size is 600": lambda: nest_pieces(PIECES, sheet_size=600),
+    "the kerf is 'a': give a finite number, in mm": lambda: nest_pieces(PIECES, kerf="a"),
+    "margin is '2': it must be a number from 0, in mm": lambda: nest_pieces(PIECES, margin="2"),
+    "sheet_size is '600x400': it must be 2 numbers above 0, in mm": lambda: nest_pieces(
+        PIECES, sheet_size="600x400"
+    ),
+    "sheet_size is 600": lambda: nest_pieces(PIECES, sheet_size=600),
     "nearest_rods takes a list of curves, not a str": lambda: nearest_rods("arch.dxf", Limits()),
     "strips are 3: give a list of Placed": lambda: touching_widths(3),
     "strips are 'ab'": lambda: touching_widths("ab"),
@@ -130,17 +134,15 @@ SLIPS = {
     "quadratic coefficient of the law is None": lambda: PolynomialLaw(None),
     "Poisson's ratio is wood": lambda: anticlastic_factor(40, 0.01, thickness=0.5, poisson_ratio="wood"),
     "the tolerance is 0.1 mm: it must be positive": lambda: STRIP.outline.points("0.1 mm"),
-    "a mirror needs a point and a normal": lambda: Model([Placed(STRIP)]).mirrored((0, 0, 0), "z"),
-    "a rotation pattern needs a count of 1 or more": lambda: Model([Placed(STRIP)]).rotated("3"),
-    "an axis that is not zero": lambda: Model([Placed(STRIP)]).rotated(3, axis=1.0),
-    "a point of three numbers by a step in rad, not 5 and None": lambda: Model([Placed(STRIP)]).rotated(
-        3, point=5
+    "the normal of a mirror is 'z': give three finite numbers": lambda: Model([Placed(STRIP)]).mirrored(
+        (0, 0, 0), "z"
     ),
-    "by a step in rad, not .* and '1'": lambda: Model([Placed(STRIP)]).rotated(3, step="1"),
-    "a pattern repeats 1 time or more, not 2.5": lambda: Model([Placed(STRIP)]).repeated(2.5, (0, 0, 5)),
-    "a pattern repeats at a step of three numbers in mm, not 5": lambda: Model([Placed(STRIP)]).repeated(
-        2, 5
-    ),
+    "pattern count is '3': it must be a whole number from 1": lambda: Model([Placed(STRIP)]).rotated("3"),
+    "the axis of a rotation is 1.0: give three": lambda: Model([Placed(STRIP)]).rotated(3, axis=1.0),
+    "the point of a rotation is 5: give three": lambda: Model([Placed(STRIP)]).rotated(3, point=5),
+    "rotation step is '1': it must be a number, in rad": lambda: Model([Placed(STRIP)]).rotated(3, step="1"),
+    "pattern count is 2.5": lambda: Model([Placed(STRIP)]).repeated(2.5, (0, 0, 5)),
+    "the step of a pattern is 5: give three": lambda: Model([Placed(STRIP)]).repeated(2, 5),
     "a pattern of 1 strips, 1000000 times: a model holds": lambda: Model([Placed(STRIP)]).repeated(
         10**6, (0, 0, 5)
     ),

@@ -5,13 +5,12 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.held_tabs import rocking_tabs
-from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.formats.design_files.records import read_line
+from elastica_cad.formats.design_files.records import parsed_line
 from elastica_cad.formats.design_files.tables import Slips
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_of
@@ -525,7 +524,7 @@ def test_lists_nested_a_thousand_deep_are_refused(tmp_path):
     with pytest.raises(InputError, match="nests lists or tables too deep"):
         load_sheets(path)
     with pytest.raises(InputError, match="cannot be read: write keys and values"):
-        read_line("at = " + 1000 * "[" + 1000 * "]", "--slot", Slot)
+        parsed_line("at = " + 1000 * "[" + 1000 * "]", "--slot")
 
 
 def test_dates_are_quoted_as_the_file_has_them(tmp_path):

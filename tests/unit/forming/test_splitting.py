@@ -7,7 +7,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.splitting import split
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -26,7 +26,7 @@ def fewest_of_grid(curve, count):
     """Least number of supports on a grid of parameters, by trying all sets of them."""
     t = np.linspace(*curve.domain, count + 2)
     fits = {
-        (i, j): check_equilibrium(trim_curve(curve, t[i], t[j]), tolerance=1e-4).realizable
+        (i, j): check_equilibrium(curve.trimmed(t[i], t[j]), tolerance=1e-4).realizable
         for i, j in combinations(range(count + 2), 2)
     }
     for supports in range(count):
@@ -69,7 +69,7 @@ def test_ranges_are_where_a_single_support_can_stand():
     def fits(s):
         t = float(curve.parameter(np.array(s)))
         low, high = curve.domain
-        return all(check_equilibrium(trim_curve(curve, *ends)).realizable for ends in ((low, t), (t, high)))
+        return all(check_equilibrium(curve.trimmed(*ends)).realizable for ends in ((low, t), (t, high)))
 
     assert fits(first + slack)
     assert fits(last - slack)
@@ -127,7 +127,7 @@ def test_supports_of_the_ends():
     with pytest.raises(NotRealizable, match="free to turn"):
         split(curve, supports=Supports("pinned", "clamped"))
     zero = next(z.t for z in curve.curvature_zeros if z.kind == "crossing")
-    rest = trim_curve(curve, zero, curve.domain[1])
+    rest = curve.trimmed(zero, curve.domain[1])
     found = split(rest, supports=Supports("pinned", "clamped"))
     assert check_equilibrium(found.pieces[0], Supports("pinned", "clamped")).realizable
 

@@ -208,10 +208,6 @@ def test_velocities_are_those_of_the_points(scale):
         u, h = np.linspace(0.1, 0.9, 7), 1e-5
         wanted = (segment.at(u + h) - segment.at(u - h)) / (2 * h)
         assert segment.velocity_at(u) == pytest.approx(wanted, rel=1e-6, abs=1e-6)
-        for one, place, velocity in zip(u, segment.at(u), wanted, strict=True):
-            at, moving = segment.motion_at(float(one))
-            assert at == pytest.approx(place, abs=1e-9)
-            assert moving == pytest.approx(velocity, rel=1e-6, abs=1e-6)
 
 
 def test_a_path_is_cut_where_two_of_its_curves_meet():

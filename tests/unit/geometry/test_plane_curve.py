@@ -8,7 +8,7 @@ from scipy.interpolate import BSpline
 from scipy.special import ellipeinc
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 
@@ -302,7 +302,7 @@ def test_a_short_piece_keeps_its_shape_and_few_panels(part):
     """Derivatives of a short piece carry no rounding of its coordinates, which are large beside it."""
     points = np.array([(40.0, 20.0), (70.0, 35.0), (90.0, 80.0), (150.0, 60.0)])
     whole = PlaneCurve.spline(points, degree=3)
-    piece = trim_curve(whole, 0.3, 0.3 + part)
+    piece = whole.trimmed(0.3, 0.3 + part)
     t = np.linspace(*piece.domain, 7)
     np.testing.assert_allclose(piece.evaluate(t), whole.evaluate(t), atol=1e-13)
     # what is left is the rounding of its control points

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.segment_table import SegmentTable, chords_of_all, trim_all
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline, chord_points, trim_segment
+from elastica_cad.geometry.paths.segment_table import SegmentTable, chords_of_all
+from elastica_cad.geometry.paths.segments import Arc, Line, Spline, chord_points
 
 pytestmark = pytest.mark.core
 
@@ -37,18 +37,3 @@ def test_chords(tolerance):
     which, points = chords_of_all(SEGMENTS, tolerance)
     for k, segment in enumerate(SEGMENTS):
         assert points[which == k] == pytest.approx(chord_points(segment, tolerance), abs=1e-9)
-
-
-def test_parts():
-    first, last = np.linspace(0.0, 0.3, len(SEGMENTS)), np.linspace(1.0, 0.5, len(SEGMENTS))
-    first[4], last[4] = 0.7, 0.6
-    parts = trim_all(SEGMENTS, first, last)
-    assert parts[0] is SEGMENTS[0]
-    assert parts[4] is None
-    u = np.linspace(0, 1, 9)
-    for part, segment, a, b in zip(parts, SEGMENTS, first, last, strict=True):
-        if part is not None:
-            one = trim_segment(segment, a, b)
-            assert part.at(u) == pytest.approx(one.at(u), abs=1e-9)
-            assert part.start == pytest.approx(segment.at(a), abs=1e-9)
-            assert part.end == pytest.approx(segment.at(b), abs=1e-9)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import (
     check_equilibrium,
@@ -162,11 +162,11 @@ class TestNotRealizable:
         first = float(curve.parameter(check.inflections[-1]))
         start, end = curve.domain
         assert check.crossings[0] > check.inflections[-1]
-        assert not check_equilibrium(trim_curve(curve, start, float(where))).realizable
+        assert not check_equilibrium(curve.trimmed(start, float(where))).realizable
         assert "support the strip between there and the inflections beside it" in str(check)
         between = (float(where) + first) / 2
         for piece in ((start, between), (between, end)):
-            assert check_equilibrium(trim_curve(curve, *piece)).realizable
+            assert check_equilibrium(curve.trimmed(*piece)).realizable
 
     def test_no_line_through_one_inflection(self):
         """Both arms wind so far that every line through the inflection meets one of them."""
@@ -201,7 +201,7 @@ class TestNotRealizable:
         assert not check.realizable
         assert check.flats == (pytest.approx((0.0, 40.0), abs=1e-9),)
         assert "support the strip at 40 mm" in str(check)
-        assert check_equilibrium(trim_curve(curve, 1.0, 2.0)).realizable
+        assert check_equilibrium(curve.trimmed(1.0, 2.0)).realizable
 
     def test_where_a_straight_piece_ends_no_fair_curve_is_advised(self):
         """Smoothed within 0.1 mm it waves about its line, and no strip takes it either."""
@@ -225,7 +225,7 @@ class TestNotRealizable:
         assert check.flats == (pytest.approx((0.0, 40.0), abs=1e-9),)
         assert "whatever supports the strip there: bend the piece a little" in str(check)
         assert "support the strip at" not in str(check)
-        assert not check_equilibrium(trim_curve(curve, 1.0, 2.0)).realizable
+        assert not check_equilibrium(curve.trimmed(1.0, 2.0)).realizable
 
     def test_inflection_by_a_jump(self):
         check = check_equilibrium(chain((100, 1.0), (-60, 1.0)))
@@ -250,7 +250,7 @@ class TestNotRealizable:
         assert "whatever supports the strip: bend the curve a little more there" in str(check)
         # nor does a support there help: each half keeps the place as its end
         for half in ((0.0, 0.5), (0.5, 1.0)):
-            assert not check_equilibrium(trim_curve(exact, *half)).realizable
+            assert not check_equilibrium(exact.trimmed(*half)).realizable
 
     def test_tangent_line(self):
         """y = x^5 - like inflection with zero slope of the curvature is not secant-bounded."""

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, trim_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.panel_functions import LEFT, NODES, RIGHT, WEIGHTS, PanelFunction
 from elastica_cad.mechanics.stiffness.quadrature_panels import cut_into_panels
 
@@ -77,9 +77,7 @@ def test_curves_far_from_the_origin_do_not_end_in_ever_smaller_panels():
 
 
 def test_a_piece_far_shorter_than_its_coordinates_is_one_smooth_panel():
-    piece = trim_curve(
-        PlaneCurve.spline([(40, 20), (70, 35), (90, 80), (150, 60)], degree=3), 0.3, 0.3 + 1e-7
-    )
+    piece = PlaneCurve.spline([(40, 20), (70, 35), (90, 80), (150, 60)], degree=3).trimmed(0.3, 0.3 + 1e-7)
     assert cut_into_panels(piece, []).count < 8
 
 

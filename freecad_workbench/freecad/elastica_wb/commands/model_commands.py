@@ -17,6 +17,14 @@ from freecad.elastica_wb.recording import record_recompute, record_step, record_
 from elastica_cad.errors import InputError
 
 
+class OnParts(Command):
+    """A command that needs something that can be cut."""
+
+    def has_subject(self) -> bool:
+        """Strips, models or base plates are selected, or alone in the document."""
+        return answers(chosen_sources)
+
+
 class InterlockCommand(Command):
     """Slots where strips cross, so that they slide into each other."""
 
@@ -48,7 +56,7 @@ class InterlockCommand(Command):
         show_panel(panel_of, made)
 
 
-class FixturesCommand(Command):
+class FixturesCommand(OnParts):
     """Makes printed blocks for the ends, or one slotted plate for all."""
 
     name = "Elastica_Fixtures"
@@ -58,16 +66,12 @@ class FixturesCommand(Command):
         "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate",
     )
 
-    def has_subject(self) -> bool:
-        """Tell whether something that can be cut is selected."""
-        return answers(chosen_sources)
-
     def run(self) -> None:
         """Open the panel."""
         show_panel(FixturesPanel, chosen_sources())
 
 
-class NestCommand(Command):
+class NestCommand(OnParts):
     """Lays all parts on sheets."""
 
     name = "Elastica_Nest"
@@ -76,10 +80,6 @@ class NestCommand(Command):
         "Elastica_Nest",
         "Lay everything that must be cut for the selected strips, models and base plates on sheets",
     )
-
-    def has_subject(self) -> bool:
-        """Tell whether something that can be cut is selected."""
-        return answers(chosen_sources)
 
     def run(self) -> None:
         """Make the nest in front of everything."""

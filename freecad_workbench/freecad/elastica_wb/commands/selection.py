@@ -23,9 +23,10 @@ from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.pieces import cut_for, is_cut
 from freecad.elastica_wb.features.strip import BODY, is_strip
+from freecad.elastica_wb.host.lifetime import is_ours
 from freecad.elastica_wb.host.refusal import is_broken_link
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.live.sketches import edited_sketch, followers, is_feature
+from freecad.elastica_wb.live.sketches import edited_sketch, followers
 
 from elastica_cad.errors import InputError
 
@@ -86,7 +87,7 @@ def _sketch_in(body: Any) -> Any:
     """The sketch in a body of which nothing is made: no feature of the body, and where one is left, no strip."""
     drawn = [one for one in body.Group if is_sketch(one)]
     users = {one: [user for user in one.InList if user is not body] for one in drawn}
-    ours = [one for one in drawn if all(map(is_feature, users[one]))]
+    ours = [one for one in drawn if all(map(is_ours, users[one]))]
     found = [one for one in ours if not users[one]] or ours
     if not found:
         raise InputError(

@@ -4,7 +4,8 @@
 """Commands of the workshop: coupons, cutting files, sheets."""
 
 import FreeCAD as App
-from freecad.elastica_wb.commands.command import Command, answers, show_panel
+from freecad.elastica_wb.commands.command import Command, show_panel
+from freecad.elastica_wb.commands.model_commands import OnParts
 from freecad.elastica_wb.commands.selection import chosen_sources
 from freecad.elastica_wb.example import open_example
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
@@ -28,7 +29,7 @@ class CouponCommand(Command):
         show_panel(CouponPanel, App.ActiveDocument)
 
 
-class ExportCommand(Command):
+class ExportCommand(OnParts):
     """Writes DXF, SVG, STEP and a cut list."""
 
     name = "Elastica_Export"
@@ -39,10 +40,6 @@ class ExportCommand(Command):
     )
     shortcut = "Y, X"
     in_sketch = True
-
-    def has_subject(self) -> bool:
-        """Tell whether something that can be cut is selected."""
-        return answers(chosen_sources)
 
     def run(self) -> None:
         """Open the panel."""

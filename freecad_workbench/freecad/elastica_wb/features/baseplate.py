@@ -6,8 +6,8 @@
 from typing import Any, ClassVar
 
 from freecad.elastica_wb.curves.sketch_curves import frame_of
-from freecad.elastica_wb.features.fixtures import PLAYS, source_model, tell_plays
-from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
+from freecad.elastica_wb.features.fixtures import source_model, tell_plays
+from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.property_table import Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.shapes.part_shapes import make_solid
@@ -28,9 +28,9 @@ class BasePlateFeature(Feature):
     properties = (
         Property("LinkListGlobal", "Sources", "Base plate", "A model, or strips, whose tabs go through it"),
         Property("Enumeration", "Sheet", "Base plate", "What the plate is cut from"),
-        Property("String", "SheetData", "Base plate", "The sheet's numbers", "", hidden=True),
+        Property("String", "SheetData", "Base plate", "The sheet's numbers", hidden=True),
         *(declared_property(field, "Base plate", name) for name, field in SIZES.items()),
-        PLAYS,
+        REPORTS,
         CONTAINERS,
     )
 

@@ -20,12 +20,12 @@ from freecad.elastica_wb.curves.plane_sections import (
     section_sketches,
 )
 from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve, is_sketch
-from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.features.strip_properties import NEAREST
 from freecad.elastica_wb.features.strip_request import nearest_spec_of
 from freecad.elastica_wb.host.progress import progress
-from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report, worded
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
@@ -41,7 +41,6 @@ from elastica_cad.refusals import Listed, note, sentences
 
 MOVES = ("StartX", "StartY", "EndX", "EndY", "StartAngle", "EndAngle")
 ORANGE = (0.9, 0.4, 0.0)
-REPORTS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
 
 
 class NearestFeature(Feature):
@@ -72,16 +71,14 @@ class BentFeature(Feature):
 
     properties = (
         Property("LinkGlobal", "Strip", "Bent", "The strip that is bent further"),
-        Property("Distance", "StartX", "Bent", "How far the start is moved along x", 0.0),
-        Property("Distance", "StartY", "Bent", "How far the start is moved along y", 0.0),
-        Property("Distance", "EndX", "Bent", "How far the end is moved along x", 0.0),
-        Property("Distance", "EndY", "Bent", "How far the end is moved along y", 0.0),
-        Property("Angle", "StartAngle", "Bent", "How far the start is turned", 0.0),
-        Property("Angle", "EndAngle", "Bent", "How far the end is turned", 0.0),
-        Property("Length", "LargestMove", "Result", "How far the curve moves at most", 0.0, result=True),
-        Property(
-            "Float", "Margin", "Result", "Stability margin; positive means that it stays", 0.0, result=True
-        ),
+        Property("Distance", "StartX", "Bent", "How far the start is moved along x"),
+        Property("Distance", "StartY", "Bent", "How far the start is moved along y"),
+        Property("Distance", "EndX", "Bent", "How far the end is moved along x"),
+        Property("Distance", "EndY", "Bent", "How far the end is moved along y"),
+        Property("Angle", "StartAngle", "Bent", "How far the start is turned"),
+        Property("Angle", "EndAngle", "Bent", "How far the end is turned"),
+        result("Length", "LargestMove", "How far the curve moves at most"),
+        result("Float", "Margin", "Stability margin; positive means that it stays"),
         REPORTS,
     )
 
@@ -105,23 +102,17 @@ class SectionFeature(Feature):
         Property("Enumeration", "Family", "Section", "How the planes stand to each other", list(FAMILIES)),
         Property("Integer", "Count", "Section", "How many planes there are", 5),
         Property(
-            "Enumeration",
-            "Axis",
-            "Section",
-            "What planes stand across, or half planes about",
-            list(AXES),
+            "Enumeration", "Axis", "Section", "What planes stand across, or half planes about", list(AXES)
         ),
-        Property("Distance", "ThroughX", "Section", "The axis of half planes passes here: x", 0.0),
-        Property("Distance", "ThroughY", "Section", "The axis of half planes passes here: y", 0.0),
-        Property("Distance", "ThroughZ", "Section", "The axis of half planes passes here: z", 0.0),
+        Property("Distance", "ThroughX", "Section", "The axis of half planes passes here: x"),
+        Property("Distance", "ThroughY", "Section", "The axis of half planes passes here: y"),
+        Property("Distance", "ThroughZ", "Section", "The axis of half planes passes here: z"),
         Property("Angle", "Sweep", "Section", "Angle that half planes are spread over", 360.0),
         Property("LinkSubGlobal", "Path", "Section", "Sketch, wire or edges that planes stand across"),
         Property("Enumeration", "Closed", "Section", "What becomes of closed lines", list(CLOSED)),
         Property("Length", "Tolerance", "Section", "How far a curve may be from the section", 0.05),
-        Property(
-            "Length", "Waves", "Section", "Waves shorter than this are smoothed away; 0 keeps them", 0.0
-        ),
-        Property("Integer", "Curves", "Result", "How many curves there are", 0, result=True),
+        Property("Length", "Waves", "Section", "Waves shorter than this are smoothed away; 0 keeps them"),
+        result("Integer", "Curves", "How many curves there are"),
         REPORTS,
     )
 

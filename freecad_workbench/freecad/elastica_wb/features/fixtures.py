@@ -11,13 +11,13 @@ import Part
 from freecad.elastica_wb.curves.copies import not_repeated
 from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import strips_model
-from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
+from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
-from freecad.elastica_wb.solving.strip_cache import growing_cache
+from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
@@ -29,9 +29,6 @@ from elastica_cad.fabrication.model.strip_model import Model
 SIZES = {one.name.title().replace("_", ""): one for one in declared(EndFixture)}
 """What blocks are asked for, by its properties."""
 
-PLAYS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
-"""How much room tabs have in what holds them."""
-
 
 class FixturesFeature(Feature):
     """The printed blocks for all tabs, as one compound."""
@@ -39,7 +36,7 @@ class FixturesFeature(Feature):
     properties = (
         Property("LinkListGlobal", "Sources", "Fixtures", "A model, or strips, whose ends are held"),
         *(declared_property(field, "Fixtures", name) for name, field in SIZES.items()),
-        PLAYS,
+        REPORTS,
         CONTAINERS,
     )
 
@@ -71,7 +68,7 @@ def blocks_for(source: Any) -> list[EndFixture]:
     return [block for block in every if block.tab.key in own]
 
 
-@growing_cache
+@remembered
 def block_shape(block: EndFixture) -> Part.Shape:
     """The block in its place: a small cut, for the pocket, in what it has in common with others of its number.
 
@@ -81,7 +78,7 @@ def block_shape(block: EndFixture) -> Part.Shape:
     return _unpocketed(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
 
 
-@growing_cache
+@remembered
 def _unpocketed(block: EndFixture) -> Part.Shape:
     solid = block.solid
     return make_solid(replace(solid, removed=solid.removed[1:]))

@@ -14,16 +14,16 @@ import numpy as np
 import Part
 from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
-from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
+from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import begun, in_background
-from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
+from freecad.elastica_wb.host.property_table import Property, declared_property, put, result, values_of
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import report_warning, worded
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
-from freecad.elastica_wb.solving.strip_cache import bent_shape, growing_cache
+from freecad.elastica_wb.solving.strip_cache import bent_shape, remembered
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import ElasticaError, InputError
@@ -60,15 +60,12 @@ class ModelFeature(Feature):
             "Later strips are pushed on from here; zero leaves it open",
             App.Vector(),
         ),
-        Property("Integer", "Joints", "Result", "How many slots fit into each other", 0, result=True),
-        Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
-        Property(
+        result("Integer", "Joints", "How many slots fit into each other"),
+        REPORTS,
+        result(
             "StringList",
             "Overlaps",
-            "Result",
             "Strips that run into each other where no slot lets them, found a moment after the rest",
-            [],
-            result=True,
         ),
         CONTAINERS,
     )
@@ -234,7 +231,7 @@ def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
                 yield (strip.mirrored(), place * turned_over(inside)) if is_image else (strip, place * inside)
 
 
-@growing_cache
+@remembered
 def _model(
     places: tuple[tuple[Strip, tuple[float, ...]], ...], name: str, options: tuple[tuple[str, Any], ...]
 ) -> Model:
@@ -242,13 +239,13 @@ def _model(
     return model.interlock(**dict(options)) if options else model
 
 
-@growing_cache
+@remembered
 def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
     """The same strip in the same place is the same record: its joints are kept by that."""
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
-@growing_cache
+@remembered
 def _labelled(strip: Strip, label: str, name: str) -> Strip:
     """Models tell their parts apart by label; where no letter of that can be engraved, the name is."""
     engrave = None if any(map(str.isalnum, engravable(label))) else name

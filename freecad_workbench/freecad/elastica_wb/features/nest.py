@@ -10,8 +10,8 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features, told_blanks_of
-from freecad.elastica_wb.features.proxy import Feature, added
-from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
+from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import report_warning
@@ -31,16 +31,9 @@ class NestFeature(Feature):
         Property("Length", "SheetWidth", "Nest", "Width of a sheet, along its grain", 600.0),
         Property("Length", "SheetHeight", "Nest", "Height of a sheet", 400.0),
         Property("Length", "Margin", "Nest", "Least distance between parts and from the edge", 2.0),
-        Property("Integer", "Sheets", "Result", "How many sheets are needed", 0, result=True),
-        Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
-        Property(
-            "StringList",
-            "LeftOut",
-            "Result",
-            "Features that follow what is cut, and are left out",
-            [],
-            result=True,
-        ),
+        result("Integer", "Sheets", "How many sheets are needed"),
+        REPORTS,
+        result("StringList", "LeftOut", "Features that follow what is cut, and are left out"),
     )
 
     def make(self, obj: Any) -> None:

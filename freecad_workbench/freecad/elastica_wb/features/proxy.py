@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 import FreeCAD as App
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.lifetime import Unsaved, is_ours
 from freecad.elastica_wb.host.property_table import (
     Property,
     choose_again,
@@ -16,12 +17,12 @@ from freecad.elastica_wb.host.property_table import (
     is_misread,
     put,
     require_choices,
+    result,
 )
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
     RefusalError,
     explained,
-    is_ours,
     raising,
     refused,
     why_not_computed,
@@ -39,20 +40,14 @@ CONTAINERS = Property(
 """Containers that move the curve and not the feature: it is made anew where they move."""
 
 HIDDEN_BY_ERROR = Property(
-    "Bool", "HiddenByError", "Result", "Hidden until it can be made again", False, hidden=True
+    "Bool", "HiddenByError", "Result", "Hidden until it can be made again", hidden=True
 )
 """What fails keeps its last good shape, and so does all that is made from it: FreeCAD recomputes none of that."""
 
-SHOWN_BY_ERROR = Property(
-    "Bool",
-    "ShownByError",
-    "Result",
-    "Shown until its model can be made again",
-    False,
-    result=True,
-    hidden=True,
-)
+SHOWN_BY_ERROR = result("Bool", "ShownByError", "Shown until its model can be made again", hidden=True)
 """The strips of a model are shown while the model cannot be made, so that something with an error is in sight."""
+
+REPORTS = result("StringList", "Reports", "What was found on the way")
 
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
@@ -63,7 +58,7 @@ TOLD = ("Reasons", "Reports", "Overlaps", "LeftOut")
 MOST_NAMES = 6  # in a line of the report view
 
 
-class Feature:
+class Feature(Unsaved):
     """Proxy of a feature; it keeps nothing, everything lives in the properties."""
 
     properties: tuple[Property, ...] = ()
@@ -178,15 +173,6 @@ class Feature:
         """The features that are out of sight because this one shows them."""
         return []
 
-    def dumps(self) -> None:
-        """Return None: a proxy has nothing to save."""
-
-    def loads(self, state: Any) -> None:
-        """Do nothing: a proxy has nothing to load."""
-
-    __getstate__ = dumps
-    __setstate__ = loads
-
 
 def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = ()) -> Any:
     """Add a new feature to the document, in the App::Part that all its sources share."""
@@ -206,7 +192,7 @@ def hide(obj: Any) -> None:
     What they stand for and is well comes into sight.
     """
     failed = _with_users(obj)
-    ours = [one for one in failed if isinstance(getattr(one, "Proxy", None), Feature)]
+    ours = [one for one in failed if is_ours(one)]
     for one in ours:
         if one.Visibility:
             one.HiddenByError = True
@@ -224,7 +210,7 @@ def give_up(document: Any) -> None:
     Nor does it ask what is ours, where a formula of it cannot be computed.
     """
     for source in filter(_failed_unasked, document.Objects):
-        ours = [one for one in _with_users(source) if isinstance(getattr(one, "Proxy", None), Feature)]
+        ours = [one for one in _with_users(source) if is_ours(one)]
         said = why_not_made(source)
         if any(one.Visibility for one in ours):  # else it was told
             names = ", ".join([one.Label for one in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES))
@@ -251,7 +237,7 @@ def _failed_unasked(obj: Any) -> bool:
 def hide_failed(source: Any) -> None:
     """Hide all features that follow a source and failed."""
     for one in source.InListRecursive:
-        if isinstance(getattr(one, "Proxy", None), Feature) and "Invalid" in one.State:
+        if is_ours(one) and "Invalid" in one.State:
             hide(one)
 
 
@@ -277,7 +263,7 @@ def _show_again(obj: Any) -> None:
 
 def _covering(part: Any) -> list[Any]:
     """What is in sight and stands for a feature."""
-    users = (one for one in part.InList if isinstance(getattr(one, "Proxy", None), Feature))
+    users = (one for one in part.InList if is_ours(one))
     return [one for one in users if one.Visibility and part in one.Proxy.covered(one)]
 
 
@@ -296,7 +282,7 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
     A feature that is inside now cannot hang on the container as well.
     """
     for obj in document.Objects:
-        if isinstance(getattr(obj, "Proxy", None), Feature) and CONTAINERS.name in obj.PropertiesList:
+        if is_ours(obj) and CONTAINERS.name in obj.PropertiesList:
             found = _containers(obj)
             changes = obj.Containers != found
             if changes:
@@ -309,7 +295,7 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
 def keep_sheets() -> None:
     """Update open documents after the user's sheets changed: choices, and what is made of a changed one."""
     for document in App.listDocuments().values():
-        ours = [obj for obj in document.Objects if isinstance(getattr(obj, "Proxy", None), Feature)]
+        ours = [obj for obj in document.Objects if is_ours(obj)]
         for obj in ours:
             obj.Proxy.keep_sheets(obj)
         if ours:
@@ -319,7 +305,7 @@ def keep_sheets() -> None:
 def keep_places(container: Any) -> None:
     """A container moved with a feature or its sources, not with both: it is not where they ask for any more."""
     for obj in container.Document.Objects:
-        ours = isinstance(getattr(obj, "Proxy", None), Feature) and CONTAINERS.name in obj.PropertiesList
+        ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)
         if ours and any(inside != (container in parents(one)) for one in _followed(obj)):
             obj.touch()
@@ -327,7 +313,7 @@ def keep_places(container: Any) -> None:
 
 def telling(obj: Any, name: str) -> list[Any]:
     """Return the object and the features made from it whose messages mention this name."""
-    ours = (one for one in (obj, *obj.InListRecursive) if isinstance(getattr(one, "Proxy", None), Feature))
+    ours = (one for one in (obj, *obj.InListRecursive) if is_ours(one))
     return [one for one in ours if any(name in words for words in _sentences(one))]
 
 

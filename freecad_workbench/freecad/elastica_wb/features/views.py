@@ -7,10 +7,11 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import view_providers
+from freecad.elastica_wb.host.lifetime import Unsaved
 from freecad.elastica_wb.host.resources import icon
 
 
-class _View:
+class _View(Unsaved):
     """What all views share; they keep nothing."""
 
     icon_name = "Elastica"
@@ -41,15 +42,6 @@ class _View:
     def getIcon(self) -> str:
         """Path of the icon."""
         return icon(self.icon_name)
-
-    def dumps(self) -> None:
-        """Nothing to save."""
-
-    def loads(self, state: Any) -> None:
-        """Nothing to load."""
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 class StripView(_View):

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Objects and documents that the user may have deleted or closed meanwhile; sensors that keep nothing alive."""
+"""Objects and documents that may be gone or not be ours, what files keep of proxies, sensors that keep nothing."""
 
 from collections.abc import Callable
 from typing import Any
 from weakref import WeakMethod
 
 import FreeCAD as App
+
+FEATURES = "freecad.elastica_wb.features."
 
 
 def lives(obj: Any) -> bool:
@@ -16,6 +18,11 @@ def lives(obj: Any) -> bool:
         return obj.Document is not None and obj in obj.Document.Objects
     except (ReferenceError, RuntimeError):
         return False
+
+
+def is_ours(obj: Any) -> bool:
+    """Is it a feature of this workbench? Asked without importing what makes them."""
+    return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)
 
 
 def document_lives(document: Any) -> bool:
@@ -40,3 +47,16 @@ def sensor(kind: Any, told: Callable[..., None]) -> Any:
             call()
 
     return kind(tell, None)
+
+
+class Unsaved:
+    """A proxy of an object or of a view provider, of which a file keeps the class alone."""
+
+    def dumps(self) -> None:
+        """Return None: there is nothing to save."""
+
+    def loads(self, state: Any) -> None:
+        """Do nothing: there is nothing to load."""
+
+    __getstate__ = dumps
+    __setstate__ = loads

@@ -20,7 +20,7 @@ OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change asks for no recompute; not
 
 @dataclass(frozen=True)
 class Property:
-    """One property of a feature; `default` is a value or, for enumerations, the list of choices.
+    """One property of a feature; `default` is a value other than FreeCAD's own, or the list of choices.
 
     An `example` of what is written into it is shown behind the help.
     """
@@ -47,6 +47,11 @@ class Property:
         return f"{told} {self.example}" if self.example else told
 
 
+def result(kind: str, name: str, help: str, **shown: bool) -> Property:
+    """The property in which a feature answers; `shown` says how, as of `Property`."""
+    return Property(kind, name, "Result", help, result=True, **shown)
+
+
 KINDS = {"number": "Float", "count": "Integer", "flag": "Bool", "text": "String", "choice": "Enumeration"}
 UNITS = {"mm": "Length", "rad": "Angle"}
 NOTHING = "none"
@@ -66,8 +71,7 @@ def declared_property(
     if kind.name == "choice":
         choices = [*([] if default is not None else [NOTHING]), *kind.choices]
         return Property(called, name, group, field.help, choices)
-    empty = {"String": "", "StringList": [], "FloatList": [], "Bool": False, "Integer": 0}.get(called, 0.0)
-    usual = default if isinstance(default, (bool, int, float, str)) else empty
+    usual = default if isinstance(default, (bool, int, float, str)) else None
     return Property(called, name, group, field.help, usual if given is None else given, example=example)
 
 

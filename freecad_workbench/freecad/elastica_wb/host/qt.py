@@ -4,6 +4,7 @@
 """Qt as this FreeCAD has it: 0.20's PySide has no QtWidgets of its own; and the widgets below its views."""
 
 import gc
+from collections.abc import Callable
 from typing import Any
 
 from PySide import QtCore, QtGui
@@ -13,7 +14,16 @@ try:
 except ImportError:
     from PySide2 import QtWidgets
 
-__all__ = ["EscapeKey", "QtCore", "QtGui", "QtWidgets", "kind_of", "surface_of"]
+__all__ = ["EscapeKey", "QtCore", "QtGui", "QtWidgets", "kind_of", "later", "surface_of"]
+
+
+def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
+    """A timer that does work once, `wait` ms after each start; what belongs to a `parent` ends with it."""
+    timer = QtCore.QTimer(parent)
+    timer.setSingleShot(True)
+    timer.setInterval(wait)
+    timer.timeout.connect(work)
+    return timer
 
 
 def surface_of(view: Any) -> Any | None:

@@ -19,6 +19,7 @@ from typing import Any
 
 import Part
 from FreeCAD import Base
+from freecad.elastica_wb.host.lifetime import is_ours
 from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
@@ -26,8 +27,6 @@ from elastica_cad.refusals import note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
 """What `execute` answers in words; anything else is a mistake of ours and shows where it was made."""
-
-FEATURES = "freecad.elastica_wb.features."
 
 LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
 """What FreeCAD says of a link whose file it does not find, or whose document was closed."""
@@ -127,11 +126,6 @@ def why_not_computed(obj: Any) -> str:
         "the formula of {property} cannot be computed ({reason}): mend it, or take it away",
         property=found[2], reason=reason,
     ))  # fmt: skip
-
-
-def is_ours(obj: Any) -> bool:
-    """Is it a feature of this workbench, which says itself why it cannot be made?"""
-    return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)
 
 
 def is_broken_link(obj: Any) -> bool:

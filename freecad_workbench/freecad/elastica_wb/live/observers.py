@@ -8,14 +8,13 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.lifetime import lives
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.lifetime import is_ours, lives
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.live.sketches import (
     AGAIN_MS,
     edited_sketch,
     followers,
     is_curve,
-    is_feature,
     is_model,
     is_nest,
     is_sketch,
@@ -38,9 +37,7 @@ class LaterResults:
         self._waiting: dict[tuple[str, str], Any] = {}
         self._sought: dict[tuple[str, str], Future[tuple[str, ...]]] = {}
         self._nests: dict[str, list[Any]] = {}
-        self._timer = QtCore.QTimer()
-        self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._next)
+        self._timer = later(self._next)
 
     def slotRecomputedObject(self, obj: Any) -> None:
         """Queue a strip or a model; work begins after the last object is recomputed."""
@@ -242,7 +239,7 @@ class Changes:
     def _after_undo(self, document: Any) -> None:
         changed = self._changed.get(document.Name, {})
         self._changed.clear()
-        ours = [obj for obj in document.Objects if is_feature(obj)] if changed else []
+        ours = [obj for obj in document.Objects if is_ours(obj)] if changed else []
         if ours:
             QtCore.QTimer.singleShot(0, lambda: recompute(_stale(ours, changed)))
         if _session() is not None:
@@ -256,7 +253,7 @@ class Changes:
             return
         self._pasted = []
         for name in dict.fromkeys(obj.Document.Name for obj in pasted):
-            recompute([obj for obj in pasted if obj.Document.Name == name and is_feature(obj)])
+            recompute([obj for obj in pasted if obj.Document.Name == name and is_ours(obj)])
 
     def _soon(self) -> None:
         if not self._pending:
@@ -300,7 +297,7 @@ def _renamed(obj: Any, old: str) -> None:
     """What is called after an object follows its name; sentences that speak of the old one are told anew."""
     module = _proxies()
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
-        for user in filter(is_feature, obj.InList):
+        for user in filter(is_ours, obj.InList):
             if user.Label.startswith(f"{old} "):
                 user.Label = f"{obj.Label}{user.Label[len(old) :]}"
     told = module.telling(obj, old) if module is not None and old not in ("", obj.Label) else []

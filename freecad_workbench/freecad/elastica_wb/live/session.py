@@ -4,7 +4,6 @@
 """Live feedback: while a sketch is open, its overlay follows every move of the mouse."""
 
 import time
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -16,7 +15,7 @@ from freecad.elastica_wb.features.strip_request import nearest_spec_of, spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.lifetime import sensor
 from freecad.elastica_wb.host.progress import begun
-from freecad.elastica_wb.host.qt import QtCore
+from freecad.elastica_wb.host.qt import later
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
@@ -73,10 +72,10 @@ class Session:
         self._sensor: Any = None
         self._node: Any = None
         self._dragged: Dragged | None = None
-        self._soon = _timer(self._follow, 0)
-        self._rest = _timer(self._finish, REST_MS)
+        self._soon = later(self._follow, 0)
+        self._rest = later(self._finish, REST_MS)
         self._asked: Any = None
-        self._answer = _timer(self._look, PEEK_MS)
+        self._answer = later(self._look, PEEK_MS)
         self._comb = _OwnComb()
         self.refresh()
 
@@ -298,11 +297,3 @@ def stop() -> None:
 def _tell_listeners(on: bool) -> None:
     for listener in sketches.listeners:
         listener(on)
-
-
-def _timer(work: Callable[[], None], wait: int) -> Any:
-    timer = QtCore.QTimer()
-    timer.setSingleShot(True)
-    timer.setInterval(wait)
-    timer.timeout.connect(work)
-    return timer

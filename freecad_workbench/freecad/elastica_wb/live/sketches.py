@@ -9,13 +9,12 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.lifetime import lives
+from freecad.elastica_wb.host.lifetime import FEATURES, lives
 from freecad.elastica_wb.host.qt import QtCore
 
 MEMORY = "ElasticaLive"
 """Property of a sketch that remembers whether it has the overlay."""
 
-FEATURES = "freecad.elastica_wb.features."
 STRIPS, CURVES, MODELS, NESTS = (f"{FEATURES}{name}" for name in ("strip", "curves", "model", "nest"))
 AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
 
@@ -89,8 +88,3 @@ def is_model(obj: Any) -> bool:
 def is_nest(obj: Any) -> bool:
     """Is this object a nest? Asked in the same way."""
     return type(getattr(obj, "Proxy", None)).__module__ == NESTS
-
-
-def is_feature(obj: Any) -> bool:
-    """Is this object one of ours, of whatever kind? Asked in the same way."""
-    return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)

@@ -10,7 +10,7 @@ from typing import Any
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.lifetime import sensor
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, surface_of
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.overlay import COLORS, PARTS
 from freecad.elastica_wb.live.verdict import Answer
@@ -57,9 +57,7 @@ class VerdictCard(QtCore.QObject):
         self._tall = self._corner = 0
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
-        self._soon = QtCore.QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self._place)
+        self._soon = later(self._place, LOOKED_MS, self)
         self._camera = sensor(coin.SoNodeSensor, self._looks_elsewhere)
 
     def show(self, answer: Answer, sentence: str, shown: Mapping[str, int]) -> None:
@@ -120,7 +118,7 @@ class VerdictCard(QtCore.QObject):
     def _looks_elsewhere(self) -> None:
         """The camera has moved; it may outlive the view, and so the timer."""
         with suppress(RuntimeError):
-            self._soon.start(LOOKED_MS)
+            self._soon.start()
 
     def _turn(self, *_: Any) -> None:
         preferences.put(FOLDED, not preferences.get(FOLDED))

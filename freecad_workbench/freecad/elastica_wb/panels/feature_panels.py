@@ -89,54 +89,35 @@ STRIP = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Strip"),
     "Elastica_Strip",
     "Edit strip",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Sheet and width"),
-            (
-                ("Sheet", QT_TRANSLATE_NOOP("Elastica", "Sheet")),
-                ("Thickness", QT_TRANSLATE_NOOP("Elastica", "Thickness")),
-                ("MaxWidth", QT_TRANSLATE_NOOP("Elastica", "Largest width")),
-                ("MinWidth", QT_TRANSLATE_NOOP("Elastica", "Least width")),
-                ("Smooth", QT_TRANSLATE_NOOP("Elastica", "Smooth the curve by")),
-            ),
+    {
+        QT_TRANSLATE_NOOP("Elastica", "Sheet and width"): (
+            "Sheet",
+            "Thickness",
+            "MaxWidth",
+            "MinWidth",
+            "Smooth",
         ),
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Style"),
-            (
-                ("Style", QT_TRANSLATE_NOOP("Elastica", "Style")),
-                ("OuterWidth", QT_TRANSLATE_NOOP("Elastica", "Outer width")),
-                ("Columns", QT_TRANSLATE_NOOP("Elastica", "Columns of holes")),
-                ("Rows", QT_TRANSLATE_NOOP("Elastica", "Rows of holes (0 = chosen)")),
-                ("Backing", QT_TRANSLATE_NOOP("Elastica", "Backing")),
-                ("Form", QT_TRANSLATE_NOOP("Elastica", "Shape shown")),
-            ),
+        QT_TRANSLATE_NOOP("Elastica", "Style"): ("Style", "OuterWidth", "Columns", "Rows", "Backing", "Form"),
+        QT_TRANSLATE_NOOP("Elastica", "Nearest curve"): (
+            "Follow",
+            "RatioLimit",
+            "MarginLimit",
+            "StrainLimit",
+            "KeepTangents",
+            "KeepLength",
         ),
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Nearest curve"),
-            (
-                ("Follow", QT_TRANSLATE_NOOP("Elastica", "Follow the curve")),
-                ("RatioLimit", QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio")),
-                ("MarginLimit", QT_TRANSLATE_NOOP("Elastica", "Least stability margin")),
-                ("StrainLimit", QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)")),
-                ("KeepTangents", QT_TRANSLATE_NOOP("Elastica", "Keep end tangents")),
-                ("KeepLength", QT_TRANSLATE_NOOP("Elastica", "Keep the length")),
-            ),
+        QT_TRANSLATE_NOOP("Elastica", "Ends and weight"): (
+            "StartSupport",
+            "EndSupport",
+            "Gravity",
+            "StartTab",
+            "EndTab",
+            "TabRadius",
+            "TabHole",
+            "EngravedText",
+            "Quantity",
         ),
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Ends and weight"),
-            (
-                ("StartSupport", QT_TRANSLATE_NOOP("Elastica", "Start is held")),
-                ("EndSupport", QT_TRANSLATE_NOOP("Elastica", "End is held")),
-                ("Gravity", QT_TRANSLATE_NOOP("Elastica", "Carries its weight")),
-                ("StartTab", QT_TRANSLATE_NOOP("Elastica", "Tab at the start")),
-                ("EndTab", QT_TRANSLATE_NOOP("Elastica", "Tab at the end")),
-                ("TabRadius", QT_TRANSLATE_NOOP("Elastica", "Rounding of tabs")),
-                ("TabHole", QT_TRANSLATE_NOOP("Elastica", "Hole in tabs")),
-                ("EngravedText", QT_TRANSLATE_NOOP("Elastica", "Engraved text")),
-                ("Quantity", QT_TRANSLATE_NOOP("Elastica", "Quantity")),
-            ),
-        ),
-    ),
+    },
     PROPERTIES,
     {
         "MaxWidth": _where("Style", "Plain"),
@@ -160,17 +141,7 @@ MODEL = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Model"),
     "Elastica_Interlock",
     "Edit model",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Slots"),
-            (
-                ("Interlock", QT_TRANSLATE_NOOP("Elastica", "Cut slots where strips cross")),
-                ("Clearance", QT_TRANSLATE_NOOP("Elastica", "Clearance")),
-                ("Fit", QT_TRANSLATE_NOOP("Elastica", "Width of slots")),
-                ("Relief", QT_TRANSLATE_NOOP("Elastica", "Inner ends of slots")),
-            ),
-        ),
-    ),
+    {QT_TRANSLATE_NOOP("Elastica", "Slots"): ("Interlock", "Clearance", "Fit", "Relief")},
     ModelFeature.properties,
     dict.fromkeys(("Clearance", "Fit", "Relief"), _where("Interlock", True)),
     told=lambda obj: ((translate("Elastica", "Joints"), str(obj.Joints), "Joints"),),
@@ -181,12 +152,7 @@ FLAT = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Flat part"),
     "Elastica_Flat",
     "Edit flat part",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Flat part"),
-            (("Layer", QT_TRANSLATE_NOOP("Elastica", "Layer")),),
-        ),
-    ),
+    {QT_TRANSLATE_NOOP("Elastica", "Flat part"): ("Layer",)},
     FlatFeature.properties,
     footnote=_flat_footnote,
 )
@@ -195,18 +161,7 @@ FIXTURES = Layout(
     QT_TRANSLATE_NOOP("Elastica", "End fixtures"),
     "Elastica_Fixtures",
     "Edit fixtures",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Printed blocks"),
-            (
-                ("Clearance", QT_TRANSLATE_NOOP("Elastica", "Clearance")),
-                ("Wall", QT_TRANSLATE_NOOP("Elastica", "Wall")),
-                ("Foot", QT_TRANSLATE_NOOP("Elastica", "Foot (0 = none)")),
-                ("FootHeight", QT_TRANSLATE_NOOP("Elastica", "Height of the foot")),
-                ("Screw", QT_TRANSLATE_NOOP("Elastica", "Screw holes (0 = none)")),
-            ),
-        ),
-    ),
+    {QT_TRANSLATE_NOOP("Elastica", "Printed blocks"): ("Clearance", "Wall", "Foot", "FootHeight", "Screw")},
     FixturesFeature.properties,
     {name: lambda obj: bool(obj.Foot.Value) for name in ("FootHeight", "Screw")},
 )
@@ -215,18 +170,7 @@ BASE_PLATE = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Base plate"),
     "Elastica_Fixtures",
     "Edit base plate",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Base plate"),
-            (
-                ("Sheet", QT_TRANSLATE_NOOP("Elastica", "Sheet")),
-                ("Play", QT_TRANSLATE_NOOP("Elastica", "Play beside tabs")),
-                ("Clearance", QT_TRANSLATE_NOOP("Elastica", "Clearance")),
-                ("Border", QT_TRANSLATE_NOOP("Elastica", "Border")),
-                ("Outline", QT_TRANSLATE_NOOP("Elastica", "Outline")),
-            ),
-        ),
-    ),
+    {QT_TRANSLATE_NOOP("Elastica", "Base plate"): ("Sheet", "Play", "Clearance", "Border", "Outline")},
     BasePlateFeature.properties,
 )
 
@@ -234,16 +178,7 @@ NEST = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Nest on sheets"),
     "Elastica_Nest",
     "Edit nest",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Sheets"),
-            (
-                ("SheetWidth", QT_TRANSLATE_NOOP("Elastica", "Sheet width")),
-                ("SheetHeight", QT_TRANSLATE_NOOP("Elastica", "Sheet height")),
-                ("Margin", QT_TRANSLATE_NOOP("Elastica", "Distance between parts")),
-            ),
-        ),
-    ),
+    {QT_TRANSLATE_NOOP("Elastica", "Sheets"): ("SheetWidth", "SheetHeight", "Margin")},
     NestFeature.properties,
     told=lambda obj: ((translate("Elastica", "Sheets"), str(obj.Sheets), "Sheets"),),
     footnote=lambda obj: "\n".join(obj.LeftOut),
@@ -253,28 +188,17 @@ NEAREST = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Nearest curve"),
     "Elastica_Nearest",
     "Nearest curve to sketch",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Limits"),
-            (
-                ("Sheet", QT_TRANSLATE_NOOP("Elastica", "Sheet")),
-                ("RatioLimit", QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio")),
-                ("LimitMargin", QT_TRANSLATE_NOOP("Elastica", "Must stay in its shape")),
-                ("MarginLimit", QT_TRANSLATE_NOOP("Elastica", "Least stability margin")),
-                ("LimitStrain", QT_TRANSLATE_NOOP("Elastica", "Must not break")),
-                ("StrainLimit", QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)")),
-            ),
+    {
+        QT_TRANSLATE_NOOP("Elastica", "Limits"): (
+            "Sheet",
+            "RatioLimit",
+            "LimitMargin",
+            "MarginLimit",
+            "LimitStrain",
+            "StrainLimit",
         ),
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Keep"),
-            (
-                ("KeepEnds", QT_TRANSLATE_NOOP("Elastica", "Keep the ends")),
-                ("KeepTangents", QT_TRANSLATE_NOOP("Elastica", "Keep end tangents")),
-                ("KeepLength", QT_TRANSLATE_NOOP("Elastica", "Keep the length")),
-                ("KeepSymmetry", QT_TRANSLATE_NOOP("Elastica", "Keep the symmetry")),
-            ),
-        ),
-    ),
+        QT_TRANSLATE_NOOP("Elastica", "Keep"): ("KeepEnds", "KeepTangents", "KeepLength", "KeepSymmetry"),
+    },
     NearestFeature.properties,
     {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
     "Curve",
@@ -292,28 +216,18 @@ SECTION = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Section into curves"),
     "Elastica_Section",
     "Section into curves",
-    (
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Planes"),
-            (
-                ("Family", QT_TRANSLATE_NOOP("Elastica", "Planes")),
-                ("Axis", QT_TRANSLATE_NOOP("Elastica", "Axis")),
-                ("Count", QT_TRANSLATE_NOOP("Elastica", "How many")),
-                ("ThroughX", QT_TRANSLATE_NOOP("Elastica", "Axis at x")),
-                ("ThroughY", QT_TRANSLATE_NOOP("Elastica", "Axis at y")),
-                ("ThroughZ", QT_TRANSLATE_NOOP("Elastica", "Axis at z")),
-                ("Sweep", QT_TRANSLATE_NOOP("Elastica", "Spread over")),
-            ),
+    {
+        QT_TRANSLATE_NOOP("Elastica", "Planes"): (
+            "Family",
+            "Axis",
+            "Count",
+            "ThroughX",
+            "ThroughY",
+            "ThroughZ",
+            "Sweep",
         ),
-        (
-            QT_TRANSLATE_NOOP("Elastica", "Curves"),
-            (
-                ("Closed", QT_TRANSLATE_NOOP("Elastica", "Closed lines")),
-                ("Tolerance", QT_TRANSLATE_NOOP("Elastica", "Tolerance")),
-                ("Waves", QT_TRANSLATE_NOOP("Elastica", "Smooth waves below")),
-            ),
-        ),
-    ),
+        QT_TRANSLATE_NOOP("Elastica", "Curves"): ("Closed", "Tolerance", "Waves"),
+    },
     SectionFeature.properties,
     {
         "Axis": _where("Family", *FAMILIES[:2]),

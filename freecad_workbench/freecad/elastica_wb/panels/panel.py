@@ -10,7 +10,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.lifetime import document_lives, lives
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, translate
 from freecad.elastica_wb.host.words import worded
@@ -47,10 +47,7 @@ class Panel:
         self.form.message.setTextFormat(QtCore.Qt.PlainText)  # a label may look like HTML
         self.form.setWindowIcon(_qicon(self.icon_name))
         self.document = document
-        self._timer = QtCore.QTimer(self.form)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(PAUSE_MS)
-        self._timer.timeout.connect(self._safely_changed)
+        self._timer = later(self._safely_changed, PAUSE_MS, self.form)
         # what was done before without a step of its own, in the console say, is no part of this one
         if self.step and not (document.HasPendingTransaction and App.getActiveTransaction()):
             record_step(document, self.step)
@@ -150,14 +147,9 @@ class Panel:
             self._timer.stop()
             self._safely_changed()
 
-    @staticmethod
-    def is_there(subject: Any) -> bool:
-        """Is an object still in its document?"""
-        return lives(subject)
-
     def _all_there(self) -> None:
         """Raises where the user deleted what the panel works on."""
-        if not all(map(self.is_there, self.subjects)):
+        if not all(map(lives, self.subjects)):
             raise InputError(translate("Elastica", "what this panel works on was deleted: press Cancel"))
 
     def _safely_changed(self) -> None:

@@ -12,11 +12,13 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.sketch_curves import is_edge, is_sketch, linked, picked
 from freecad.elastica_wb.features.strip import could_follow_another
+from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.property_table import Property
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import report_error, worded
+from freecad.elastica_wb.panels.labels import LABELS
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import (
     field_for,
@@ -40,8 +42,8 @@ class Layout:
     Attributes
     ----------
     title, icon_name, step : str
-    groups : tuple of (title, rows)
-        A row is the name of a property and its label.
+    groups : mapping
+        From the title of a group to the properties in it.
     table : tuple of Property
         Says what the properties mean.
     applies : mapping
@@ -59,7 +61,7 @@ class Layout:
     title: str
     icon_name: str
     step: str
-    groups: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    groups: Mapping[str, tuple[str, ...]]
     table: tuple[Property, ...]
     applies: Mapping[str, Callable[[Any], bool]] = field(default_factory=dict)
     source: str = ""
@@ -89,10 +91,7 @@ class PropertyPanel(Panel):
         super().__init__(obj.Document, self.objects)
         for name, widget in self.fields.items():
             on_change(widget, lambda *_, name=name: self._touch(name))
-        self._refresh = QtCore.QTimer(self.form)
-        self._refresh.setSingleShot(True)
-        self._refresh.setInterval(0)
-        self._refresh.timeout.connect(self._show)
+        self._refresh = later(self._show, parent=self.form)
         App.addDocumentObserver(self)
         self._show()
 
@@ -122,12 +121,13 @@ class PropertyPanel(Panel):
             button.clicked.connect(lambda *_, work=work: self._replace(work))
             outer.addWidget(button)
         helps = {entry.name: entry.translated_help for entry in self.layout.table}
-        for title, rows in self.layout.groups:
+        for title, names in self.layout.groups.items():
             box = QtWidgets.QGroupBox(translate("Elastica", title))
             grid = QtWidgets.QFormLayout(box)
             grid.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-            for name, words in rows:
-                widget, label = field_for(self.object, name), QtWidgets.QLabel(translate("Elastica", words))
+            for name in names:
+                label = QtWidgets.QLabel(translate("Elastica", LABELS[name]))
+                widget = field_for(self.object, name)
                 for part in (widget, label):
                     part.setToolTip(helps[name])
                 grid.addRow(label, widget)
@@ -263,7 +263,7 @@ class PropertyPanel(Panel):
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
     def _lives(self) -> bool:
-        return all(self.is_there(subject) for subject in self.subjects)
+        return all(map(lives, self.subjects))
 
     def _use_nearest(self, *_: Any) -> None:
         for obj in self.objects:

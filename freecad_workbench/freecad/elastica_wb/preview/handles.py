@@ -10,7 +10,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from freecad.elastica_wb.host.qt import QtCore, kind_of, surface_of
+from freecad.elastica_wb.host.qt import QtCore, kind_of, later, surface_of
 from pivy import coin
 
 from elastica_cad._types import ArrayLike, FloatArray
@@ -48,9 +48,7 @@ class Preview:
             (np.zeros((0, 2)) if frame is None else frame, self._frame),
         ):
             coordinates, shape = line
-            rows = np.column_stack([points, np.zeros(len(points))])
-            coordinates.point.setNum(len(rows))
-            coordinates.point.setValues(0, len(rows), rows.tolist())
+            rows = _put(coordinates, np.column_stack([points, np.zeros(len(points))]))
             shape.numVertices.setValues(0, 1, [len(rows)])
 
     def show_strip(self, middle: FloatArray, width: FloatArray) -> None:
@@ -98,8 +96,7 @@ class _Ribbon:
 
     def set(self, middle: FloatArray, width: FloatArray) -> None:
         rows = np.concatenate([np.column_stack([middle, side * width / 2]) for side in (-1.0, 1.0)])
-        self._points.point.setNum(len(rows))
-        self._points.point.setValues(0, len(rows), rows.tolist())
+        _put(self._points, rows)
         self._mesh.verticesPerRow, self._mesh.verticesPerColumn = len(middle), 2
 
 
@@ -128,10 +125,7 @@ class Handles:
         self._view, self._placement, self._moved, self._let_go = view, placement, moved, released
         self._scene = view.getSceneGraph()
         self._held: int | None = None
-        self._soon = QtCore.QTimer()
-        self._soon.setSingleShot(True)
-        self._soon.setInterval(0)
-        self._soon.timeout.connect(self._tell)
+        self._soon = later(self._tell)
         self.root = coin.SoSeparator()
         self.root.setName("ElasticaHandles")
         light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
@@ -149,9 +143,7 @@ class Handles:
     def put(self, places: ArrayLike) -> None:
         """Move the handles to other places (n, 2), mm."""
         self.places: FloatArray = np.array(places, dtype=float)
-        rows = np.column_stack([self.places, np.zeros(len(self.places))])
-        self._points.point.setNum(len(rows))
-        self._points.point.setValues(0, len(rows), rows.tolist())
+        _put(self._points, np.column_stack([self.places, np.zeros(len(self.places))]))
 
     @property
     def is_held(self) -> bool:
@@ -216,6 +208,13 @@ class Handles:
         if abs(way[2]) <= EDGE_ON_SINE * np.linalg.norm(way):
             return None
         return np.asarray((start - way * (start[2] / way[2]))[:2])
+
+
+def _put(coordinates: Any, rows: FloatArray) -> FloatArray:
+    """Replace the points (n, 3) of a node, and return them."""
+    coordinates.point.setNum(len(rows))
+    coordinates.point.setValues(0, len(rows), rows.tolist())
+    return rows
 
 
 def plane_node(placement: Any) -> Any:

@@ -3,15 +3,11 @@
 
 """From what a user asks for to a strip: solved once for equal requests, whoever asks."""
 
-from collections import OrderedDict
-from collections.abc import Callable, Hashable
 from contextlib import suppress
 from dataclasses import replace
-from functools import wraps
-from threading import Lock
-from typing import Any, TypeVar
+from functools import lru_cache
+from typing import Any
 
-import FreeCAD as App
 import numpy as np
 import Part
 from freecad.elastica_wb.curves.sketch_curves import MOST_DRAGGED
@@ -35,42 +31,8 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 from elastica_cad.refusals import Length, note
 
-LEAST = 64  # answers that are kept whatever is open
-PER_OBJECT = 2  # answers for each object of the documents: the present one and the one before, for undo
-
-Answer = TypeVar("Answer")
-
-
-def growing_cache(work: Callable[..., Answer]) -> Callable[..., Answer]:
-    """Remember answers by their arguments; the oldest go first. Failures are not remembered."""
-    kept: OrderedDict[Hashable, Any] = OrderedDict()
-    most = LEAST
-    lock = Lock()  # panels ask from threads of their own
-
-    @wraps(work)
-    def ask(*arguments: Any) -> Answer:
-        with lock:
-            if arguments in kept:
-                kept.move_to_end(arguments)
-                return kept[arguments]
-        answer = work(*arguments)
-        nonlocal most
-        with lock:
-            kept[arguments] = answer
-            if len(kept) > most:  # a long list of objects takes long to get: not for every answer
-                room = _room()
-                most = room + LEAST
-                while len(kept) > room:
-                    kept.popitem(last=False)
-        return answer
-
-    return ask
-
-
-def _room() -> int:
-    """How many answers the open documents have use for."""
-    return max(LEAST, PER_OBJECT * sum(len(one.Objects) for one in App.listDocuments().values()))
-
+remembered = lru_cache(maxsize=256)
+"""Answers by their arguments: for each of a hundred strips the present one and the one before, for undo."""
 
 STEPS, FINER = 641, 21
 
@@ -124,7 +86,7 @@ def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
     return in_background(SEARCHING, find_nearest_now, asked)
 
 
-@growing_cache
+@remembered
 def find_nearest_now(asked: RodSpec) -> NearestRod:
     """Find the nearest rod as `find_nearest_to_draw` does, but in a thread and without a progress bar.
 
@@ -159,7 +121,7 @@ def find_nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
     return in_background(SEARCHING, _nearest_to_drag, asked)
 
 
-@growing_cache
+@remembered
 def _nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
     nearest = find_nearest_now(asked)
     if not nearest.met or len(nearest.curve.control_points) <= MOST_DRAGGED:
@@ -210,7 +172,7 @@ def judged(rod: Rod) -> Stability | None:
         return None
 
 
-@growing_cache
+@remembered
 def held_shape(strip: Strip) -> HeldShape | None:
     """The shape that it takes as it is made, its ends held as designed; None where that is nowhere near."""
     try:
@@ -219,7 +181,7 @@ def held_shape(strip: Strip) -> HeldShape | None:
         return None
 
 
-@growing_cache
+@remembered
 def bent_shape(strip: Strip) -> Part.Shape:
     """Return the bent strip, its curve in the xy plane; of a laminate both layers."""
     # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
@@ -233,7 +195,7 @@ def bent_shape(strip: Strip) -> Part.Shape:
     return solids[0] if len(solids) == 1 else Part.Compound(solids)
 
 
-@growing_cache
+@remembered
 def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
     layers = BentSolid.layers(strip)
     for layer in layers:
@@ -242,7 +204,7 @@ def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
     return layers
 
 
-@growing_cache
+@remembered
 def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     """Return one layer of the strip as cut, lying on the xy plane."""
     records = FlatSolid.layers(strip)
@@ -252,13 +214,13 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     return make_solid(replace(record, frame=Frame()) if layer else record)
 
 
-@growing_cache
+@remembered
 def _found(asked: RodSpec) -> Any:
     """A rod, or the nearest one where the curve may change."""
     return asked.solve()
 
 
-@growing_cache
+@remembered
 def _strip(spec: StripSpec) -> Strip:
     try:
         return spec.make(_found(spec.rod_spec))
@@ -267,4 +229,4 @@ def _strip(spec: StripSpec) -> Strip:
         raise
 
 
-_stability = growing_cache(stability)
+_stability = remembered(stability)

@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, surface_of
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.overlay import COLORS
@@ -61,10 +61,7 @@ class LengthCard(QtCore.QObject):
         layout.addWidget(self.words)
         self.frame.setStyleSheet(STYLE)
         calm(self.frame)
-        self._pause = QtCore.QTimer(self.frame)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(PAUSE_MS)
-        self._pause.timeout.connect(lambda: lengthened(value_of(self.length)))
+        self._pause = later(lambda: lengthened(value_of(self.length)), PAUSE_MS, self.frame)
         on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
         # a button must not be deleted while it is pressed
