@@ -105,6 +105,20 @@ def numbers(values: object, what: str) -> FloatArray:
     return array
 
 
+def pair(value: object, what: str) -> FloatArray:
+    """Two finite numbers, such as the coordinates of a point or a range, (2,).
+
+    Raises
+    ------
+    InputError
+        `what` names the value.
+    """
+    found = None if value is None else as_floats(value)
+    if found is None or found.shape != (2,) or not np.isfinite(found).all():
+        raise InputError("{what} must be two finite numbers, not {given}", what=what, given=quoted(value))
+    return found
+
+
 def three(values: object, what: str) -> FloatArray:
     """Three finite numbers (3,); refuses anything else."""
     row = None if values is None else as_floats(values)

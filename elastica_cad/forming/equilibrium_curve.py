@@ -24,7 +24,7 @@ from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.rod.rod_record import DEFAULT_SAMPLES
-from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
+from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness, RodRequest
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
@@ -85,7 +85,7 @@ class EquilibriumCurve:
             raise InputError(
                 "the curve is straight, so a strip of one width takes it: there is nothing to change"
             )
-        balance = balance_without_weight(check, supports, 0.0)
+        balance = balance_without_weight(RodRequest(check, supports))
         dense = balance.panels.dense_places(_PARTS)
         extremes = balance.stiffness.extreme_places
         panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))

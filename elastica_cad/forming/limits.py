@@ -3,15 +3,17 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from numbers import Real
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias, cast
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_one_of, is_series, require_positive
+from elastica_cad._values import is_number, is_one_of, is_series, numbers, pair, require_positive
 from elastica_cad.declared import Asked
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads.arguments import require_ratio
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.refusals import note
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
@@ -43,8 +45,8 @@ class HalfPlane:
 
     def __post_init__(self) -> None:
         point, normal = (
-            _pair("point of a half plane", self.point),
-            _pair("normal of a half plane", self.normal),
+            pair(self.point, "point of a half plane"),
+            pair(self.normal, "normal of a half plane"),
         )
         size = float(np.hypot(*normal))
         if size == 0:
@@ -72,7 +74,7 @@ class Box:
     upper: Annotated[tuple[float, float], Asked("Corner of largest x and y.", "mm")]
 
     def __post_init__(self) -> None:
-        lower, upper = _pair("lower corner of a box", self.lower), _pair("upper corner of a box", self.upper)
+        lower, upper = pair(self.lower, "lower corner of a box"), pair(self.upper, "upper corner of a box")
         if np.any(lower >= upper):
             raise InputError(
                 "box corners {given} and {tolist_2}: the first must be lower left",
@@ -203,12 +205,8 @@ class Limits:
             raise InputError(
                 'limit sheet={sheet!r}: give a Sheet record, such as Sheet.named("pom-1")', sheet=self.sheet
             )
-        if self.ratio is not None and not (is_number(self.ratio) and self.ratio >= 1):
-            raise InputError(
-                "the ratio limit is {ratio}: the largest stiffness over the least cannot be below 1; plain strips "
-                "allow 2 to 4",
-                ratio=self.ratio,
-            )
+        if self.ratio is not None:
+            require_ratio(self.ratio, note("the ratio limit"))
         if self.margin is not None and not is_number(self.margin):
             raise InputError(
                 "limit margin={margin} must be a number; 0 is the border of stability, try 5",
@@ -224,7 +222,7 @@ class Limits:
             value = getattr(self, name)
             if value is None:
                 continue
-            low, high = _pair(f"limit {name}", value)
+            low, high = pair(value, f"limit {name}")
             if not 0 < low <= high:
                 raise InputError(
                     "limit {name}={given!r} must be a range (least, largest) of positive mm",
@@ -340,13 +338,13 @@ class Keep:
                 "keep symmetry={symmetry!r}: use 'mirror', 'turn' (a half turn) or None",
                 symmetry=self.symmetry,
             )
-        points = np.atleast_1d(_numbers("keep points", self.points))
+        points = np.atleast_1d(numbers(self.points, "keep points"))
         if points.ndim != 1 or not np.all(np.isfinite(points)):
             raise InputError("keep points= takes arc lengths on the drawn curve, mm")
         object.__setattr__(self, "points", tuple(float(s) for s in points))
         if self.line is None or isinstance(self.line, bool):
             return
-        line = _numbers("keep line", self.line)
+        line = numbers(self.line, "keep line")
         if line.shape != (2, 2) or not np.all(np.isfinite(line)) or np.all(line[0] == line[1]):
             raise InputError("keep line= takes True, or two different points ((x, y), (x, y)) in mm")
         object.__setattr__(self, "line", tuple((float(x), float(y)) for x, y in line))
@@ -354,27 +352,21 @@ class Keep:
     @property
     def both_ends(self) -> tuple[bool, bool]:
         """Whether the start and the end keep their positions."""
-        return _both(self.ends)
+        return cast(tuple[bool, bool], self.ends)
 
     @property
     def both_tangents(self) -> tuple[bool, bool]:
         """Whether the start and the end keep their tangents."""
-        return _both(self.tangents)
+        return cast(tuple[bool, bool], self.tangents)
 
 
-def _both(value: bool | tuple[bool, bool]) -> tuple[bool, bool]:
-    return (value, value) if isinstance(value, bool) else value
-
-
-def _pair(what: str, value: ArrayLike) -> FloatArray:
-    pair = _numbers(what, value)
-    if pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise InputError("{what} must be two finite numbers, not {given!r}", what=what, given=value)
-    return pair
-
-
-def _numbers(what: str, value: ArrayLike) -> FloatArray:
-    try:
-        return np.asarray(value, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError("{what} must be numbers, not {given}", what=what, given=quoted(value)) from None
+def require_limits(limits: object, keep: object) -> None:
+    """Refuse what is neither None nor a record of limits, or of what is kept."""
+    for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
+        if not (value is None or isinstance(value, record)):
+            raise InputError(
+                "{name} is {given!r}: give a {name_2} record, or None",
+                name=name,
+                given=value,
+                name_2=record.__name__,
+            )

@@ -8,7 +8,7 @@ from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError, NotMetError
 from elastica_cad.forming.fairing_request import Smoothing, check_smooth, smooth_curve
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.limits import Keep, Limits, require_limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -103,15 +103,7 @@ class RodSpec(EqualByValue):
         require_natural_curvature(self.natural_curvature)
         if self.samples is not None:
             whole_number(self.samples, "samples", 3)
-        for name, record in (("limits", Limits), ("keep", Keep)):
-            value = getattr(self, name)
-            if not (value is None or isinstance(value, record)):
-                raise InputError(
-                    "{name} is {given!r}: give a {name_2} record, or None",
-                    name=name,
-                    given=value,
-                    name_2=record.__name__,
-                )
+        require_limits(self.limits, self.keep)
         self._require_agreement()
 
     def _require_agreement(self) -> None:

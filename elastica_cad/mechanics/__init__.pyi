@@ -8,9 +8,7 @@ from elastica_cad.mechanics.loads.rest_curvature import RestCurvature as RestCur
 from elastica_cad.mechanics.loads.supports import End as End, Supports as Supports
 from elastica_cad.mechanics.loads.weight import PointMass as PointMass, Weight as Weight
 from elastica_cad.mechanics.material.anticlastic import (
-    AnticlasticWidths as AnticlasticWidths,
     anticlastic_factor as anticlastic_factor,
-    anticlastic_widths as anticlastic_widths,
 )
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection as LaminatedSection
 from elastica_cad.mechanics.material.plain_section import (

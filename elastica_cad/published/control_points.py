@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._values import is_whole
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve, collinear
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
@@ -290,6 +291,8 @@ def move_within(
     NotRealizable
         No strip can take the curve that this starts from, even once its inflections are on one line.
     """
+    if not (is_whole(max_steps) and max_steps >= 1):
+        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
     state = _started(curve, constraints)
     changes = CurveChanges(state, constraints)
     radius, settled, iterations = _RADIUS, False, 0

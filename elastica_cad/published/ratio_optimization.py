@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from elastica_cad._values import is_whole
-from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
@@ -96,8 +94,6 @@ def optimize_ratio(
     """
     require_ratio(target, "target ratio")
     require_curve(curve)
-    if not (is_whole(max_steps) and max_steps >= 1):
-        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
     route = move_within(curve, Bounds(float(target)), constraints, max_steps=max_steps)
     if route.within:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from elastica_cad._values import is_number, is_whole
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -114,8 +114,6 @@ def recover_stability(
             "margin is {margin!r}: it must be a number; 0 is the border of stability, try 5", margin=margin
         )
     require_curve(curve)
-    if not (is_whole(max_steps) and max_steps >= 1):
-        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
     route = move_within(curve, Bounds(float(R_max), float(margin)), constraints, max_steps=max_steps)
     state = route.state

@@ -15,7 +15,7 @@ import pytest
 
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.nearest.rod_map import spline_basis
+from elastica_cad.forming.nearest.rod_map import StiffnessBasis
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 RATIO, NODES, COEFFICIENTS = 2.5, 201, 20
@@ -66,7 +66,9 @@ def program(curve):
     )
     edge, moment = casadi.SX.sym("h"), casadi.SX.sym("M")
     x, y = (casadi.vertcat(0, casadi.cumsum(edge * part(angle))) for part in (casadi.cos, casadi.sin))
-    stiffness = casadi.mtimes(casadi.DM(spline_basis(np.linspace(0, 1, NODES), COEFFICIENTS)), coefficients)
+    stiffness = casadi.mtimes(
+        casadi.DM(StiffnessBasis(COEFFICIENTS).at(np.linspace(0, 1, NODES))), coefficients
+    )
     bend = (angle[1:] - angle[:-1]) / edge
     balance = stiffness[1:-1] * bend - (moment + force[0] * y - force[1] * x)[1:-1]
     weight = np.full(NODES, 1 / (NODES - 1))

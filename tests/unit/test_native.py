@@ -9,7 +9,7 @@ import pytest
 
 from elastica_cad import _native
 from elastica_cad.forming.nearest import rod_map
-from elastica_cad.forming.nearest.rod_map import spline_basis
+from elastica_cad.forming.nearest.rod_map import StiffnessBasis
 from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.rod import discrete_rod
@@ -77,7 +77,7 @@ def test_shooting_that_winds_up(both):
 def test_shapes(both, seed):
     rng, *_ = bent(seed)
     e = rng.normal(size=2) * 4 * (seed % 2)
-    grid = rod_map.StripGrid(spline_basis(np.linspace(0, 1, 201), 20), e)
+    grid = rod_map.StripGrid(StiffnessBasis(20).at(np.linspace(0, 1, 201)), e)
     z = np.concatenate([rng.uniform(1, 3, 20), [2.0, *rng.normal(size=2) * 5, 0.1, 0.2, 0.3, 1.1]])
 
     def shape():
@@ -115,7 +115,7 @@ def test_sensitivities(both, seed, closing):
     e = np.zeros(2) if seed % 3 == 0 else rng.normal(size=2) * 4
     law = (lambda K: (np.sqrt(K), 0.5 / np.sqrt(K))) if seed % 3 == 2 else None
     grid = rod_map.StripGrid(
-        spline_basis(np.linspace(0, 1, 201), 20), e, 0.3 * rng.normal(size=201), weight=law
+        StiffnessBasis(20).at(np.linspace(0, 1, 201)), e, 0.3 * rng.normal(size=201), weight=law
     )
     z = np.concatenate([rng.uniform(1, 3, 20), [2.0, *rng.normal(size=2) * 5, 0.1, 0.2, 0.3, 1.1]])
     rod = grid.shoot(z)

@@ -335,7 +335,7 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
         ),
         (lambda: meridian(1, (0, 0), (5, 0), 1, -10), "has a length"),
         (lambda: meridian(1, (0, np.nan), (5, 0), 1, 10), "finite"),
-        (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two numbers each"),
+        (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two finite numbers"),
         (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "ring=7"),
         (
             lambda: meridian(1e9, (1e9, 1e9), (50, 0), 1, 100),

@@ -215,7 +215,7 @@ class Curl:
         return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
 
 
-def _curl_factor(rod: Rod, layout: Layout, *, everywhere: bool = False) -> BendFactor | None:
+def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
     """How the stiffness of a strip's nodes follows their bend, about its design or however it is bent; None where
     that changes nothing or a section knows its own.
 
@@ -224,8 +224,7 @@ def _curl_factor(rod: Rod, layout: Layout, *, everywhere: bool = False) -> BendF
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
-        made = LaminateCurl.everywhere if everywhere else LaminateCurl.about
-        return made(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
+        return LaminateCurl.of(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
     nu = layout.sheet.poisson_ratio
     if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
         return None
@@ -253,7 +252,7 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     sheet = layout.section is None and layout.sheet.poisson_known
     if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
         return rod
-    factor = _curl_factor(rod, layout, everywhere=True)
+    factor = _curl_factor(rod, layout)
     if factor is None:
         return rod
     designed = factor(rod.curvature) if corrected else np.ones(rod.s.size)

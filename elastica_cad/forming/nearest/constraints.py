@@ -172,16 +172,16 @@ class Through(Constraint):
         nearest = int(window[np.argmin((off**2).sum(axis=1))])
         first = int(np.clip(nearest - 1, 0, n - 3))
         nodes = slice(first, first + 4)
-        x, y = (position[nodes] - np.asarray(self.target)).T.tolist()
+        off = position[nodes] - np.asarray(self.target)
         u = float(nearest - first)
-        share, slope = _lagrange(u)
-        for _ in range(8):  # plain floats: arrays of four would cost fifty times as much
-            along, across = _summed(slope, x), _summed(slope, y)
-            u -= (along * _summed(share, x) + across * _summed(share, y)) / (along * along + across * across)
+        for _ in range(8):
+            share, slope = _cubic_shares(u)
+            along = slope @ off
+            u -= float(along @ (share @ off) / (along @ along))
             u = min(max(u, -0.5 if first == 0 else 0.0), 3.0)
-            share, slope = _lagrange(u)
-        along, across = _summed(slope, x), _summed(slope, y)
-        return np.array(share), nodes, np.array([-across, along]) / hypot(along, across)
+        share, slope = _cubic_shares(u)
+        x, y = slope @ off
+        return share, nodes, np.array([-y, x]) / hypot(x, y)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -277,21 +277,13 @@ def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
     return sorted(nodes), sorted(edges)
 
 
-def _lagrange(u: float) -> tuple[list[float], list[float]]:
-    """Shares of the nodes 0, 1, 2, 3 in their cubic's value at u, and in its slope."""
-    a, b, c, d = u, u - 1, u - 2, u - 3
-    share = [-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6]
-    slope = [
-        -(b * c + b * d + c * d) / 6, (a * c + a * d + c * d) / 2,
-        -(a * b + a * d + b * d) / 2, (a * b + a * c + b * c) / 6,
-    ]  # fmt: skip
-    return share, slope
+_CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
+"""Coefficients of the cubic through values at 0, 1, 2, 3."""
 
 
-def _summed(factors: list[float], values: list[float]) -> float:
-    a, b, c, d = factors
-    x, y, z, w = values
-    return a * x + b * y + c * z + d * w
+def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
+    """Shares (4,) of the nodes 0, 1, 2, 3 in their cubic's value at u, and in its slope."""
+    return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
@@ -411,10 +403,16 @@ class LargestSection(Constraint):
         more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
         by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
         by_stiffness = -by_moment * rod.moments / K - (1 + _ROOM + values) / K
-        rows = by_moment[near, None] * sensitivities.moments[near]
-        basis = sensitivities.grid.basis[near]
-        rows[:, sensitivities.grid.unknowns.stiffness] += by_stiffness[near, None] * basis
-        return near, rows
+        return near, _nodal_rows(sensitivities, near, by_moment, by_stiffness)
+
+
+def _nodal_rows(
+    sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
+) -> FloatArray:
+    """Rows (j, p) of values that depend on M and K of their own node, from their derivatives (n+1,) by these."""
+    grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
+    rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
+    return np.asarray(rows)
 
 
 def _bend(rod: MappedRod, size: float) -> FloatArray:
@@ -423,61 +421,55 @@ def _bend(rod: MappedRod, size: float) -> FloatArray:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CurvatureLimit(Constraint):
-    """|M / K| at most `limit`, node by node."""
+class BendLimit(Constraint):
+    """The bend |M / K| of every node at most what it bears."""
 
-    limit: float
-    name: str = "curvature"
     one_sided: bool = True
     price: float = 1.0
 
+    @abstractmethod
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """The share (n+1,) of what a node of K (n+1,) bears that a bend of 1 takes."""
+
     def values(self, rod: MappedRod) -> FloatArray:
-        """1 - |M / K| / limit, (n+1,)."""
-        return np.asarray(1 - np.abs(rod.moments / rod.stiffness) / self.limit)
+        """1 - bend / limit, (n+1,)."""
+        return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The nodes that are bent most."""
         rod = sensitivities.rod
         values = self.values(rod)
         near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
-        K, M = rod.stiffness[near, None], rod.moments[near, None]
-        rows = -np.sign(M) / K * sensitivities.moments[near] / self.limit
-        rows[:, sensitivities.grid.unknowns.stiffness] += (
-            np.abs(M) / K**2 * sensitivities.grid.basis[near] / self.limit
-        )
-        return near, rows
+        K, M = rod.stiffness, rod.moments
+        share = self.share(K)
+        slope = (self.share(K * (1 + _STEP)) - self.share(K * (1 - _STEP))) / (2 * _STEP * K)
+        by_stiffness = np.abs(M) * (share / K - slope) / K
+        return near, _nodal_rows(sensitivities, near, -np.sign(M) * share / K, by_stiffness)
 
 
 @dataclass(frozen=True, kw_only=True)
-class StrainLimit(Constraint):
+class CurvatureLimit(BendLimit):
+    """|M / K| at most `limit`, node by node."""
+
+    limit: float
+    name: str = "curvature"
+
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """See `BendLimit`; the same of every section."""
+        return np.full(stiffness.shape, 1 / self.limit)
+
+
+@dataclass(frozen=True, kw_only=True)
+class StrainLimit(BendLimit):
     """The strain of every node at most its limit, whatever the section is there."""
 
     section: SectionScale
     strain: float | None
     size: float
     name: str = "strain"
-    one_sided: bool = True
-    price: float = 1.0
 
-    def values(self, rod: MappedRod) -> FloatArray:
-        """1 - strain / limit, (n+1,)."""
-        return np.asarray(1 - self._share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
-
-    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The nodes that are strained most."""
-        rod = sensitivities.rod
-        values = self.values(rod)
-        near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
-        K, M = rod.stiffness, rod.moments
-        share = self._share(K)
-        slope = (self._share(K * (1 + _STEP)) - self._share(K * (1 - _STEP))) / (2 * _STEP * K)
-        by_moment, by_stiffness = -np.sign(M) * share / K, np.abs(M) * (share / K - slope) / K
-        rows = by_moment[near, None] * sensitivities.moments[near]
-        basis = sensitivities.grid.basis[near]
-        rows[:, sensitivities.grid.unknowns.stiffness] += by_stiffness[near, None] * basis
-        return near, rows
-
-    def _share(self, stiffness: FloatArray) -> FloatArray:
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """See `BendLimit`."""
         return self.section.strain(stiffness, self.strain) / self.size
 
 

@@ -174,11 +174,7 @@ class MeanDistance:
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Gauss-Newton: J^T W J and J^T W r."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
-        return _least_squares(J, (rod.position - self.targets).ravel(), self._shares_of_coordinates)
-
-    @cached_property
-    def _shares_of_coordinates(self) -> FloatArray:
-        return np.repeat(self.shares, 2)
+        return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,13 +1,13 @@
 """A rod's rest shape as a spline of degree 4 with few control points, for further editing."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending.bend_forward import bend, has_snapped
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
 
@@ -22,15 +22,10 @@ _FIRST_SPANS, _MOST_SPANS = 24, 240  # few control points are tried first, as th
 _SHORTEST_SPAN = 1e-3  # span, in lengths: shorter ones fit rounding
 _SAME_LENGTHS = 1e-6  # an inflection as near an end is the end's own
 _PARDONED = 2.0  # tolerances, accepted where finer spans do not help
-_RESISTANCES = (1e-9, 1e-6, 1e-3, np.inf)  # against moving coefficients of the stiffness, tried in turn
-_GROWN = 1e-4  # of the ratio, the most that giving way may cost
-_NEWTON_STEPS = 15  # at most: where coefficients of the stiffness resist, steps die out slowly
-# Steps leave imbalance of the order of their squares; what resists makes them die out slowly along idle unknowns.
-_SETTLED_RAD, _STILL_RAD = 2e-7, 2e-6  # of the last step: aimed at, and accepted
 _FINER = 4  # the continuous rod is extrapolated from 4 and 8 times as many edges
 
 
-def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) -> PlaneCurve:
+def editable_curve(rod: Rod) -> PlaneCurve:
     """The spline of degree 4 that the continuous rod with the stiffness of a discrete one takes.
 
     The discrete rod of n edges is off the continuous one by O(1/n^2), which the curvature near inflections would
@@ -42,8 +37,6 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
     ----------
     rod : Rod
         In balance.
-    tangents : (bool, bool)
-        Whether the start and the end keep the discrete rod's tangent exactly.
 
     Raises
     ------
@@ -52,7 +45,7 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
     """
     if np.abs(rod.curvature).max() * rod.length < STRAIGHT_RAD:
         return PlaneCurve.line(rod.position[0], rod.position[-1], degree=DEGREE)
-    shape = _continuous(rod, tangents)
+    shape = _continuous(rod)
     edges = np.linspace(0, float(shape.s[-1]), _FIRST_SPANS + 1)
     least, best = np.inf, None
     while edges.size <= _MOST_SPANS and np.diff(edges).min() > _SHORTEST_SPAN:
@@ -73,7 +66,7 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
     return _in_millimetres(best, rod)
 
 
-def coarse_curve(rod: Rod, spans: int, *, tangents: tuple[bool, bool] = (False, False)) -> PlaneCurve:
+def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
     """As `editable_curve`, with `spans` even spans: beside the rod, with inflections on one line all the same.
 
     What the rod keeps within its limits the curve may not: ask again.
@@ -83,7 +76,7 @@ def coarse_curve(rod: Rod, spans: int, *, tangents: tuple[bool, bool] = (False, 
     NotConvergedError
         The continuous rod was not reached, or as few spans cannot meet its inflections.
     """
-    shape = _continuous(rod, tangents)
+    shape = _continuous(rod)
     try:
         return _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), spans + 1)), rod)
     except np.linalg.LinAlgError as error:
@@ -142,137 +135,30 @@ class _Shape:
         return np.asarray(make_interp_spline(self.s, self.curvature, k=5)(s, nu=1))
 
 
-def _continuous(rod: Rod, tangents: tuple[bool, bool]) -> _Shape:
-    """The continuous rod nearest to the discrete one with the same ends (and tangents, where asked).
+def _continuous(rod: Rod) -> _Shape:
+    """The continuous rod with the stiffness, the ends and the clamps of a discrete one.
 
     It is extrapolated from the rods with 4 and 8 times as many edges, whose error is a series in 1/n^2.
     """
-    for stiff in _RESISTANCES:
-        a = _Refinement(rod, _FINER, tangents, stiff).solved()
-        b = None if a is None else _Refinement(rod, 2 * _FINER, tangents, stiff).solved()
-        if a is None or b is None:
-            continue
-        shape = _extrapolated(a, b, rod)
-        if shape.stiffness.max() <= (1 + _GROWN) * rod.ratio * shape.stiffness.min():
-            return shape
-    raise NotConvergedError(
-        "the continuous rod does not reach the ends of the discrete one: it is about to snap; use more samples"
+    plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
+    a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
+    if has_snapped(a) or has_snapped(b):
+        raise NotConvergedError(
+            "the continuous rod does not reach the ends of the discrete one: it is about to snap; use more samples"
+        )
+    position, angle, curvature, K = (
+        (4 * getattr(b, name)[::2] - getattr(a, name)) / 3
+        for name in ("position", "angle", "curvature", "stiffness")
     )
-
-
-@dataclass(frozen=True, eq=False)
-class _Refinement:
-    """The rod with `factor` times as many edges that is nearest to a discrete one, in lengths of that."""
-
-    rod: Rod
-    factor: int
-    tangents: tuple[bool, bool]
-    stiff: float
-
-    def solved(self) -> MappedRod | None:
-        """Newton's method with angles and moments as unknowns of their own; None without convergence."""
-        rod, size, k = self.rod, self.rod.length, self.factor
-        grid = self._grid()
-        u = grid.unknowns
-        z = np.zeros(u.count)
-        z[u.stiffness] = rod.profile.coefficients
-        z[u.moment], z[u.force] = rod.moment[0] * size, rod.force[0] * size**2
-        z[u.angle], z[u.length] = rod.angle[0], 1.0
-        s = np.linspace(0, 1, grid.edges + 1)
-        nodes = np.linspace(0, 1, rod.s.size)
-        edges = np.concatenate([[0.0], (s[:-1] + s[1:]) / 2, [1.0]])
-        angles, moments = np.interp(edges, nodes, rod.angle), np.interp(s, nodes, rod.moment * size)
-        target = (rod.position - rod.position[0]) / size
-        free = self._free(grid)
-        resist = np.where(free < u.moment, min(self.stiff, 1.0), 1e-14)
-        for _ in range(_NEWTON_STEPS):
-            now = grid.assemble(z, angles, moments)
-            d = grid.sensitivities(now, closing=True)
-            gap, C = self._ends(now, d, target)
-            J = d.position[::k].reshape(-1, u.count + 1)
-            off = (now.position[::k] - target).ravel() + J[:, -1]
-            J = J[:, free]
-            scale = np.sqrt((J**2).sum(axis=0))
-            J, C = J / scale, C[:, free] / scale
-            system = np.block([[J.T @ J + np.diag(resist), C.T], [C, np.zeros((gap.size, gap.size))]])
-            change = np.zeros(u.count + 1)
-            change[-1] = 1.0
-            change[free] = np.linalg.solve(system, np.concatenate([-J.T @ off, -gap]))[: free.size] / scale
-            z, turn = z + change[:-1], d.angles @ change
-            angles, moments = angles + turn, moments + d.moments @ change
-            size_of_step = float(np.abs(turn).max())
-            if not size_of_step < 10:
-                return None
-            if size_of_step < _SETTLED_RAD:
-                break
-        return grid.assemble(z, angles, moments) if size_of_step < _STILL_RAD else None
-
-    def _free(self, grid: StripGrid) -> IntArray:
-        """Unknowns that may move: coefficients of K that touch neither extreme give way a little."""
-        u, rod = grid.unknowns, self.rod
-        start = rod.supports.ends[0]
-        fixed = [u.position.start, u.position.start + 1]
-        fixed += [u.angle] if self.tangents[0] else []
-        fixed += [] if start.angle else [u.moment]
-        fixed += [u.force.start + axis for axis, held in enumerate((start.x, start.y)) if not held]
-        c = rod.profile.coefficients
-        room = 1e-3 * np.ptp(c) if np.isfinite(self.stiff) else np.inf
-        fixed += np.flatnonzero((c <= c.min() + room) | (c >= c.max() - room)).tolist()
-        return np.setdiff1d(np.arange(u.count), fixed)
-
-    def _ends(self, now: MappedRod, d: Sensitivities, target: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Equations at the end: values (k,) that must be 0, and their derivatives (k, p + 1)."""
-        gaps, rows = [now.position[-1] - target[-1]], [d.position[-1]]
-        if self.tangents[1]:
-            gaps.append(now.all_angles[-1:] - self.rod.angle[-1])
-            rows.append(d.angles[-1:])
-        if not self.rod.supports.ends[1].angle:
-            gaps.append(now.moments[-1:])
-            rows.append(d.moments[-1:])
-        C = np.concatenate(rows)
-        return np.concatenate(gaps) + C[:, -1], C[:, :-1]
-
-    def _grid(self) -> StripGrid:
-        from scipy.interpolate import BSpline
-
-        rod, profile = self.rod, self.rod.profile
-        x = np.linspace(0, 1, (rod.s.size - 1) * self.factor + 1)
-        basis = BSpline.design_matrix(x, profile.knots / profile.length, profile.degree).toarray()
-        kappa_0 = np.asarray(rod.natural_curvature, dtype=float) * rod.length
-        if kappa_0.ndim:
-            kappa_0 = np.interp(x, np.linspace(0, 1, kappa_0.size), kappa_0)
-        e = np.zeros(2) if rod.gravity is None else rod.gravity.e * rod.length**3
-        if rod.gravity is None or rod.weight is None:
-            return StripGrid(np.asarray(basis), e, kappa_0)
-        over = rod.length**3 / (rod.bending_stiffness or 1.0)
-        alpha, beta = (over * part for part in rod.weight.along(x * rod.length))
-        up = -np.asarray(rod.gravity.direction)
-        return StripGrid(np.asarray(basis), up, kappa_0, weight=lambda K: (alpha + beta * K, beta))
-
-
-def _extrapolated(a: MappedRod, b: MappedRod, rod: Rod) -> _Shape:
-    """Richardson's extrapolation from a rod and one with twice as many edges."""
-    position = (4 * b.position[::2] - a.position) / 3
-    moment = (4 * b.moments[::2] - a.moments) / 3
-    angle = (4 * _nodal(b)[::2] - _nodal(a)) / 3
-    K = (4 * b.stiffness[::2] - a.stiffness) / 3
-    s = np.linspace(0, (4 * b.length - a.length) / 3, K.size)
-    kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float) * rod.length, rod.s.shape)
-    kappa_0 = np.interp(s / s[-1], rod.s / rod.length, kappa_0)
-    kappa = moment / K + kappa_0
-    bends, (start, end) = _zeros(s, moment / K), rod.supports.ends
+    s, size = np.linspace(0, 1, K.size), rod.length
+    kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    kappa_0 = np.interp(s, rod.s / size, kappa_0)
+    bends, (start, end) = _zeros(s, curvature - kappa_0), rod.supports.ends
     # the zero of an end that is free to turn is counted once, at that end
-    bends = bends[
-        (start.angle | (bends > _SAME_LENGTHS * s[-1])) & (end.angle | (bends < (1 - _SAME_LENGTHS) * s[-1]))
-    ]
+    bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
-    return _Shape(s, position, angle, kappa, K, kappa_0, bends, rod.length)
-
-
-def _nodal(rod: MappedRod) -> FloatArray:
-    """Angles at the nodes: the ends', and the mean of the two edges that meet."""
-    inner = (rod.angles[:-1] + rod.angles[1:]) / 2
-    return np.concatenate([rod.all_angles[:1], inner, rod.all_angles[-1:]])
+    position = (position - position[0]) / size
+    return _Shape(s, position, angle, curvature * size, K, kappa_0 * size, bends, size)
 
 
 def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:

@@ -173,7 +173,7 @@ class NearestRod:
         section = self.rod.section
         if section is not None and section.stack is not None:  # its curvature goes in steps
             return self.rod.curve
-        return editable_curve(self.rod, tangents=self.keep.both_tangents)
+        return editable_curve(self.rod)
 
     def relaxed(self, limits: Limits | None = None, keep: Keep | None = None) -> "NearestRod":
         """The answer for the same curve with other limits, or other things kept, and all else as asked.

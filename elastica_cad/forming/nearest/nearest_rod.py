@@ -109,64 +109,34 @@ SETTINGS = SearchSettings()
 
 
 def _find_rod(
-    curve: PlaneCurve,
-    limits: Limits | None,
-    keep: Keep | None,
-    section: BoundedLaw | None,
-    *,
-    gravity: Gravity | None,
-    supports: Supports | None,
-    weights: Weights,
-    measure: Measure,
-    samples: int,
-    coefficients: int | None,
-    natural_curvature: NaturalCurvature,
-    again: Callable[..., NearestRod],
-    start: NearestRod | None = None,
-    grown: bool = True,
+    task: NearestTask, measure: Measure, again: Callable[..., NearestRod], start: NearestRod | None = None
 ) -> NearestRod:
-    """Find the nearest rod for sections of any size; `again` repeats the request within other limits.
-
-    With `grown`, sizes without weight are as large as the limits allow.
-    """
+    """Find the nearest rod for sections of any size; `again` repeats the request within other limits."""
     if not (start is None or isinstance(start, NearestRod)):
         raise InputError(
             "start is {start!r}: give the record that nearest_rod gave for a like curve, or None", start=start
         )
-    task = NearestTask.of(
-        curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
-    )
-    task = task if grown else replace(task, grows=False)
     found = _search(task.without_followed_margin, measure, None if start is None else start.ended)
     smaller = task.in_smaller_sections
     if smaller is not None and (found.best.violation > MET or found.off > SETTINGS.followed):
         other, steps = _search(smaller, measure), found.steps
         found = min(found, other, key=lambda search: _rank(search.best))._replace(steps=steps + other.steps)
     found = _rescaled(found, measure, task.limits.margin)
-    if found.task.section is not task.section:
-        task = replace(task, section=found.task.section)
+    task = replace(task, section=found.task.section)
     problem, outcome, target = found.problem, found.best, task.target
-
-    def rod_of(point: MappedRod) -> Rod:
-        return task.grown(point).rod_of(point)
-
     deviation = measure_deviation(target, outcome.point.position) * target.size
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
     return NearestRod(
-        found=rod_of(outcome.point), target=curve, deviation=deviation,
+        found=task.rod_of(outcome.point), target=task.curve, deviation=deviation,
         status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
         mean_deviation=found.task.off(outcome.point) * target.size,
         binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation,
         iterations=found.steps, limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
-        ties=tuple(rod_of(tie.point) for tie in found.ties),
+        ties=tuple(task.rod_of(tie.point) for tie in found.ties),
         ended=found.ended,
         advise=advise,
-        again=partial(
-            again, curve, gravity=gravity, supports=supports, weights=task.weights, measure=measure,
-            samples=task.nodes, coefficients=task.coefficients, section=section,
-            natural_curvature=natural_curvature,
-        ),
+        again=partial(again, weights=task.weights),
     )  # fmt: skip
 
 
@@ -386,15 +356,9 @@ _WHOLE = 1e-9  # of a leaf: more than rounding
 
 
 def _find_leaves(
-    curve: PlaneCurve,
-    limits: Limits,
-    keep: Keep,
-    law: LeavesLaw,
-    *,
-    gravity: Gravity | None,
-    again: Callable[..., NearestRod],
-    **asked: Any,
-) -> NearestRod:
+    again: Callable[..., NearestRod], curve: PlaneCurve, limits: Limits, keep: Keep, law: LeavesLaw,
+    measure: Measure, asked: dict[str, Any],
+) -> NearestRod:  # fmt: skip
     """A stack of glued leaves near the nearest taper; where a step breaks a limit, that of a stricter taper."""
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
@@ -405,14 +369,15 @@ def _find_leaves(
     fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
     law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
     laid, steps = None, 0
-    taper = _taper_on_curve(curve, limits, gravity, law, asked)
+    taper = _taper_on_curve(curve, limits, law, asked)
     if taper is not None:
         laid = lay_leaves(taper, law, tangents=keep.both_tangents)
     strict = limits
     for _ in range(_STRICTER):
         if laid is not None and not _broken_by(laid, limits):
             break
-        near = _find_rod(curve, strict, keep, law.relaxed, gravity=gravity, again=again, grown=False, **asked)
+        task = NearestTask.of(curve, strict, keep, law.relaxed, **asked)
+        near = _find_rod(replace(task, grows=False), measure, again)
         steps += near.iterations
         laid = lay_leaves(near.rod, law, tangents=keep.both_tangents)
         strict = _stricter(strict, _broken_by(laid, limits))
@@ -428,19 +393,17 @@ def _find_leaves(
         found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
         status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
         binding=broken, violation=missed, iterations=steps, limits=limits, keep=keep,
-        measure=asked["measure"], distance=mean, advise=advise,
-        again=partial(again, curve, gravity=gravity, section=law, **asked),
+        measure=measure, distance=mean, advise=advise, again=partial(again, section=law),
     )  # fmt: skip
 
 
-def _taper_on_curve(
-    curve: PlaneCurve, limits: Limits, gravity: Gravity | None, law: LeavesLaw, asked: dict[str, Any]
-) -> Rod | None:
+def _taper_on_curve(curve: PlaneCurve, limits: Limits, law: LeavesLaw, asked: dict[str, Any]) -> Rod | None:
     """The taper that rests in the curve itself, as thick as the stack may be, where there is one."""
     if limits.length is not None and not limits.length[0] <= curve.length <= limits.length[1]:
         return None
     try:
-        return optimal_rod(curve, gravity, asked["supports"], asked["natural_curvature"], section=law.relaxed)
+        names = "gravity", "supports", "natural_curvature"
+        return optimal_rod(curve, section=law.relaxed, **{name: asked[name] for name in names})
     except ElasticaError:
         return None
 
@@ -560,13 +523,14 @@ def nearest_rod(
     (True, 1.5)
     """
     asked: dict[str, Any] = {
-        "gravity": gravity, "supports": supports, "weights": weights, "measure": measure, "samples": samples,
-        "coefficients": coefficients, "natural_curvature": natural_curvature, "again": nearest_rod,
+        "gravity": gravity, "supports": supports, "weights": weights, "samples": samples,
+        "coefficients": coefficients, "natural_curvature": natural_curvature,
     }  # fmt: skip
+    again = partial(nearest_rod, curve, section=section, measure=measure, **asked)
     if isinstance(section, LeavesLaw):
-        return _find_leaves(curve, limits or Limits(), keep or Keep(), section, **asked)
+        return _find_leaves(again, curve, limits or Limits(), keep or Keep(), section, measure, asked)
     try:
-        return _find_rod(curve, limits, keep, section, start=start, **asked)
+        return _find_rod(NearestTask.of(curve, limits, keep, section, **asked), measure, again, start)
     except NotConvergedError as error:
         if gravity is None or curve.length < _UNBEARABLE * gravity.length:
             raise

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_one_of, numbers
 from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.limits import Keep, Limits, require_limits
 from elastica_cad.forming.nearest.curve_distance import (
     ClosestDistance,
     Distance,
@@ -95,9 +95,9 @@ class NearestTask:
 
     @classmethod
     def of(
-        cls, curve: PlaneCurve, limits: Limits | None, keep: Keep | None, gravity: Gravity | None,
-        supports: Supports | None, weights: Weights, samples: int, coefficients: int | None,
-        section: BoundedLaw | None = None, natural_curvature: NaturalCurvature = 0.0,
+        cls, curve: PlaneCurve, limits: Limits | None, keep: Keep | None, section: BoundedLaw | None, *,
+        gravity: Gravity | None, supports: Supports | None, weights: Weights, samples: int,
+        coefficients: int | None, natural_curvature: NaturalCurvature,
     ) -> "NearestTask":  # fmt: skip
         """Checked input of `nearest_rod`.
 
@@ -110,14 +110,7 @@ class NearestTask:
         require_gravity(gravity)
         require_natural_curvature(natural_curvature)
         supports = require_supports(supports)
-        for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
-            if not (value is None or isinstance(value, record)):
-                raise InputError(
-                    "{name} is {given!r}: give a {name_2} record, or None",
-                    name=name,
-                    given=value,
-                    name_2=record.__name__,
-                )
+        require_limits(limits, keep)
         if not (section is None or hasattr(section, "bent")):
             raise InputError(
                 "section is {section!r}: give a law of sections, such as ThicknessLaw, or None",
@@ -237,25 +230,20 @@ class NearestTask:
         section = self.section.bearing(bent, self.limits)
         return None if section is None else replace(self, section=section)
 
-    def grown(self, mapped: MappedRod) -> "NearestTask":
-        """The task with sizes as large as the limits let a rod be that was found without weight."""
-        if self.section is None or not self.is_light:
-            return self
-        bend = mapped.moments / mapped.stiffness / self.target.size
-        return replace(self, section=self.section.grown(mapped.stiffness, bend, self.limits))
-
     @property
     def rest(self) -> float | FloatArray:
         """kappa_0, or that of a blank (nodes,), in the target's units; the blank is stretched to the rod."""
         return _nodal_rest(self.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
-        """The rod in millimetres, least stiffness 1."""
-        size = self.target.size
+        """The rod in millimetres, least stiffness 1; a light one in sections as large as the limits let it be."""
+        size, section = self.target.size, self.section
+        if section is not None and self.is_light:
+            section = section.grown(mapped.stiffness, mapped.moments / mapped.stiffness / size, self.limits)
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        if self.gravity is None and self.section is None:  # no weight to be asked of a record
+        if self.gravity is None and section is None:  # no weight to be asked of a record
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
             rest = nodal_curvature(self.natural_curvature, s)
@@ -264,8 +252,8 @@ class NearestTask:
             length, profile, samples=self.nodes, gravity=self.gravity, supports=self.supports,
             natural_curvature=self.natural_curvature,
         )  # fmt: skip
-        if self.section is not None:
-            blank = self.section.carried_by(blank, mapped.stiffness)
+        if section is not None:
+            blank = section.carried_by(blank, mapped.stiffness)
         state = self._state_of(mapped, blank.stiffness, blank.natural_curvature, blank.nodal_load)
         return state.rod(blank)
 

@@ -5,7 +5,7 @@ Everything here is in lengths of the target curve, not in millimetres.
 
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any, NamedTuple, Self, TypeAlias, cast
 
 import numpy as np
@@ -47,21 +47,7 @@ class StiffnessBasis:
 
     def at(self, s: FloatArray) -> FloatArray:
         """Values of the functions, or of their pairs, at s (n,) in 0..1."""
-        return self._paired(spline_basis(s, self.count))
-
-    def at_nodes(self, nodes: int) -> FloatArray:
-        """Values at so many places at equal distances, both ends included."""
-        return self._paired(_nodal_basis(nodes, self.count))
-
-    def coefficients(self, z: FloatArray) -> FloatArray:
-        """The coefficient (count,) of every function, from unknowns that begin with those that are free."""
-        m = self.count
-        if not self.mirrored:
-            return z[:m].copy()
-        half = (m + 1) // 2
-        return np.concatenate([z[:half], z[: m // 2][::-1]])
-
-    def _paired(self, basis: FloatArray) -> FloatArray:
+        basis = bezier_spans(self.knots, 3).basis(np.clip(s, 0, 1))
         if not self.mirrored:
             return basis
         half = (self.count + 1) // 2
@@ -70,17 +56,13 @@ class StiffnessBasis:
             mirror[:, -1] = 0
         return np.asarray(basis[:, :half] + mirror)
 
-
-def spline_basis(x: FloatArray, count: int) -> FloatArray:
-    """Values (n, count) of the cubic B-splines with uniform clamped knots at x (n,) in 0..1."""
-    return bezier_spans(StiffnessBasis(count).knots, 3).basis(np.clip(x, 0, 1))
-
-
-@lru_cache(maxsize=16)
-def _nodal_basis(nodes: int, count: int) -> FloatArray:
-    basis = spline_basis(np.linspace(0, 1, nodes), count)
-    basis.flags.writeable = False
-    return basis
+    def coefficients(self, z: FloatArray) -> FloatArray:
+        """The coefficient (count,) of every function, from unknowns that begin with those that are free."""
+        m = self.count
+        if not self.mirrored:
+            return z[:m].copy()
+        half = (m + 1) // 2
+        return np.concatenate([z[:half], z[: m // 2][::-1]])
 
 
 SAME_SCALE = 1e-5

@@ -7,7 +7,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import MET, Symmetry
 from elastica_cad.forming.nearest.constraints import (
@@ -28,7 +28,7 @@ from elastica_cad.forming.nearest.constraints import (
     StrainLimit,
     Through,
 )
-from elastica_cad.forming.nearest.curve_distance import Distance, symmetry_frame
+from elastica_cad.forming.nearest.curve_distance import Distance, even_steps, symmetry_frame
 from elastica_cad.forming.nearest.nearest_record import Binding
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, SearchPoint, values_along
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, StripGrid
@@ -71,7 +71,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     def rows(self, point: MappedRod, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
         """The unknowns of a rod in balance with these values, and its constraints around it."""
-        return point.z, _stack_rows(self.constraints, self.grid.sensitivities(point), values)
+        return point.z, self._stacked(self.grid.sensitivities(point), values)
 
     def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
         """A rod with its derivatives; None where it winds up, or reacts to its unknowns, too much for numbers."""
@@ -81,7 +81,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         if not np.abs(sensitivities.angles).max() < _TOO_SENSITIVE:
             return None
         return Linearization(
-            point, point.z, _stack_rows(self.constraints, sensitivities),
+            point, point.z, self._stacked(sensitivities),
             self.distance.model(point, sensitivities), sensitivities.angles,
             partial(self._moved, sensitivities),
         )  # fmt: skip
@@ -127,34 +127,25 @@ class RodProblem(NonlinearProgram[MappedRod]):
         lower[unknowns] = upper[unknowns] = np.clip(value, lower[unknowns], upper[unknowns])
         return replace(self, lower=lower, upper=upper)
 
-
-def _stack_rows(
-    constraints: Sequence[Constraint],
-    sensitivities: Sensitivities,
-    values: Sequence[FloatArray] | None = None,
-) -> ConstraintRows:
-    """Rows of all constraints that matter near a rod; values once it is closed where there is a closing column."""
-    p = sensitivities.rod.z.size
-    if not constraints:
-        none, empty = np.zeros(0), np.zeros(0, dtype=int)
-        return ConstraintRows(empty, empty, none, np.zeros((0, p)), none, none > 0)
-    indices: list[IntArray] = []
-    heights: list[FloatArray] = []
-    slopes: list[FloatArray] = []
-    for k, constraint in enumerate(constraints):
-        value = constraint.values(sensitivities.rod) if values is None else values[k]
-        index, jacobian = constraint.rows(sensitivities)
-        indices.append(index)
-        heights.append(value[index])
-        slopes.append(jacobian)
-    at, jacobian = np.concatenate(heights), np.concatenate(slopes)
-    if jacobian.shape[1] > p:
-        at, jacobian = at + jacobian[:, p], jacobian[:, :p]
-    counts = [index.size for index in indices]
-    number = np.repeat(np.arange(len(constraints)), counts)
-    price = np.array([one.price for one in constraints], dtype=float)[number]
-    one_sided = np.array([one.one_sided for one in constraints], dtype=bool)[number]
-    return ConstraintRows(number, np.concatenate(indices), at, jacobian, price, one_sided)
+    def _stacked(
+        self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
+    ) -> ConstraintRows:
+        """Rows of all constraints that matter near a rod; with a closing column, their values once it is closed."""
+        p = sensitivities.rod.z.size
+        if not self.constraints:
+            none, empty = np.zeros(0), np.zeros(0, dtype=int)
+            return ConstraintRows(empty, empty, none, np.zeros((0, p)), none, none > 0)
+        values = self.values(sensitivities.rod) if values is None else values
+        rows = [constraint.rows(sensitivities) for constraint in self.constraints]
+        jacobian = np.concatenate([slopes for _, slopes in rows])
+        at = np.concatenate([value[index] for value, (index, _) in zip(values, rows, strict=True)])
+        if jacobian.shape[1] > p:
+            at, jacobian = at + jacobian[:, p], jacobian[:, :p]
+        number = np.repeat(np.arange(len(rows)), [index.size for index, _ in rows])
+        return ConstraintRows(
+            number, np.concatenate([index for index, _ in rows]), at, jacobian, self.highest_prices[number],
+            self.one_sided[number],
+        )  # fmt: skip
 
 
 _SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
@@ -186,27 +177,25 @@ class Search(NamedTuple):
         )
 
 
-def pose_problem(
-    task: NearestTask, measure: Measure, *, weight: float = 1.0, with_margin: bool = True
-) -> RodProblem:
-    """The problem with a share `weight` of gravity."""
-    grid = _grid(task, weight)
+def pose_problem(task: NearestTask, measure: Measure) -> RodProblem:
+    """The request as a nonlinear program."""
+    grid = _grid(task)
     lower, upper = _box(task, grid)
     return RodProblem(
         lower, upper, _scale(task, grid), grid=grid, distance=task.distance(measure),
-        constraints=tuple(_constraints(task, with_margin)),
+        constraints=tuple(_constraints(task)),
     )  # fmt: skip
 
 
-def _grid(task: NearestTask, weight: float = 1.0) -> StripGrid:
-    """The nodes, with a share `weight` of gravity."""
-    basis = task.basis.at_nodes(task.nodes)
+def _grid(task: NearestTask) -> StripGrid:
+    """The nodes, with the weight that they carry."""
+    basis = task.basis.at(even_steps(task.nodes))
     rest = task.rest
     if task.gravity is None:
         return StripGrid(basis, np.zeros(2), rest, supports=task.supports)
     if task.section is None:
-        return StripGrid(basis, task.gravity.e * task.target.size**3 * weight, rest, supports=task.supports)
-    up = -weight * np.asarray(task.gravity.direction)
+        return StripGrid(basis, task.gravity.e * task.target.size**3, rest, supports=task.supports)
+    up = -np.asarray(task.gravity.direction)
     carried = partial(task.section.weight, size=task.target.size)
     return StripGrid(basis, up, rest, supports=task.supports, weight=carried)
 
@@ -286,7 +275,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
+def _constraints(task: NearestTask) -> list[Constraint]:
     target, limits, keep = task.target, task.limits, task.keep
     end = task.supports.ends[1]
     found: list[Constraint] = []
@@ -329,7 +318,7 @@ def _constraints(task: NearestTask, with_margin: bool) -> list[Constraint]:
     ]
     if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
         found.append(LeastStiffness())
-    if with_margin and limits.margin is not None:
+    if limits.margin is not None:
         found += _margin_limits(task, limits.margin)
     return found
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, pair, require_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import distances
@@ -693,14 +693,5 @@ def _refuse_winding(p: FloatArray) -> None:
 
 
 def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: float) -> FloatArray:
-    try:
-        b, start = np.asarray(b, dtype=float), np.asarray(start, dtype=float)
-        a, angle, length = float(a), float(angle), float(length)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError("a meridian is made of numbers: a, angle and length, b and start") from None
-    if b.shape != (2,) or start.shape != (2,):
-        raise InputError("a meridian needs b and start as two numbers each")
-    numbers = np.array([a, *b, *start, angle, length])
-    if not np.all(np.isfinite(numbers)):
-        raise InputError("the numbers of a meridian must be finite: {given}", given=numbers.tolist())
-    return numbers
+    rows = [a], pair(b, "b of a meridian"), pair(start, "start of a meridian"), [angle, length]
+    return np.array([require_number(number, "a number of a meridian") for row in rows for number in row])

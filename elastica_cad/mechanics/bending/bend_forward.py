@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, is_one_of, require_flag
+from elastica_cad._values import as_floats, is_one_of, pair, require_flag
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending.newton_continuation import (
     Reached,
@@ -251,7 +251,8 @@ def system_of(
     system = RodSystem(
         stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1), load=rod.nodal_load,
         natural_curvature=rod.natural_curvature, supports=rod.supports,
-        start=_pair(start, present.position[0], "start"), end=_pair(end, present.position[-1], "end"),
+        start=present.position[0].copy() if start is None else pair(start, "start"),
+        end=present.position[-1].copy() if end is None else pair(end, "end"),
         end_angles=_end_angles(angles, rod.supports, present), force=_end_force(force, rod.supports,
         present), moments=_end_moments(moment, rod.supports, present), law=rod.bending_law,
     )  # fmt: skip
@@ -322,15 +323,6 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
     return system.state(edges, np.asarray(reactions, dtype=float))
 
 
-def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
-    if value is None:
-        return np.array(own)
-    pair = as_floats(value)
-    if pair is None or pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise InputError("{name} must be two finite numbers, mm, got {given!r}", name=name, given=value)
-    return pair
-
-
 def _end_angles(
     angles: "tuple[float | None, float | None] | ArrayLike | None", supports: Supports, present: Rod
 ) -> FloatArray:
@@ -357,8 +349,8 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     """Dead force at the ends that are free along x and along y."""
     both = np.array(supports.transmits_force)
     if force is not None:
-        pair = _pair(force, np.zeros(2), "force")
-        given = np.where(np.abs(pair) <= ROUNDED_SHARE * np.hypot(*pair), 0.0, pair)
+        given = pair(force, "force")
+        given = np.where(np.abs(given) <= ROUNDED_SHARE * np.hypot(*given), 0.0, given)
         if np.any(both & (given != 0)):
             axis = "xy"[int(np.argmax(both & (given != 0)))]
             raise InputError(

@@ -19,15 +19,13 @@ from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length, note
 
-SPANS = 90  # of the drawn spline: a strip of even width then comes out even to 5e-4, its length to 1e-9
-DEGREE = 5  # of the drawn spline
 OFF_PLANE = 1e-6  # mm: how far points may lie off the plane of the curve
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
     1.3,
 )  # of force * length^2 / stiffness: a free strip buckles at 2.5
-SAMPLES = 10 * SPANS + 1  # nodes: their places are wrong by the square of their distance, 1e-6 of the length
+SAMPLES = 901  # nodes: their places are wrong by the square of their distance, 1e-6 of the length
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +50,7 @@ class ElasticaBetween:
     @property
     def curve(self) -> PlaneCurve:
         """The shape as a smooth spline of degree 5, with as much curvature as the rod has moment."""
-        return _smooth_curve(self.rod)
+        return self.rod.curve
 
     @property
     def inflections(self) -> int:
@@ -224,25 +222,6 @@ def _load_shares(load: float) -> list[float]:
         steps.append(grown)
         grown *= LOAD_GROWTH
     return [float(step) / load for step in steps] + [1.0]
-
-
-def _smooth_curve(rod: Rod) -> PlaneCurve:
-    """The spline through places to which a fine and a coarse rod lead, whose errors are as four to one.
-
-    Where an end is free to turn its curvature is zero: the first three control points lie on a line.
-    """
-    from scipy.interpolate import make_interp_spline
-
-    fine, coarse = (bend(rod, samples=10 * SPANS // every + 1).position for every in (1, 2))
-    places = (4 * fine[::10] - coarse[::5]) / 3
-    spline = make_interp_spline(np.linspace(0.0, rod.length, SPANS + 1), places, k=DEGREE)
-    knots, points = np.array(spline.t), np.array(spline.c)
-    for end, way, at in zip(rod.supports.ends, (1, -1), (0, -1), strict=True):
-        if not end.angle:
-            low, mid, high = (abs(knots[at + way * (DEGREE + k)] - knots[at]) for k in range(3))
-            step = (points[at + way] - points[at]) / (mid - low)
-            points[at + 2 * way] = points[at + way] + (high - low) * step
-    return PlaneCurve(knots, points, DEGREE)
 
 
 def _point(point: object, name: str) -> FloatArray:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers
+from elastica_cad._values import numbers, pair
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
@@ -126,9 +126,11 @@ def push_path(
     if not 0 < at < rod.length:
         raise InputError("the rod is {length} long: push it between its ends, not at {at}",
                          length=Length(rod.length), at=Length(at))  # fmt: skip
-    away = numbers(direction, "the direction of the push")
-    if away.shape != (2,) or not np.hypot(*away) > 0:
-        raise InputError("the direction of the push is {direction!r}: give two numbers", direction=direction)
+    away = pair(direction, "the direction of the push")
+    if not away.any():
+        raise InputError(
+            "the direction of the push is {direction!r}: give two numbers, not both 0", direction=direction
+        )
     away = away / np.hypot(*away)
     frame = np.array([away, [-away[1], away[0]]])
     chain = _Chain.of(rod, at, frame, rod.length / STIFF if thickness is None else thickness)

@@ -10,7 +10,6 @@ from elastica_cad._equality import EqualByValue
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.splines import finite
@@ -193,11 +192,6 @@ class ExcessCurvature:
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return the derivative with respect to arc length, 1/mm2."""
         return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
-
-    def value_and_slope_at(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Both (n,) at parameters (n,), from one evaluation of the curve."""
-        _, d1, d2, d3 = self.curve.derivatives(t, 3)
-        return curvature(d1, d2) - self.rest_at(t), curvature_slope(d1, d2, d3) - self.rest_at(t, 1)
 
     def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:
         """kappa_0, 1/mm, or its first derivative by arc length, at parameters t."""

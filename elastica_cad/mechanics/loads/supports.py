@@ -1,7 +1,7 @@
 """What the two ends of a rod are held by."""
 
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, cast
 
 import numpy as np
 
@@ -101,11 +101,7 @@ class Supports:
     @property
     def ends(self) -> tuple[End, End]:
         """Both ends as `End` records."""
-        if isinstance(self.start, str) or isinstance(
-            self.end, str
-        ):  # pragma: no cover - __post_init__ converts
-            raise InputError("supports were not converted")
-        return self.start, self.end
+        return cast(End, self.start), cast(End, self.end)  # `__post_init__` leaves no names
 
     @property
     def clamped(self) -> bool:

@@ -9,7 +9,6 @@ from elastica_cad._values import alike, is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.section_limits import matched
 from elastica_cad.mechanics.material.stiffness_law import at_stations
-from elastica_cad.refusals import Length, note
 
 SECANTS = 12
 """Largest number of steps of the search for the width of a given bending stiffness."""
@@ -148,103 +147,6 @@ def plate_width(
         if np.abs(error).max(initial=0.0) < SETTLED:
             break
     return np.asarray(np.exp(found))
-
-
-@dataclass(frozen=True, eq=False)
-class AnticlasticWidths:
-    """Widths that realize a stiffness profile although wide places are stiffer than E I says.
-
-    Attributes
-    ----------
-    width : (n,) array
-        Corrected width, mm; its largest value is that of the plain strip.
-    plain_width : (n,) array
-        Width ~ K, mm.
-    factor : (n,) array
-        Stiffening at the corrected width.
-    change : float
-        Largest |width - plain_width| / plain_width.
-    station : int
-        Where that is.
-    bending_stiffness_factor : float
-        What the whole strip's scale of E I gains over the plain one.
-    """
-
-    width: FloatArray
-    plain_width: FloatArray
-    factor: FloatArray
-    change: float
-    station: int
-    bending_stiffness_factor: float
-
-    def __str__(self) -> str:
-        """The effect in a sentence."""
-        i = self.station
-        return note(
-            "anticlastic bending changes the width by {percent:.2g} % at most: {change:+.3g} of {width:.4g} "
-            "at station {station}",
-            percent=100 * self.change, change=Length(self.width[i] - self.plain_width[i]),
-            width=Length(self.plain_width[i]), station=i,
-        )  # fmt: skip
-
-
-def anticlastic_widths(
-    stiffness: ArrayLike,
-    curvature: ArrayLike,
-    *,
-    max_width: float,
-    thickness: float,
-    poisson_ratio: float,
-) -> AnticlasticWidths:
-    """Widths w with w * factor(w) ~ K, the widest being `max_width`.
-
-    Parameters
-    ----------
-    stiffness : (n,) array_like
-        K.
-    curvature : (n,) array_like
-        kappa of the bent strip, 1/mm; the strip is flat at rest.
-    max_width, thickness : float
-        mm.
-    poisson_ratio : float
-        nu.
-
-    Raises
-    ------
-    InputError
-        Values that are not positive, arrays that do not match.
-
-    Examples
-    --------
-    >>> card = {"max_width": 40.0, "thickness": 0.5, "poisson_ratio": 0.3}
-    >>> result = anticlastic_widths([1, 2, 1], [0.01, 0.02, 0.01], **card)
-    >>> bool(result.width[0] > result.plain_width[0])
-    True
-    """
-    h, nu = _checked(thickness, poisson_ratio)
-    K, kappa = numbers(stiffness, "stiffness"), np.abs(numbers(curvature, "curvature"))
-    if K.ndim != 1 or K.shape != kappa.shape or K.size == 0:
-        raise InputError(
-            "stiffness {shape} and curvature {shape_2} must be rows of the same length",
-            shape=K.shape,
-            shape_2=kappa.shape,
-        )
-    if not (np.all(np.isfinite(K)) and np.all(K > 0)):
-        raise InputError(
-            "stiffness is not positive at station {given}", given=int(np.argmin(np.nan_to_num(K, nan=-1.0)))
-        )
-    require_positive(max_width, "max_width")
-
-    # every station could be the widest one: the scale c is the largest that keeps them all within max_width
-    widest = max_width * anticlastic_factor(max_width, kappa, thickness=h, poisson_ratio=nu)
-    scale = float(np.min(widest / K))
-    width = np.minimum(plate_width(scale * K, kappa, thickness=h, poisson_ratio=nu), max_width)
-    plain = max_width * K / K.max()
-    relative = np.abs(width - plain) / plain
-    i = int(np.argmax(relative))
-    factor = anticlastic_factor(width, kappa, thickness=h, poisson_ratio=nu)
-    gain = scale / (max_width / float(K.max()))
-    return AnticlasticWidths(width, plain, factor, float(relative[i]), i, gain)
 
 
 @dataclass(frozen=True, eq=False)

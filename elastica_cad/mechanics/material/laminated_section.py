@@ -382,18 +382,8 @@ to 1e-4."""
 LEAST_SHARE = 2e-3
 """Narrowest border and backing, as a share of the width."""
 
-BENDS = (0.1, 1.4)
-"""Range of the bend of a node, as shares of its bend in the design: below a joining plate an eighth of it
-remains."""
-
-ROOM_SHARE = 0.15
-"""Extra range beyond the largest bend, as a share of it, for inflections that move."""
-
-TERMS, EVERY = 8, 4
-"""Number of terms of the polynomials in curvature; they are computed at every fourth node."""
-
-TERMS_EVERYWHERE, STATIONS = 24, 60
-"""Number of terms of the polynomials for any bend, and about the number of stations at which they are computed."""
+TERMS, STATIONS = 24, 60
+"""Number of terms of the polynomials in curvature, and of stations at which they are computed."""
 
 LARGEST_STRAIN = 0.05
 """Largest strain of the surface that is considered; it is more than any sheet bears."""
@@ -513,35 +503,33 @@ def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class LaminateCurl:
-    """`laminate_factor` at the nodes of a strip near its design, as polynomials that cost a hundredth of the time.
+    """`laminate_factor` at the nodes of a strip, as polynomials that cost a hundredth of the time.
 
     Attributes
     ----------
-    middle, reach : (n,) arrays
-        The curvatures of each node that are told apart, middle +- reach, 1/mm; beyond them the factor stays.
+    reach : float
+        Largest |curvature|, 1/mm, that is told apart; beyond it the factor stays.
+    fine : (n,) array
+        Curvature, 1/mm, beyond which curvatures are told apart by their logarithm (by arsinh).
     coefficients : (m, n) array
         Of Chebyshev polynomials over them.
-    fine : (n,) array, optional
-        Distance from the middle, 1/mm, beyond which places are told apart by its logarithm (by arsinh).
 
     Examples
     --------
     >>> card = Sheet("card", 0.5, 9000.0, density=600.0, max_strain=0.01, poisson_ratio=0.0)
-    >>> kappa = np.linspace(0.005, 0.01, 97)
-    >>> curl = LaminateCurl.about(kappa, 24.0, 12.0, LaminatedSection(card, card))
-    >>> bent = 1.1 * kappa
+    >>> curl = LaminateCurl.of(np.zeros(97), 24.0, 12.0, LaminatedSection(card, card))
+    >>> bent = np.linspace(-0.04, 0.04, 97)
     >>> exact = laminate_factor(24.0, 12.0, bent, LaminatedSection(card, card))
     >>> bool(np.abs(curl(bent) - exact).max() < 1e-4)
     True
     """
 
-    middle: FloatArray
-    reach: FloatArray
+    reach: float
+    fine: FloatArray
     coefficients: FloatArray
-    fine: FloatArray | None = None
 
     @classmethod
-    def about(
+    def of(
         cls,
         curvature: FloatArray,
         base_width: ArrayLike,
@@ -549,72 +537,27 @@ class LaminateCurl:
         section: LaminatedSection,
         natural_curvature: ArrayLike = 0.0,
     ) -> "LaminateCurl":
-        """About the curvature (n,) of a design, 1/mm, at even stations; the rest as of `laminate_factor`."""
+        """For all that a strip of the design may be bent to, whatever the curvature (n,) of this, 1/mm, is."""
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )
-        bend = kappa - rest
-        ends = rest + np.multiply.outer(BENDS, bend)
-        middle, reach = ends.mean(axis=0), np.abs(ends[1] - ends[0]) / 2 + ROOM_SHARE * np.abs(bend).max()
-        return cls(middle, reach, np.empty((TERMS, 0)))._found(base, backing, section, rest, EVERY)
-
-    @classmethod
-    def everywhere(
-        cls,
-        curvature: FloatArray,
-        base_width: ArrayLike,
-        backing_width: ArrayLike,
-        section: LaminatedSection,
-        natural_curvature: ArrayLike = 0.0,
-    ) -> "LaminateCurl":
-        """For all that a strip of the design may be bent to, whatever the curvature (n,) of this, 1/mm.
-
-        Examples
-        --------
-        >>> card = Sheet("card", 0.5, 9000.0, density=600.0, max_strain=0.01, poisson_ratio=0.0)
-        >>> curl = LaminateCurl.everywhere(np.zeros(97), 24.0, 12.0, LaminatedSection(card, card))
-        >>> bent = np.linspace(-0.04, 0.04, 97)
-        >>> exact = laminate_factor(24.0, 12.0, bent, LaminatedSection(card, card))
-        >>> bool(np.abs(curl(bent) - exact).max() < 1e-4)
-        True
-        """
-        kappa, base, backing, rest = np.broadcast_arrays(
-            curvature, base_width, backing_width, natural_curvature
-        )
-        thickness = section.base.thickness + section.backing.thickness
-        reach = np.full(kappa.size, max(2 * LARGEST_STRAIN / thickness, 2 * float(np.abs(kappa).max())))
-        fine = np.minimum(FINE_SEARLE * thickness / base**2, reach)
-        empty = cls(np.zeros(kappa.size), reach, np.empty((TERMS_EVERYWHERE, 0)), fine)
-        return empty._found(base, backing, section, rest, max(EVERY, kappa.size // STATIONS))
-
-    def _found(
-        self, base: FloatArray, backing: FloatArray, section: LaminatedSection, rest: FloatArray, every: int
-    ) -> "LaminateCurl":
-        """Compute the coefficients from the factor at one in `every` of the nodes."""
-        terms, nodes = self.coefficients.shape[0], np.arange(self.middle.size)
-        some = np.unique(np.append(nodes[::every], nodes[-1]))
-        t = np.cos(np.pi * (np.arange(terms) + 0.5) / terms)
-        at = np.tile(some, terms)
-        away = self.reach[at] * np.repeat(t, some.size)
-        if self.fine is not None:
-            fine = self.fine[at]
-            away = fine * np.sinh(np.repeat(t, some.size) * np.arcsinh(self.reach[at] / fine))
-        factor = laminate_factor(base[at], backing[at], self.middle[at] + away, section, rest[at])
-        known = np.linalg.solve(np.polynomial.chebyshev.chebvander(t, terms - 1), factor.reshape(terms, -1))
-        return replace(self, coefficients=np.array([np.interp(nodes, some, row) for row in known]))
+        reach = max(2 * LARGEST_STRAIN / section.thickness, 2 * float(np.abs(kappa).max()))
+        fine = np.minimum(FINE_SEARLE * section.thickness / base**2, reach)
+        nodes = np.arange(kappa.size)
+        some = np.unique(np.linspace(0, nodes[-1], STATIONS).round().astype(int))
+        t = np.cos(np.pi * (np.arange(TERMS) + 0.5) / TERMS)
+        at = np.tile(some, TERMS)
+        kappas = fine[at] * np.sinh(np.repeat(t, some.size) * np.arcsinh(reach / fine[at]))
+        factor = laminate_factor(base[at], backing[at], kappas, section, rest[at])
+        known = np.linalg.solve(np.polynomial.chebyshev.chebvander(t, TERMS - 1), factor.reshape(TERMS, -1))
+        return cls(reach, fine, np.array([np.interp(nodes, some, row) for row in known]))
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
         """Return the curl at stations (m,), mm, from that at `s` (n,)."""
-        middle, reach, coefficients = (
-            np.asarray(at_stations(values, s, at)) for values in (self.middle, self.reach, self.coefficients)
-        )
-        fine = None if self.fine is None else np.interp(at, s, self.fine)
-        return LaminateCurl(middle, reach, coefficients, fine)
+        fine, coefficients = (np.asarray(at_stations(one, s, at)) for one in (self.fine, self.coefficients))
+        return LaminateCurl(self.reach, fine, coefficients)
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
         """The factor of the nodes (..., n) at their curvatures (..., n), 1/mm."""
-        away, reach = curvature - self.middle, np.where(self.reach == 0, 1.0, self.reach)
-        if self.fine is not None:
-            away, reach = np.arcsinh(away / self.fine), np.arcsinh(reach / self.fine)
-        t = np.clip(away / reach, -1.0, 1.0)
+        t = np.clip(np.arcsinh(curvature / self.fine) / np.arcsinh(self.reach / self.fine), -1.0, 1.0)
         return np.asarray(np.polynomial.chebyshev.chebval(t, self.coefficients, tensor=False))

@@ -20,6 +20,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet_library import (
     NOMINAL_KEY,
+    OPTIONAL_UNITS,
     UNITS,
     USUAL_RATIO,
     NominalRatio,
@@ -215,35 +216,6 @@ class Sheet:
         if not isinstance(self.name, str) or not self.name.strip():
             raise InputError("a sheet needs a name, got {name!r}", name=self.name)
         require_printable(self.name, "the sheet's name")
-        for field_name, unit in UNITS.items():
-            value = finite_number(getattr(self, field_name), f"sheet {self.name!r}: {field_name}")
-            if value < 0 or (value == 0 and field_name != "kerf"):
-                least = "zero or positive" if field_name == "kerf" else "positive"
-                raise InputError(
-                    "sheet {name!r}: {field_name} is {given:g}; it must be {least}, in {unit}",
-                    name=self.name,
-                    field_name=field_name,
-                    given=value,
-                    least=least,
-                    unit=unit,
-                )
-            object.__setattr__(self, field_name, value)
-            self._check_range(field_name, value)
-        nu = checked_poisson_ratio(self.poisson_ratio, f"sheet {self.name!r}")
-        object.__setattr__(self, "poisson_ratio", nu)
-        object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
-        G = self.shear_modulus
-        if G is not None and not finite_number(G, f"sheet {self.name!r}: shear_modulus") > 0:
-            raise InputError(
-                "sheet {name!r}: shear_modulus is {g:g}; it must be positive, in MPa", name=self.name, g=G
-            )
-        broken = self.break_strain
-        if broken is not None and not finite_number(broken, f"sheet {self.name!r}: break_strain") > 0:
-            raise InputError(
-                "sheet {name!r}: break_strain is {broken:g}; it must be positive, 0.01 for 1 %",
-                name=self.name,
-                broken=broken,
-            )
         sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(
@@ -252,15 +224,17 @@ class Sheet:
                 stock=self.stock,
             )
         object.__setattr__(self, "stock", sides or None)
-        limits = {name: getattr(self, name) for name in ("least_width", "least_ligament", "least_bridge")}
-        for limit, given in [*limits.items(), *(("stock", side) for side in sides)]:
-            if given is not None and not finite_number(given, f"sheet {self.name!r}: {limit}") > 0:
-                raise InputError(
-                    "sheet {name!r}: {limit} is {given:g}; it must be positive, in mm",
-                    name=self.name,
-                    limit=limit,
-                    given=given,
-                )
+        for field_name, unit in UNITS.items():
+            value = self._checked(field_name, getattr(self, field_name), unit)
+            object.__setattr__(self, field_name, value)
+            self._check_range(field_name, value)
+        nu = checked_poisson_ratio(self.poisson_ratio, f"sheet {self.name!r}")
+        object.__setattr__(self, "poisson_ratio", nu)
+        object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
+        figures = [(name, getattr(self, name), unit) for name, unit in OPTIONAL_UNITS.items()]
+        for name, given, unit in [*figures, *(("stock", side, "mm") for side in sides)]:
+            if given is not None:
+                self._checked(name, given, unit)
         asked: object = self.grain
         if is_number(asked):
             object.__setattr__(self, "grain", self._grain_at(asked))
@@ -271,6 +245,20 @@ class Sheet:
                 grain=self.grain,
                 names=", ".join(get_args(Grain)),
             )
+
+    def _checked(self, field_name: str, given: Any, unit: str) -> float:
+        """The number, unless it is no positive one; a kerf may be 0."""
+        value = finite_number(given, f"sheet {self.name!r}: {field_name}")
+        if value < 0 or (value == 0 and field_name != "kerf"):
+            raise InputError(
+                "sheet {name!r}: {field_name} is {given:g}; it must be {least}, in {unit}",
+                name=self.name,
+                field_name=field_name,
+                given=value,
+                least="zero or positive" if field_name == "kerf" else "positive",
+                unit=unit,
+            )
+        return value
 
     def _grain_at(self, degrees: float) -> Grain:
         """The word for a strip that lies at so many degrees to the grain."""

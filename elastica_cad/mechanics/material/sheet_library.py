@@ -27,6 +27,14 @@ UNITS = {
     "max_strain": "parts of the length (0.01 = 1 %)",
     "kerf": "mm",
 }
+"""Units of the figures that every sheet has."""
+
+OPTIONAL_UNITS = {
+    "shear_modulus": "MPa",
+    "break_strain": UNITS["max_strain"],
+    **dict.fromkeys(("least_width", "least_ligament", "least_bridge"), "mm"),
+}
+"""Units of the figures that a sheet may have."""
 
 # key -> (lowest, highest that any sheet has, what the unit is)
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {

@@ -1,24 +1,24 @@
 """The rod in balance as a record, its stiffness at the nodes, and the same rod on other nodes or as it is bent."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import pairwise
 from math import isclose
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, numbers, require_number, require_positive
+from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import SURVEY_POINTS, PlaneCurve
 from elastica_cad.geometry.curves.unit_speed import DEGREE, integrate_tangents
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import gauss_rule
 from elastica_cad.geometry.polynomials.spline_fits import fit_spline
-from elastica_cad.geometry.polynomials.splines import bezier_spans, spline_through
+from elastica_cad.geometry.polynomials.splines import spline_through
 from elastica_cad.mechanics.loads.arguments import require_gravity, require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
@@ -252,16 +252,10 @@ class CurlingLaw(MaterialLaw):
         return change if self.below is None else self.below.effective_curvature(change)
 
 
-Angle: TypeAlias = Callable[[FloatArray], FloatArray]
-
 EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
+TURN_POWER = 8  # of the turns beside the ends, which then reach over an eighth of the length
+NEWTON_STEPS = 5  # to rounding: the angles are nearly right
 TANGENT_RAD = 1e-8  # how closely the spline follows the tangent: over the length, far below a micrometre
-MOST_SPANS, NODES_PER_SPAN = 24, 6  # of the spline that corrects the angle: at most, at least
-REACH_LENGTHS = (
-    0.05  # in lengths: changes of curvature over that distance weigh as much as the displacement they make
-)
-NEWTON_STEPS, MET = 8, 1e-13  # at most; of angles in rad and of the end over the length: rounding
-GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(6)
 
 
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
@@ -275,8 +269,8 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
     The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve in their middles. A curve of
     the polygon's own length passes the nodes at h^2 |kappa| / 24 on their inner side: this one integrates a quintic
-    spline through the edge angles. That is h^2 |kappa'| / 8 off the held angles; of all smooth turns that meet
-    them and the end position, the one that displaces the curve least is added.
+    spline through the edge angles. That is h^2 |kappa'| / 8 off the held angles: the least smooth turns are added
+    that meet them and the end position.
 
     Parameters
     ----------
@@ -309,59 +303,34 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
         return PlaneCurve(knots, np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
     degree = min(DEGREE, edge.size - 1)
     through = spline_through((s[:-1] + s[1:]) / 2, edge, degree)
-    turn = _least_turn(s, position, angle[[0, -1]], through)
-    length = float(s[-1])
-
-    def tangent(at: FloatArray) -> FloatArray:
-        return tangents(through(at) + turn(at))
-
-    return integrate_tangents(tangent, length, position[0], tolerance=TANGENT_RAD)
-
-
-def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: Angle) -> Angle:
-    """The spline to be added to `angle` (rad over arc length) for the ends to be met, moving the nodes least."""
-    length, h = float(s[-1]), np.diff(s)[:, None]
-    weight = h * GAUSS_WEIGHTS / 2
-    knots, places, basis, at_ends, bend = _turn_basis(length, h.size)
-    c = np.zeros(basis.shape[-1])
+    length, ends = float(s[-1]), s[[0, -1]]
+    x, weight = gauss_rule(6)
+    places = (s[:-1, None] + s[1] * (1 + x) / 2).ravel()
+    weight, turns, end_turns = (
+        np.tile(s[1] / 2 * weight, s.size - 1),
+        _turns(places / length),
+        _turns(ends / length),
+    )
+    c = np.zeros(turns.shape[1])
     for _ in range(NEWTON_STEPS):
-        alpha = angle(places) + basis @ c
-        T = tangents(alpha.ravel()).reshape(*places.shape, 2)
-        N = np.stack([-T[..., 1], T[..., 0]], axis=-1)
-        missed = position[1:] - position[0] - np.cumsum(np.einsum("eg,egk->ek", weight, T), axis=0)
-        moves = np.cumsum(np.matmul((weight[..., None] * N).transpose(0, 2, 1), basis), axis=0)
-        across = N[:, -1]
-        rows = np.concatenate([np.einsum("ek,ekm->em", across, moves), bend])
-        wanted = np.concatenate([np.einsum("ek,ek->e", across, missed), -np.einsum("em,m->e", bend, c)])
-        held_rows = np.concatenate([at_ends, moves[-1] / length])
-        held_by = np.concatenate([held - angle(s[[0, -1]]) - at_ends @ c, missed[-1] / length])
-        if np.abs(held_by).max() < MET:
-            break
-        # by einsum, as the threads of BLAS would cost ten times the product
-        square = np.einsum("ri,rj->ij", rows, rows) / length**2 / h.size
-        pull = np.einsum("ri,r->i", rows, wanted) / length**2 / h.size
-        corner = np.zeros((held_by.size,) * 2)
-        system = np.block([[square, held_rows.T], [held_rows, corner]])
-        right = np.concatenate([pull, held_by])
-        c = c + np.linalg.lstsq(system, right, rcond=1e-13)[0][: c.size]
-    from scipy.interpolate import BSpline
-
-    turn: Angle = BSpline(knots, c, DEGREE)
-    return turn
+        T = tangents(through(places) + turns @ c)
+        gap = position[-1] - position[0] - weight @ T
+        rows = np.concatenate(
+            [end_turns, (weight[:, None] * np.column_stack([-T[:, 1], T[:, 0]])).T @ turns / length]
+        )
+        missed = np.concatenate([angle[[0, -1]] - through(ends) - end_turns @ c, gap / length])
+        c += np.linalg.lstsq(rows, missed, rcond=1e-13)[0]
+    return integrate_tangents(
+        lambda at: tangents(through(at) + _turns(at / length) @ c), length, position[0], tolerance=TANGENT_RAD
+    )
 
 
-@lru_cache(maxsize=4)
-def _turn_basis(length: float, edges: int) -> tuple[FloatArray, ...]:
-    """Knots, Gauss points, and the turn's splines there, at the ends, and their differences between nodes."""
-    s = np.linspace(0.0, length, edges + 1)
-    h = length / edges
-    spans = max(1, min(MOST_SPANS, edges // NODES_PER_SPAN))
-    knots = np.pad(np.linspace(0.0, length, spans + 1), DEGREE, mode="edge")
-    places = s[:-1, None] + h * (1 + GAUSS_POINTS) / 2
-    turns = bezier_spans(knots, DEGREE)
-    between = np.diff(turns.basis(s), axis=0) / h * (REACH_LENGTHS * length) ** 2
-    at_places = turns.basis(places.ravel()).reshape(*places.shape, -1)
-    return knots, places, at_places, turns.basis(s[[0, -1]]), between
+def _turns(x: FloatArray) -> FloatArray:
+    """Smooth changes (n, 18) of an angle at x (n,) in 0..1: beside start and end, of mean 0, and waves between."""
+    y, m = 1 - x, TURN_POWER
+    beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
+    k = np.arange(1, 17)
+    return np.concatenate([beside, np.sqrt(k) * np.sin(np.pi * x[:, None] * k)], axis=1)
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
@@ -523,9 +492,7 @@ class Rod:
             whole_number(samples, "samples", 3)
         if bending_stiffness is not None:
             require_positive(bending_stiffness, "bending stiffness", "N mm2")
-        place = numbers(start, "start")
-        if place.shape != (2,):
-            raise InputError("start must be two numbers, mm, got {start!r}", start=start)
+        place = pair(start, "start")
         require_positive(length, "rod length")
         require_number(angle, "the angle of a rod", "rad")
         profile, n = _stiffness_profile_of(stiffness, length, samples)

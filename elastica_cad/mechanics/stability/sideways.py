@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import crossing, lapack
+from elastica_cad._compiled_scipy import crossing
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_number
 from elastica_cad.errors import InputError, NotConvergedError
@@ -438,43 +438,28 @@ def _band(
     return lower
 
 
-def _two_lowest(lower: FloatArray) -> tuple[float, float]:
-    """The two lowest eigenvalues of a symmetric matrix, given by its lower bands."""
-    if not np.all(np.isfinite(lower)):
-        raise _no_mode()
-    least = 2 * lapack().dlamch("s")
-    values, _, _, _, info = lapack().dsbevx(
-        lower, 0.0, 1.0, 1, 2, compute_v=0, mmax=1, range=2, lower=1, abstol=least
-    )
-    if info != 0:
-        raise _no_mode()
-    return float(values[0]), float(values[1])
-
-
-def _no_mode() -> NotConvergedError:
-    return NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
-
-
 def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     """The lowest eigenvalue of the band matrix A where <row, v> = 0.
 
     It lies between the two lowest ones of A, where <row, (A - mu)^-1 row> vanishes.
     """
-    first, second = _two_lowest(lower)
+    from scipy.linalg import eig_banded, solve_banded
+
+    if not np.all(np.isfinite(lower)):
+        raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+    found = eig_banded(lower, lower=True, eigvals_only=True, select="i", select_range=(0, 1))
+    first, second = float(found[0]), float(found[1])
     if row is None:
         return first
-    full = np.zeros((10, lower.shape[1]))  # three rows for what elimination fills in
-    full[6:] = lower
+    full = np.zeros((7, lower.shape[1]))
+    full[3:] = lower
     for k in (1, 2, 3):
-        full[6 - k, k:] = lower[k, : lower.shape[1] - k]
+        full[3 - k, k:] = lower[k, : lower.shape[1] - k]
 
     def along(mu: float) -> float:
         shifted = full.copy()
-        shifted[6] -= mu
-        *_, solved, info = lapack().dgbsv(3, 3, shifted, row)
-        if info != 0:
-            raise _no_mode()
-        return float(row @ solved)
+        shifted[3] -= mu
+        return float(row @ solve_banded((3, 3), shifted, row))
 
     gap = second - first
     # clear of both poles, which are known to rounding of the stiffest entry

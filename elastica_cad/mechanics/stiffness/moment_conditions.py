@@ -11,7 +11,7 @@ points up. Weightless rods have constant b, and M = a + <b, gamma>.
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NoReturn
 
@@ -20,6 +20,7 @@ import numpy as np
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.curves.plane_curve import CurveSamples
 from elastica_cad.geometry.polynomials.panel_functions import (
     DENSE_PARTS,
     LEFT,
@@ -30,8 +31,12 @@ from elastica_cad.geometry.polynomials.panel_functions import (
     PanelFunction,
     in_panels,
 )
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.stiffness.minimax_lp import (
     METHOD,
     MinimaxProgram,
@@ -42,7 +47,7 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
     start_rows,
     unsettled,
 )
-from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import CutCurve, Panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Listed, Span, note
 
@@ -479,21 +484,57 @@ class StateFamily:
 
 
 @dataclass(frozen=True, eq=False)
+class RodRequest:
+    """What an optimal rod is found from: a curve that was examined, and the arguments of `optimal_rod`."""
+
+    check: EquilibriumCheck
+    supports: Supports = field(default_factory=Supports)
+    natural_curvature: NaturalCurvature = 0.0
+    gravity: Gravity | None = None
+    weight: Weight | None = None
+    bending_stiffness: float | None = None
+    largest_stiffness: float | None = None
+    law: MaterialLaw | None = None
+    section: BoundedLaw | None = None
+    samples: int | None = None
+
+    @cached_property
+    def nodes(self) -> CurveSamples:
+        """The curve at the rod's nodes; where `samples` is given the ratio is judged there alone."""
+        curve = self.check.curve
+        return curve.survey if self.samples is None else curve.sample(self.samples)
+
+    @property
+    def masses(self) -> tuple[PointMass, ...]:
+        """What hangs on the rod."""
+        return () if self.weight is None else self.weight.masses
+
+    @property
+    def cut(self) -> CutCurve:
+        """The curve cut where the blank, the material law or the load is not smooth."""
+        return CutCurve.where_kinked(self.check, self.natural_curvature, self.law, self.weight)
+
+
+@dataclass(frozen=True, eq=False)
 class ConditionedRows:
     """Moment rows under the conditions of inflections and supports."""
 
-    check: EquilibriumCheck
-    supports: Supports
+    asked: "RodRequest"
     panels: Panels
     rows: MomentRows
-    nodes: FloatArray | None
+
+    @property
+    def check(self) -> EquilibriumCheck:
+        """The verdict on the curve."""
+        return self.asked.check
 
     @cached_property
     def conditions(self) -> FloatArray:
         """Rows (k, m) @ state = 0: no moment where no curvature, no force that no support gives."""
         t = np.array([z.t for z in self.check.zeros])
         found = [self.rows.edge_moment[np.abs(self.panels.edges - t[:, None]).argmin(axis=1)]]
-        for end, force in zip(self.supports.ends, (self.rows.start_force, self.rows.end_force), strict=True):
+        forces = self.rows.start_force, self.rows.end_force
+        for end, force in zip(self.asked.supports.ends, forces, strict=True):
             # lambda = R b: the force along x is -b_y, that along y is b_x
             found += [] if end.x else [force[1:2]]
             found += [] if end.y else [force[0:1]]
@@ -552,7 +593,7 @@ class ConditionedRows:
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
         """Panels and places x of the nodes at which alone the ratio is judged, where that is asked for."""
-        return None if self.nodes is None else self.panels.locate(self.nodes)
+        return None if self.asked.samples is None else self.panels.locate(self.asked.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
         """Return, of many optima, the one that does not change when the drawing is turned.

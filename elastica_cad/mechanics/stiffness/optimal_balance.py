@@ -1,6 +1,5 @@
 """The stiffness of least ratio on a curve: without weight, with its own, with weights in newtons, of a section."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
@@ -11,10 +10,8 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
-from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
 from elastica_cad.mechanics.rod.rod_record import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness.moment_conditions import (
@@ -23,14 +20,15 @@ from elastica_cad.mechanics.stiffness.moment_conditions import (
     BalancedStiffness,
     ConditionedRows,
     LineLoad,
+    RodRequest,
     StateFamily,
     StiffnessFamily,
     largest_within,
     least_ratio,
     moment_rows,
 )
-from elastica_cad.mechanics.stiffness.quadrature_panels import REFINEMENTS, CutCurve, Panels
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.stiffness.quadrature_panels import REFINEMENTS, Panels
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.refusals import Length, note
 
 COMPLIANCE_STEP = 0.2
@@ -43,47 +41,36 @@ BEYOND = 1e6
 """Largest multiple of the allowed stiffness that is distinguished; more counts as this."""
 
 
-def balance_without_weight(
-    check: EquilibriumCheck,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    *,
-    law: MaterialLaw | None = None,
-    nodes: FloatArray | None = None,
-) -> BalancedStiffness:
-    """Eq. 4 on the continuous curve, or with its ratio judged at the parameters `nodes` only."""
-    cut = CutCurve.where_kinked(check, natural_curvature, law)
-    problem = ConditionedRows(check, supports, cut.panels, moment_rows(cut.panels), nodes)
+def balance_of(asked: RodRequest) -> BalancedStiffness:
+    """The stiffness of least ratio: of a section, without weight, or with it."""
+    if asked.section is not None:
+        return _with_section(asked, asked.section)
+    return balance_without_weight(asked) if asked.gravity is None else _with_weight(asked, asked.gravity)
+
+
+def balance_without_weight(asked: RodRequest) -> BalancedStiffness:
+    """Eq. 4 on the continuous curve, or with its ratio judged at the nodes only."""
+    cut = asked.cut
+    problem = ConditionedRows(asked, cut.panels, moment_rows(cut.panels))
     state = problem.least(problem.homogeneous(3), smooth=False)
     return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
 
 
-def balance_with_weight(
-    check: EquilibriumCheck,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    gravity: Gravity,
-    *,
-    law: MaterialLaw | None = None,
-    weight: Weight | None = None,
-    bending_stiffness: float | None = None,
-    largest_stiffness: float | None = None,
-    nodes: FloatArray | None = None,
-) -> BalancedStiffness:
+def _with_weight(asked: RodRequest, gravity: Gravity) -> BalancedStiffness:
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
-    cut = CutCurve.where_kinked(check, natural_curvature, law, weight)
+    cut, weight, most = asked.cut, asked.weight, asked.largest_stiffness
     if weight is None or weight.own:
         cut = cut.for_weight(gravity)
-    tau = None if bending_stiffness is None else 1 / bending_stiffness
+    tau = None if asked.bending_stiffness is None else 1 / asked.bending_stiffness
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(check, supports, cut.panels, gravity, weight, nodes)
+        load = WeightedPanels(asked, cut.panels, gravity)
         if weight is None:
             problem = load.against(0.0)
             balance = problem.balance(problem.least(problem.homogeneous(3)))
         else:
             if tau is None:
                 tau = _least_compliance(load, weight)
-                tau = tau if largest_stiffness is None else _compliance_within(load, tau, largest_stiffness)
+                tau = tau if most is None else _compliance_within(load, tau, most)
             problem = load.against(tau)
             balance = problem.balance(problem.least(problem.at_compliance(tau)))
         finer = cut.for_stiffness(balance.stiffness)
@@ -101,24 +88,30 @@ def balance_with_weight(
 class WeightedPanels:
     """A curve cut into panels, with the weight it is to carry."""
 
-    check: EquilibriumCheck
-    supports: Supports
+    asked: RodRequest
     panels: Panels
     gravity: Gravity
-    weight: Weight | None
-    nodes: FloatArray | None
 
     def against(self, tau: float) -> "ConditionedRows":
         """The problem with weights in newtons set against B = 1 / tau."""
-        panels, weight = self.panels, self.weight
+        panels, weight = self.panels, self.asked.weight
         proportional = self.gravity.length**-3
         own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
         dead = np.zeros(panels.t.shape)
         if weight is not None:
             dead, per_stiffness = weight.along(panels.s)
             own += per_stiffness * tau
-        points = _point_weights(panels, () if weight is None else weight.masses, self.supports)
-        return self.carrying(own, dead, points)
+        return self.carrying(own, dead, self.points)
+
+    @property
+    def points(self) -> FloatArray:
+        """Newtons (N + 1,) hung on the ends of the panels; those at an end that is held in place bend nothing."""
+        points = np.zeros(self.panels.count + 1)
+        for mass in self.asked.masses:
+            at = int(np.abs(self.panels.edge_s - mass.at).argmin())
+            points[at] += mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+        points[[0, -1]] *= [not (end.x and end.y) for end in self.asked.supports.ends]
+        return points
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
         """The problem with weights at the nodes and ends of the panels: see `LineLoad`."""
@@ -126,12 +119,13 @@ class WeightedPanels:
         rows = moment_rows(panels, LineLoad(-np.asarray(self.gravity.direction), own, dead, points))
         if not np.all(np.isfinite(rows.stiffness)):
             self.refuse()
-        return ConditionedRows(self.check, self.supports, panels, rows, self.nodes)
+        return ConditionedRows(self.asked, panels, rows)
 
     def refuse(self) -> NoReturn:
         """Raise `NotRealizable`: the moment grows along the curve beyond what numbers can tell."""
-        reason = far_too_heavy(self.gravity, self.check.length)
-        raise NotRealizable(replace(self.check, realizable=False, reasons=(reason,)))
+        check = self.asked.check
+        reason = far_too_heavy(self.gravity, check.length)
+        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:
@@ -141,15 +135,6 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
         "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
         gravity_length=Length(gravity.length), length=Length(length),
     )  # fmt: skip
-
-
-def _point_weights(panels: Panels, masses: Sequence[PointMass], supports: Supports) -> FloatArray:
-    """Newtons (N + 1,) hung on the ends of the panels; those at an end that is held in place bend nothing."""
-    points = np.zeros(panels.count + 1)
-    for mass in masses:
-        points[int(np.abs(panels.edge_s - mass.at).argmin())] += mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-    points[[0, -1]] *= [not (end.x and end.y) for end in supports.ends]
-    return points
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
@@ -191,12 +176,12 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     def ratio(logarithm: float) -> float:
         return _ratio_at(load, float(np.exp(logarithm)))
 
-    s = np.linspace(0.0, load.check.length, 101)
+    s = np.linspace(0.0, load.asked.check.length, 101)
     newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
     weightless = load.against(0.0)
     light = weightless.ratio(weightless.homogeneous(3))
     bent = float(np.abs(weightless.panels.curvature).max())
-    trial = np.log(bent / (newtons * load.check.length)) + np.linspace(-8.0, 4.0, 25)
+    trial = np.log(bent / (newtons * load.asked.check.length)) + np.linspace(-8.0, 4.0, 25)
     ratios = np.array([ratio(x) for x in trial])
     best = int(ratios.argmin())
     if not np.isfinite(ratios[best]):
@@ -232,7 +217,7 @@ def _compliance_within(load: WeightedPanels, tau: float, most: float) -> float:
     from scipy.optimize import brentq, minimize_scalar
 
     # where inflections leave a choice, the smoothest stiffness takes its share
-    room = most / (1 + FITTED_SHARE) / (1 + SMOOTHING_SHARE if load.check.zeros else 1)
+    room = most / (1 + FITTED_SHARE) / (1 + SMOOTHING_SHARE if load.asked.check.zeros else 1)
 
     def over(logarithm: float) -> float:
         """log of the largest stiffness over the room for it."""
@@ -295,16 +280,7 @@ SLOWEST_RATE = 0.99
 """Largest ratio of successive steps of a sequence with which its limit is extrapolated."""
 
 
-def balance_with_section(
-    check: EquilibriumCheck,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    section: BoundedLaw,
-    gravity: Gravity | None,
-    *,
-    masses: Sequence[PointMass] = (),
-    nodes: FloatArray | None = None,
-) -> BalancedStiffness:
+def _with_section(asked: RodRequest, section: BoundedLaw) -> BalancedStiffness:
     """The least ratio of a section at the largest scale that its limits take, under its own weight and masses.
 
     The scale B and the weight follow from the stiffness that is sought. Each round sets the weight tangent to the
@@ -319,18 +295,18 @@ def balance_with_section(
     NotConvergedError
         Weight and stiffness do not settle.
     """
-    excess = ExcessCurvature(check.curve, natural_curvature)
+    excess, gravity = ExcessCurvature(asked.check.curve, asked.natural_curvature), asked.gravity
     if gravity is None:
-        balance = balance_without_weight(check, supports, natural_curvature, nodes=nodes)
+        balance = balance_without_weight(asked)
         law = _bent(section, balance.panels, excess)
         return _within_limits(replace(balance, bending_stiffness=_scale(law, balance.stiffness)), law)
-    carried = Weight(masses=tuple(masses))
+    asked = replace(asked, weight=Weight(masses=asked.masses))
     law = section.bent(0.0)
     full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
     heavy = replace(gravity, length=full ** (1 / 3))
-    cut = CutCurve.where_kinked(check, natural_curvature, weight=carried).for_weight(heavy)
+    cut = asked.cut.for_weight(heavy)
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(check, supports, cut.panels, heavy, carried, nodes)
+        load = WeightedPanels(asked, cut.panels, heavy)
         law = _bent(section, cut.panels, excess)
         balance = _settled(load, law)
         finer = cut.for_stiffness(balance.stiffness)
@@ -365,9 +341,8 @@ class TangentWeight:
 
 def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
     """The fixed point on given panels."""
-    panels, masses = load.panels, () if load.weight is None else load.weight.masses
-    points = _point_weights(panels, masses, load.supports)
-    own = np.full(panels.t.shape, load.gravity.length**-3)
+    points = load.points
+    own = np.full(load.panels.t.shape, load.gravity.length**-3)
     light = load.carrying(own, np.zeros(own.shape), 0.0 * points)
     balance = light.balance(light.least(light.homogeneous(3)))
     scale = _scale(law, balance.stiffness)
@@ -386,7 +361,7 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
         asked, scale = scale, _scale(law, balance.stiffness)
         change, EI = max(float(np.abs(found / EI - 1).max()), abs(scale / asked - 1)), found
         if change < SETTLED_SHARE:
-            weight = _weight(load, tangent, asked, masses)
+            weight = _weight(load, tangent, asked)
             return replace(balance, bending_stiffness=asked, weight=weight)
         if _spare(law, EI) < HOPELESS_SHARE:
             raise _unsettled(law, change)
@@ -394,12 +369,10 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    return _descended(load, law, points, asked * state[:3], EI)
+    return _descended(load, law, asked * state[:3], EI)
 
 
-def _descended(
-    load: WeightedPanels, law: BoundedLaw, points: FloatArray, state: FloatArray, EI: FloatArray
-) -> BalancedStiffness:
+def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
     """The largest E I at the softest place within the limits, by short steps, where the programs go to and fro.
 
     Such an optimum is no vertex of the program that is tangent there: each answer lies far from the last. So the
@@ -407,7 +380,7 @@ def _descended(
 
     `state` is moment and force (3,) at the curve's end, N mm and N.
     """
-    deciding, masses = _deciding(law), () if load.weight is None else load.weight.masses
+    deciding, points = _deciding(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0  # below the largest section, else above the least
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
@@ -431,7 +404,7 @@ def _descended(
         state = (scale * (numbers.fixed + numbers.basis @ found))[:3]
         if float(np.abs(step).max()) < SETTLED_SHARE:
             balance = problem.balance(numbers.fixed + numbers.basis @ found)
-            weight = _weight(load, tangent, scale, masses)
+            weight = _weight(load, tangent, scale)
             return replace(balance, bending_stiffness=scale, weight=weight)
         reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
         before = step
@@ -501,14 +474,12 @@ def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
     return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
 
 
-def _weight(
-    load: WeightedPanels, tangent: TangentWeight, scale: float, masses: Sequence[PointMass]
-) -> Weight:
+def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
     """The tangent law along the rod, exact at its usual nodes; `beta` is for the stiffness with scale `scale`."""
-    s = np.linspace(0.0, load.check.length, DEFAULT_SAMPLES)
-    place = load.panels.locate(load.check.curve.parameter(s))
+    s = np.linspace(0.0, load.asked.check.length, DEFAULT_SAMPLES)
+    place = load.panels.locate(load.asked.check.curve.parameter(s))
     fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
-    return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), tuple(masses))
+    return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.asked.masses)
 
 
 def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:

@@ -73,7 +73,7 @@ def optimal_laminate(
 
     The weight is that of both layers, linear in w2 and so not in K (paper, section 8.1, footnote 4): the
     weight law is set tangent to the true one at the last K and scale, until both stay. Where they go to and fro
-    instead, `balance_with_section` goes on in short steps.
+    instead, `optimal_rod` goes on in short steps.
 
     Parameters
     ----------
@@ -229,7 +229,7 @@ def _by_tangent_laws(
 def _by_short_steps(
     solve: Callable[..., Rod], section: LaminatedSection, base_width: float, masses: tuple[PointMass, ...]
 ) -> Rod:
-    """The rod that `balance_with_section` finds for a base of one width."""
+    """The rod that `optimal_rod` finds for a base of one width."""
     law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
     try:
         rod = solve(section=law, weight=Weight(masses=masses, own=True))

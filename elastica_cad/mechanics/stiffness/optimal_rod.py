@@ -4,13 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import (
     NODES,
@@ -32,12 +33,8 @@ from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
-from elastica_cad.mechanics.stiffness.optimal_balance import (
-    balance_with_section,
-    balance_with_weight,
-    balance_without_weight,
-)
+from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness, RodRequest
+from elastica_cad.mechanics.stiffness.optimal_balance import balance_of
 from elastica_cad.mechanics.stiffness.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE
 from elastica_cad.mechanics.theorem1.equilibrium_check import examine
@@ -243,7 +240,7 @@ def optimal_rod(
         What stiffness is made of: a thickness, a diameter, a width that bends as a plate. It is made as large as
         its limits allow, which settles the bending stiffness; under gravity (of which only the direction counts)
         the rod carries the section's own weight and the masses of `weight`. Then the program is not linear and
-        the ratio is a local optimum: see `balance_with_section`.
+        the ratio is a local optimum: see `balance_of`.
     tolerance : float
         Inflections this near to one line, in lengths of the curve, are moved onto it, and ends that are free to
         turn and bent by next to nothing are unbent; `Rod.moved` tells how far the curve moved, and `Rod.shape` is
@@ -298,49 +295,11 @@ def optimal_rod(
         require_record(law, MaterialLaw, "law", "a MaterialLaw record, or None")
         t = check.curve.parameter(np.linspace(0.0, check.length, _LAW_SAMPLES))
         law.require_design(float(np.abs(ExcessCurvature(check.curve, natural_curvature).at(t)).max()))
-    problem = _Problem(
-        check, gravity, supports, natural_curvature, samples, weight, bending_stiffness, law, section
-    )
-    if check.any_stiffness:
-        return _unbent_rod(problem)
-    return _bent_rod(problem, _balance(problem, largest_stiffness))
-
-
-@dataclass(frozen=True, eq=False)
-class _Problem:
-    check: EquilibriumCheck
-    gravity: Gravity | None
-    supports: Supports
-    natural_curvature: NaturalCurvature
-    samples: int | None
-    weight: Weight | None
-    bending_stiffness: float | None
-    law: MaterialLaw | None
-    section: BoundedLaw | None
-
-
-def _balance(problem: _Problem, largest_stiffness: float | None) -> BalancedStiffness:
-    """The stiffness of least ratio: of a section, without weight, or with it."""
-    p = problem
-    nodes = None if p.samples is None else _nodes(p).t
-    if p.section is not None:
-        masses = () if p.weight is None else p.weight.masses
-        return balance_with_section(
-            p.check, p.supports, p.natural_curvature, p.section, p.gravity, masses=masses, nodes=nodes
-        )
-    if p.gravity is None:
-        return balance_without_weight(p.check, p.supports, p.natural_curvature, law=p.law, nodes=nodes)
-    return balance_with_weight(
-        p.check,
-        p.supports,
-        p.natural_curvature,
-        p.gravity,
-        law=p.law,
-        weight=p.weight,
-        bending_stiffness=p.bending_stiffness,
-        largest_stiffness=largest_stiffness,
-        nodes=nodes,
-    )
+    asked = RodRequest(
+        check, supports, natural_curvature, gravity, weight, bending_stiffness, largest_stiffness, law, section,
+        samples,
+    )  # fmt: skip
+    return _unbent_rod(asked) if check.any_stiffness else _bent_rod(asked, balance_of(asked))
 
 
 def _check_section(
@@ -417,34 +376,36 @@ def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weigh
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
 
-def _nodes(problem: _Problem) -> CurveSamples:
-    """The curve at the rod's nodes."""
-    curve = problem.check.curve
-    return curve.survey if problem.samples is None else curve.sample(problem.samples)
-
-
-def _unbent_rod(problem: _Problem) -> Rod:
-    """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
-    curve, check = problem.check.curve, problem.check
-    nodes = _nodes(problem)
-    force = np.zeros_like(nodes.position)
-    n = nodes.s.size
-    rod = Rod(
-        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature,
-        stiffness=np.ones(n), moment=np.zeros(n), force=force, profile=Profile.interpolate(nodes.s[[0, -1]],
-        np.ones(2)), gravity=problem.gravity, supports=problem.supports,
-        natural_curvature=nodal_curvature(problem.natural_curvature, nodes.s), weight=problem.weight,
-        law=problem.law, section=problem.section, bending_stiffness=problem.bending_stiffness, shape=curve,
-        check=check, warnings=check.warnings,
+def _rod_of(
+    asked: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
+) -> Rod:
+    """The rod that lies in the curve; moments (n,) and forces (n, 2) are those of its nodes."""
+    nodes = asked.nodes
+    return Rod(
+        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, moment=moment,
+        force=force, gravity=asked.gravity, supports=asked.supports,
+        natural_curvature=nodal_curvature(asked.natural_curvature, nodes.s), law=asked.law,
+        section=asked.section, shape=check.curve, check=check, **fields,
     )  # fmt: skip
-    if problem.section is not None:
-        rod = _even_rod(rod, problem.section)
-    if problem.gravity is None:
+
+
+def _unbent_rod(asked: RodRequest) -> Rod:
+    """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
+    check, nodes = asked.check, asked.nodes
+    n = nodes.s.size
+    rod = _rod_of(
+        asked, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=asked.weight,
+        profile=Profile.interpolate(nodes.s[[0, -1]], np.ones(2)),
+        bending_stiffness=asked.bending_stiffness, warnings=check.warnings,
+    )  # fmt: skip
+    if asked.section is not None:
+        rod = _even_rod(rod, asked.section)
+    if asked.gravity is None:
         return rod
-    down = np.asarray(problem.gravity.direction)
+    down = np.asarray(asked.gravity.direction)
     chord = nodes.position[-1] - nodes.position[0]
     sideways = abs(chord[0] * down[1] - chord[1] * down[0]) / np.hypot(*chord)
-    if problem.natural_curvature or sideways > 1e-9:
+    if asked.natural_curvature or sideways > 1e-9:
         reason = "Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in."
         refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
         raise NotRealizable(refused)
@@ -456,7 +417,7 @@ def _unbent_rod(problem: _Problem) -> Rod:
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
-    lower = problem.supports.ends[1]
+    lower = asked.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 
 
@@ -470,50 +431,38 @@ def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
     return replace(rod, bending_stiffness=scale, weight=weight)
 
 
-def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
-    check, curve, panels = problem.check, problem.check.curve, balance.panels
-    nodes = _nodes(problem)
-    panel, x = panels.locate(nodes.t)
+def _bent_rod(asked: RodRequest, balance: BalancedStiffness) -> Rod:
+    check, nodes = asked.check, asked.nodes
+    panel, x = balance.panels.locate(nodes.t)
     K, moment, b = (one.at(panel, x) for one in (balance.stiffness, balance.moment, balance.force))
     least = float(K.min())
     if least <= 0:
         raise NotRealizable(check)
     K, moment, b = K / least, moment / least, b / least
     size = np.abs(moment).max()
-    rest = nodal_curvature(problem.natural_curvature, nodes.s)
-    change = nodes.curvature - rest
-    effective = change if problem.law is None else problem.law.effective_curvature(change)
+    change = nodes.curvature - nodal_curvature(asked.natural_curvature, nodes.s)
+    effective = change if asked.law is None else asked.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
-    warnings = list(check.warnings)
-    if check.moved > TOLD_MOVE_MM and problem.gravity is None:
-        warnings.append(
-            note(
-                "The curve was moved by at most {moved} to bring its inflections onto one line.",
-                moved=Length(check.moved),
-                severity="warning",
-            )
+    warnings = check.warnings
+    if check.moved > TOLD_MOVE_MM:
+        told = note(
+            "The curve was moved by at most {moved} to bring its inflections onto one line."
+            if asked.gravity is None
+            else "The curve was moved by at most {moved} to take the last bend out of its ends.",
+            moved=Length(check.moved),
+            severity="warning",
         )
-    elif check.moved > TOLD_MOVE_MM:
-        warnings.append(
-            note(
-                "The curve was moved by at most {moved} to take the last bend out of its ends.",
-                moved=Length(check.moved),
-                severity="warning",
-            )
-        )
-    if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
+        warnings = (*warnings, told)
+    if asked.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
     weight = balance.weight
     if weight is not None:  # beta K stays what it is when K is divided by its least value
         weight = weight.scaled(beta=least)
-    return Rod(
-        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
-        moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
-        profile=stiffness_profile(check, balance, 1 / least),
-        gravity=problem.gravity, supports=problem.supports, natural_curvature=rest,
-        residual=residual, weight=weight, law=problem.law, section=problem.section,
+    return _rod_of(
+        asked, check, moment, np.column_stack([-b[:, 1], b[:, 0]]), stiffness=K,
+        profile=stiffness_profile(check, balance, 1 / least), residual=residual, weight=weight,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
-        shape=curve, check=check, warnings=tuple(warnings), moved=check.moved,
+        warnings=warnings, moved=check.moved,
     )  # fmt: skip
 
 

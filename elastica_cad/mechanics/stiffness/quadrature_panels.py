@@ -1,10 +1,8 @@
 """A curve cut into panels with Gauss nodes: quotients and integrals along it to near rounding error."""
 
-from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
 
 import numpy as np
 
@@ -40,8 +38,6 @@ RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
 NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
 
 APART_SHARE = 0.25  # of a panel: cuts that lie nearer to each other are one
-
-GRADED = 1.0  # distances from a zero beside it that a panel is long at most
 
 NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 
@@ -147,7 +143,7 @@ def cut_into_panels(
     smooth = curve.smooth_panels
     between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
     finer = between[_distances(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])]
-    edges = _graded(_distinct(sorted(places + finer.tolist()), close), vanishing, close)
+    edges = np.array(_distinct(sorted(places + finer.tolist()), close))
     flags = _distances(edges, vanishing) <= close
     cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
     both = cut.zero_left & cut.zero_right
@@ -184,31 +180,6 @@ def _distinct(places: list[float], close: float) -> list[float]:
         if place - kept[-1] > close:
             kept.append(place)
     return kept
-
-
-def _graded(edges: list[float], zeros: list[float], close: float) -> FloatArray:
-    """The edges, and more towards zeros that lie near to one.
-
-    No panel is longer than `GRADED` times its distance from a zero that is not its end, or what is left of a pole
-    there would hide between the nodes.
-    """
-    more: list[float] = []
-    for a, b in pairwise(edges if zeros else []):
-        before, after = bisect_left(zeros, a - close), bisect_right(zeros, b + close)
-        short = (b - a) / (1 + GRADED)
-        if before and a - zeros[before - 1] < short:
-            more += [a + step for step in _steps_away(a - zeros[before - 1], b - a)]
-        if after < len(zeros) and zeros[after] - b < short:
-            more += [b - step for step in _steps_away(zeros[after] - b, b - a)]
-    return np.array(sorted({*edges, *more}) if more else edges)
-
-
-def _steps_away(distance: float, width: float) -> Iterator[float]:
-    """Ends of panels whose widths grow with the distance from a zero, up to a largest width."""
-    reached = GRADED * distance
-    while reached + distance < width:
-        yield reached
-        reached += GRADED * (distance + reached)
 
 
 @dataclass(frozen=True, eq=False)

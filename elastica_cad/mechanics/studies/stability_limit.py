@@ -135,7 +135,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
         t_next = course.clipped(t, step)
         found = _advance(course.system(t_next), state)
         if found is not None and (after := found.discrete.margin).value <= 0:
-            crossing = _bisected(course, (t, state, margin), (t_next, found, after))
+            crossing = _bisected(course, (t, state, margin), t_next)
             t, state, margin = crossing[0]
             visited.append((t, margin.value))
             if crossing[1]:
@@ -237,33 +237,19 @@ def _advance(system: RodSystem, state: RodState) -> RodState | None:
 Visit: TypeAlias = tuple[float, RodState, Margin]
 
 
-def _bisected(course: Course, low: Visit, high: Visit) -> tuple[Visit, bool]:
+def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
     """The last stable state before a change of sign of the margin, and whether the margin goes to zero there.
 
     Next to a fold a step may land on the unstable branch beside; then the margin jumps instead.
     """
     start = low[2].value
-    ends = [start, high[2].value]
-    weight = [1.0, 1.0]
-    while high[0] - low[0] > RESOLUTION_SHARE * course.end:
-        a, b = weight[0] * ends[0], weight[1] * ends[1]
-        share = np.clip(a / (a - b), 0.01, 0.99) if a > b else 0.5
-        t = low[0] + float(share) * (high[0] - low[0])
+    while high - low[0] > RESOLUTION_SHARE * course.end:
+        t = (low[0] + high) / 2
         found = _advance(course.system(t), low[1])
-        if found is None:
-            if t - low[0] < RESOLUTION_SHARE * course.end:
-                break
-            high, ends[1], weight = (t, low[1], low[2]), -abs(ends[0]), [1.0, 1.0]
-            continue
-        margin = found.discrete.margin
-        if margin.value > 0:
-            low, ends[0] = (t, found, margin), margin.value
-            weight = [1.0, weight[1] / 2]
+        if found is not None and (margin := found.discrete.margin).value > 0:
+            low = (t, found, margin)
         else:
-            high, ends[1] = (t, found, margin), margin.value
-            weight = [weight[0] / 2, 1.0]
-        if abs(margin.value) < 1e-12 * max(abs(ends[0]), 1.0):
-            break
+            high = t
     return low, low[2].value < 1e-6 * max(start, 1.0)
 
 

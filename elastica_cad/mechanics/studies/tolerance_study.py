@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import product
 from typing import NamedTuple
 
@@ -232,23 +233,13 @@ class ToleranceRanges:
     wave_phase: Range = (0.0, float(np.pi))
 
     def __post_init__(self) -> None:
-        for name in (
-            "stiffness_range",
-            "youngs_modulus",
-            "density",
-            "thickness",
-            "angle",
-            "yield_curvature",
-            "width_loss",
-            "thickness_wave",
-            "wave_phase",
-        ):
-            pair = numbers(getattr(self, name), f"the range of {name}")
+        for name, given in vars(self).items():
+            pair = numbers(given, f"the range of {name}")
             if pair.shape != (2,):
                 raise InputError(
                     "range of {name} is {given!r}: give the lowest and the highest",
                     name=name,
-                    given=getattr(self, name),
+                    given=given,
                 )
             low, high = pair.tolist()
             if not low <= high:
@@ -505,13 +496,9 @@ def _run(
 ) -> list[_Outcome]:
     """Results for each imperfection; equal ones are bent once."""
     different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
-    chunks = [different[i : i + _CHUNK] for i in range(0, len(different), _CHUNK)]
-    if executor is None:
-        answers = [_outcomes(rod, chunk, max_width) for chunk in chunks]
-    else:
-        n = len(chunks)
-        answers = list(executor.map(_outcomes, [rod] * n, chunks, [max_width] * n))
-    known = dict(zip(different, (one for chunk in answers for one in chunk), strict=True))
+    bent = partial(_outcome, rod, max_width)
+    answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
+    known = dict(zip(different, answers, strict=True))
     return [known[_reduced(rod, v)] for v in todo]
 
 
@@ -531,20 +518,14 @@ def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
     )
 
 
-def _outcomes(rod: Rod, imperfections: Sequence[Imperfection], max_width: float | None) -> list[_Outcome]:
-    found = []
-    for imperfection in imperfections:
-        if imperfection == Imperfection():
-            found.append(_Outcome(0.0, False))
-            continue
-        try:
-            bent = perturb_rod(rod, imperfection, max_width=max_width)
-        except NotConvergedError:
-            found.append(_Outcome(None, False))
-        else:
-            deviation = float(np.hypot(*(bent.position - rod.position).T).max())
-            found.append(_Outcome(deviation, has_snapped(bent)))
-    return found
+def _outcome(rod: Rod, max_width: float | None, imperfection: Imperfection) -> _Outcome:
+    if imperfection == Imperfection():
+        return _Outcome(0.0, False)
+    try:
+        bent = perturb_rod(rod, imperfection, max_width=max_width)
+    except NotConvergedError:
+        return _Outcome(None, False)
+    return _Outcome(float(np.hypot(*(bent.position - rod.position).T).max()), has_snapped(bent))
 
 
 def _effect(name: str, inner: Sequence[_Outcome], outer: Sequence[_Outcome]) -> ToleranceEffect:

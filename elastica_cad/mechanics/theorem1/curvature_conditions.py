@@ -309,9 +309,8 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
     if not (ends or hardly_bent.any()):  # nor does a slope make a zero of them
         return tuple(found)
-    at_ends = zip(
-        (low, high), *(x.tolist() for x in excess.value_and_slope_at(np.array([low, high]))), strict=True
-    )
+    t_ends = np.array([low, high])
+    at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
         # a zero that lies as near beyond the end

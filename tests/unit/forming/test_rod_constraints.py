@@ -15,7 +15,7 @@ from elastica_cad.forming.nearest.curve_distance import (
     TargetCurve,
     measure_deviation,
 )
-from elastica_cad.forming.nearest.rod_map import SectionScale, StripGrid, spline_basis
+from elastica_cad.forming.nearest.rod_map import SectionScale, StiffnessBasis, StripGrid
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.plain_section import WidthLaw
@@ -28,7 +28,7 @@ EDGES = 81
 
 @pytest.fixture(scope="module")
 def grid():
-    return StripGrid(spline_basis(np.linspace(0, 1, EDGES + 1), 10), np.array([2.0, 5.0]))
+    return StripGrid(StiffnessBasis(10).at(np.linspace(0, 1, EDGES + 1)), np.array([2.0, 5.0]))
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.forming.nearest.rod_map import StripGrid, spline_basis
+from elastica_cad.forming.nearest.rod_map import StiffnessBasis, StripGrid
 from elastica_cad.mechanics.rod.discrete_rod import bending_moments, edge_forces, node_weights, shoot
 
 pytestmark = pytest.mark.core
@@ -12,7 +12,7 @@ EDGES = 60
 
 
 def grid(e=(0.0, 0.0), count=9, kappa_0=0.0):
-    return StripGrid(spline_basis(np.linspace(0, 1, EDGES + 1), count), np.array(e), kappa_0)
+    return StripGrid(StiffnessBasis(count).at(np.linspace(0, 1, EDGES + 1)), np.array(e), kappa_0)
 
 
 def unknowns(g, seed=1):

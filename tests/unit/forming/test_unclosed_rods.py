@@ -7,7 +7,7 @@ from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.constraints import EndPosition
 from elastica_cad.forming.nearest.curve_distance import LargestDistance, MeanDistance, TargetCurve
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.nearest.rod_map import StripGrid, spline_basis
+from elastica_cad.forming.nearest.rod_map import StiffnessBasis, StripGrid
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.optimizer.nonlinear_program import (
     all_equalities,
@@ -25,7 +25,7 @@ EDGES = 100
 
 def arch(distance="mean"):
     """A rod in balance with its end kept, and a problem around it."""
-    grid = StripGrid(spline_basis(np.linspace(0, 1, EDGES + 1), 8), np.array([0.5, 2.0]))
+    grid = StripGrid(StiffnessBasis(8).at(np.linspace(0, 1, EDGES + 1)), np.array([0.5, 2.0]))
     u = grid.unknowns
     z = np.ones(u.count)
     z[u.stiffness] = np.linspace(1, 2, 8)

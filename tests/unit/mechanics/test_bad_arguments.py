@@ -58,7 +58,7 @@ def test_a_support_is_a_name_or_an_end(end):
         (lambda: optimal_rod(ARCH, natural_curvature=np.zeros(5)), "natural_curvature is array"),
         (lambda: Rod.straight(100.0, samples=2), "samples is 2: it must be a whole number, 3 or more"),
         (lambda: Rod.straight(100.0, samples=2.5), "samples is 2.5"),
-        (lambda: Rod.straight(100.0, start=(0.0,)), "start must be two numbers"),
+        (lambda: Rod.straight(100.0, start=(0.0,)), "start must be two finite numbers"),
         (lambda: Rod.straight(100.0, bending_stiffness=-1.0), "bending stiffness is -1.0"),
         (lambda: STRIP.with_stiffness(np.ones(40)), "stiffness has 40 values, the rod 41 nodes"),
         (lambda: bend(STRIP, end=(90.0, 0.0), mode=1.5), "mode is 1.5"),

@@ -42,7 +42,7 @@ def test_length_ends_angles_and_nodes(name):
     assert samples.angle[[0, -1]] == pytest.approx(rod.angle[[0, -1]], abs=2e-8)
     step, kappa = rod.s[1], np.abs(rod.curvature).max()
     off = np.hypot(*(samples.position - rod.position).T)
-    assert off.max() < 1.5 * step**2 * kappa / 24 + 1e-9
+    assert off.max() < 2 * step**2 * kappa / 24 + 1e-9
     assert (
         np.abs(samples.angle - rod.angle).max()
         < step**2 * np.abs(np.gradient(rod.curvature, rod.s)).max() + 2e-8

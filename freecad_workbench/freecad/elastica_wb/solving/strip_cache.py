@@ -134,7 +134,7 @@ def _nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
         )
         for spans in SPANS if near.met and near.deviation <= farthest else ():
             with suppress(NotConvergedError):
-                curve = coarse_curve(near.rod, spans, tangents=near.keep.both_tangents)
+                curve = coarse_curve(near.rod, spans)
                 if _keeps_limits(replace(asked, curve=curve)):
                     return curve, note(
                         "Drawn with {count} poles to drag, {far} from the curve before; with {most} poles, too "
