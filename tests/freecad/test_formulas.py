@@ -70,6 +70,7 @@ def test_a_formula_that_is_taken_away_leaves_what_was_chosen(made, formula):
 
 @pytest.mark.campaign
 def test_every_list_of_choices_outlives_its_formula(document, made):
+    document.recompute()  # what has a shape can be cut into sections
     everything = [
         made,
         flat.create(document, made),

@@ -642,7 +642,8 @@ def test_a_model_that_was_moved_is_held_where_it_stands(document, standing):
 
 @pytest.mark.campaign
 @pytest.mark.parametrize(
-    ("labels", "engraved"), [(("Träger/1", "Größe"), ["Trager/1", "Grosse"]), (("拱", "桥"), None)]
+    ("labels", "engraved"),
+    [(("Träger/1", "Größe"), ("Träger/1", "Größe")), (("拱", "桥"), ("Strip", "Strip001"))],
 )
 def test_labels_that_cannot_be_engraved(document, standing, tmp_path, labels, engraved):
     """Users of other languages name things as they like: a model of them is cut, held and exported."""
@@ -656,8 +657,9 @@ def test_labels_that_cannot_be_engraved(document, standing, tmp_path, labels, en
     document.recompute()
     for one in (made, blocks, plate, sheets):
         assert one.State == ["Up-to-date"], one.getStatusString()
-    names = engraved or [one.Name for one in standing]
-    assert [cut.piece.name for cut in cuts_of([made])] == names
+    cuts = cuts_of([made])
+    assert tuple(cut.piece.name for cut in cuts) == labels
+    assert tuple(cut.strip.engraved for cut in cuts) == engraved, "the name where no letter can be engraved"
     assert len(write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "step"))) == 5
 
 

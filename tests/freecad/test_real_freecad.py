@@ -258,7 +258,7 @@ def test_a_maker_at_work(tmp_path):
     assert "make it wider (MaxWidth" in narrow
     assert (
         none
-        == "There is no strip.\nA strip needs MaxWidth or MinWidth (mm): the rod only fixes how widths compare"
+        == "There is no strip.\nA strip needs MaxWidth or MinWidth (mm): its curve fixes only how widths compare"
     )
     assert fits.startswith("A flat strip")
     assert not re.search("max_width|min_width|--", narrow + none + fits), "words of those who type commands"

@@ -5,8 +5,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import gc
 import subprocess
 import time
+import weakref
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -557,7 +559,12 @@ def dragging():
     answers["refresh"] = time.perf_counter() - began
     Gui.ActiveDocument.resetEdit()
     until(lambda: live.session() is None)
-    answers["closed"] = live.session() is None
+    left = [weakref.ref(one) for one in (session, session.card)]
+    session = None
+    deferred = QtCore.QEvent.DeferredDelete  # what a nested loop of events leaves for the outer one
+    QtCore.QCoreApplication.sendPostedEvents(None, int(getattr(deferred, "value", deferred)))
+    gc.collect()
+    answers["closed"] = live.session() is None and not any(one() for one in left)
     # a curve that cannot be bent: the nearest one is shown beside it
     bad = sketch(document, [(0, 0), (40, 60), (80, -60), (120, 25), (160, 30), (180, 0)], name="Bad")
     strip.create(document, bad).Sheet = "card-200gsm"

@@ -7,7 +7,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from inside import ARCH, QtWidgets, answers, run, sketch, window
+from inside import ARCH, QtWidgets, action_of, answers, run, sketch, window
 
 
 def work():
@@ -19,8 +19,7 @@ def work():
     import elastica_cad
 
     answers["places"] = [elastica.__file__, elastica_cad.__file__]
-    actions = {one.objectName(): one for one in Gui.getMainWindow().findChildren(QtWidgets.QAction)}
-    answers["menu"] = actions["Elastica_Strip"].text().replace("&", "")
+    answers["menu"] = action_of("Elastica_Strip").text().replace("&", "")
     answers["icon"] = Path(icon("Elastica_Strip")).is_file()
     answers["boxes"] = len(load_panel("check").findChildren(QtWidgets.QWidget))
     drawn = sketch(App.newDocument("Arch"), ARCH)

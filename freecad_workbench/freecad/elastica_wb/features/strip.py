@@ -56,6 +56,13 @@ class StripFeature(Feature):
         super().__init__(obj)
         obj.Anticlastic = True
 
+    def onDocumentRestored(self, obj: Any) -> None:
+        """What was made beyond its limits when that was only told is made so again."""
+        told_only = "Anyway" not in obj.PropertiesList
+        super().onDocumentRestored(obj)
+        if told_only:
+            obj.Anyway = obj.StrainUse >= 100  # more was not counted then
+
     def onChanged(self, obj: Any, name: str) -> None:
         """Another sheet has another colour."""
         before = self.chosen

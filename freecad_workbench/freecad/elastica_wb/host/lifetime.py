@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Objects and documents that may be gone or not be ours, and what files keep of proxies."""
+"""Objects and documents that may be gone or not be ours, what files keep of proxies, sensors that keep nothing."""
 
+from collections.abc import Callable
 from typing import Any
+from weakref import WeakMethod
 
 import FreeCAD as App
 
@@ -29,6 +31,22 @@ def document_lives(document: Any) -> bool:
         return document.Name in App.listDocuments()
     except (ReferenceError, RuntimeError):
         return False
+
+
+def sensor(kind: Any, told: Callable[..., None]) -> Any:
+    """A sensor of Coin that calls a method for as long as its object is used elsewhere.
+
+    pivy never lets go of what a sensor calls: with it a card and its widgets would stay in memory, and PySide would
+    take their faces for those of the next widgets at their addresses.
+    """
+    method = WeakMethod(told)
+
+    def tell(*_: Any) -> None:
+        call = method()
+        if call is not None:
+            call()
+
+    return kind(tell, None)
 
 
 class Unsaved:

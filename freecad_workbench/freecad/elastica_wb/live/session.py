@@ -13,6 +13,7 @@ import numpy as np
 from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, is_blank, sketch_curve
 from freecad.elastica_wb.features.strip_request import nearest_spec_of, spec_of
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.lifetime import sensor
 from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.qt import later
 from freecad.elastica_wb.host.refusal import FAILURES, explained
@@ -128,7 +129,7 @@ class Session:
         if search.getPath() is None:
             return
         self._node = search.getPath().getTail()
-        self._sensor = coin.SoFieldSensor(self._moved, None)
+        self._sensor = sensor(coin.SoFieldSensor, self._moved)
         self._sensor.attach(self._node.point)
 
     def _read(self) -> None:
@@ -139,7 +140,7 @@ class Session:
         field = self._node.point
         return [field[i].getValue() for i in range(field.getNum())]
 
-    def _moved(self, *_: Any) -> None:
+    def _moved(self) -> None:
         self.moves += 1
         if not self._soon.isActive():
             self._soon.start()

@@ -9,6 +9,7 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.lifetime import sensor
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.overlay import COLORS, PARTS
@@ -54,11 +55,10 @@ class VerdictCard(QtCore.QObject):
             part.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go on to the sketcher
         self.answer: Answer | None = None
         self._tall = self._corner = 0
-        self._removed = False
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
         self._soon = later(self._place, LOOKED_MS, self)
-        self._camera = coin.SoNodeSensor(lambda *_: self._soon.start(), None)
+        self._camera = sensor(coin.SoNodeSensor, self._looks_elsewhere)
 
     def show(self, answer: Answer, sentence: str, shown: Mapping[str, int]) -> None:
         """Another verdict; `sentence` is in the user's units, `shown` tells how many points each part has."""
@@ -99,13 +99,15 @@ class VerdictCard(QtCore.QObject):
 
     def remove(self) -> None:
         """Take it off the view, which may be closed already."""
-        self._removed = True
         self._camera.detach()
         with suppress(RuntimeError):
             self._over.removeEventFilter(self)
             for part in (self.frame, self.button, self.fold):
                 part.hide()
                 part.deleteLater()
+            self.deleteLater()
+        # a wrapper kept beyond its view stands in the way of the next view's
+        self._over = self._view = None
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
         """The view has another size."""
@@ -113,13 +115,18 @@ class VerdictCard(QtCore.QObject):
             self._place()
         return False
 
+    def _looks_elsewhere(self) -> None:
+        """The camera has moved; it may outlive the view, and so the timer."""
+        with suppress(RuntimeError):
+            self._soon.start()
+
     def _turn(self, *_: Any) -> None:
         preferences.put(FOLDED, not preferences.get(FOLDED))
         self._place()
 
     def _place(self) -> None:
         """As wide as reads well, in one of the corners, with the buttons where the frame has room for them."""
-        if self._removed:  # FreeCAD's view is gone soon, and a camera that moved is told late
+        if self._over is None:  # FreeCAD's view is gone soon, and a camera that moved is told late
             return
         folded, over = preferences.get(FOLDED), self._over
         self.fold.setText("▴" if folded else "▾")
