@@ -81,9 +81,9 @@ def test_slots_in_plywood_soften_it_more_than_in_an_even_sheet(strip):
 
 
 @pytest.mark.parametrize(
-    ("value", "text"), [(0.8312, "0.83 mm"), (0.00123, "0.0012 mm"), (191.0, "190 mm"), (9.96, "10 mm")]
+    ("value", "text"), [(0.8312, "0.83 mm"), (0.00123, "0.001 mm"), (191.0, "190 mm"), (9.96, "10 mm")]
 )
-def test_numbers_have_two_digits(value, text):
+def test_numbers_have_two_digits_and_end_at_a_micrometre(value, text):
     assert str(about(value)) == text
 
 
