@@ -88,11 +88,13 @@ class MeasuredPoints:
         far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
         said = (
             "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
-            "the others {rest:.2g} at most: measure it again"
-        )
-        beside_end = ", and the end beside it, which cannot be judged" if at in (1, count - 2) else ""
+            "the others {rest:.2g} at most: measure it again, and the end beside it, which cannot be judged."
+            if at in (1, count - 2) else
+            "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
+            "the others {rest:.2g} at most: measure it again."
+        )  # fmt: skip
         return (note(
-            f"{said}{beside_end}.",
+            said,
             place=Point(self.points[at]), number=at + 1, count=count, far=Length(far), rest=Length(rest),
             severity="warning",
         ),)  # fmt: skip

@@ -80,8 +80,8 @@ class Watched:
     def __init__(self, title: str) -> None:
         self._title = title
 
-    def map(self, work: Callable[..., Any], *arguments: Iterable[Any]) -> Iterator[Any]:
-        """Yield the answers one by one.
+    def map(self, work: Callable[..., Any], *arguments: Iterable[Any], **_chunks: int) -> Iterator[Any]:
+        """Yield the answers one by one, as `concurrent.futures` would.
 
         Raises
         ------
