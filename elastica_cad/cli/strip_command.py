@@ -174,7 +174,7 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
 def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
     """The curve as a design file in that folder names it."""
     unit = {"unit": asked.unit} if asked.unit else {}
-    which: dict[str, Any] = {"id": asked.own} if asked.own else {"number": asked.drawn.number}
+    which: dict[str, Any] = {"id": asked.own} if asked.alone else {"number": asked.drawn.number}
     return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
 
 

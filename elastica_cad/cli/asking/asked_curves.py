@@ -121,7 +121,9 @@ class AskedCurve:
     unit : str or None
         Of the file, where it was told.
     own : str
-        The name that a person gave the curve, where several are in the file and no other has it; else empty.
+        The name that a person gave the curve, where several are in the file; else empty.
+    alone : bool
+        No other has that name.
     """
 
     path: Path
@@ -132,6 +134,7 @@ class AskedCurve:
     which: tuple[str, ...] = ()
     unit: str | None = None
     own: str = ""
+    alone: bool = False
 
     @property
     def label(self) -> str:
@@ -211,7 +214,7 @@ def asked_curves(
             ),
             ("--curve", str(one.number)) if several else (),
             unit,
-            _own_name(whole, drawing.curves) if len(drawing) > 1 else "",
+            *_own_name(whole, drawing.curves),
         )
         for whole in found
         for one in (whole.split_at_corners() if split else (whole,))
@@ -238,13 +241,20 @@ def drawn_curves(
 
 
 def _called(one: DrawnCurve, found: Sequence[DrawnCurve]) -> str:
-    return _own_name(one, found) or str(one.number)
+    """The name that a person gave it, with its number where others have that too; its number where it has none."""
+    if not re.match(r"_|[^\W\d]", one.name):
+        return str(one.number)
+    return one.name if _is_alone(one, found) else f"{one.name}-{one.number}"
 
 
-def _own_name(one: DrawnCurve, found: Sequence[DrawnCurve]) -> str:
-    """The name that a person can give it, where it is the only one of that name; else empty."""
-    alone = sum(_word(other.name).casefold() == _word(one.name).casefold() for other in found) == 1
-    return one.name if alone and re.match(r"_|[^\W\d]", one.name) else ""
+def _own_name(one: DrawnCurve, found: Sequence[DrawnCurve]) -> tuple[str, bool]:
+    """What it is called where several are in the file and it has a name, and whether no other has that."""
+    called = _called(one, found) if len(found) > 1 else ""
+    return ("", False) if called == str(one.number) else (called, _is_alone(one, found))
+
+
+def _is_alone(one: DrawnCurve, found: Sequence[DrawnCurve]) -> bool:
+    return sum(_word(other.name).casefold() == _word(one.name).casefold() for other in found) == 1
 
 
 def _word(name: str) -> str:
