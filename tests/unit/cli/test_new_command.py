@@ -72,7 +72,7 @@ def test_the_schema_comes_beside_and_alone(tmp_path):
     assert "exists already" in typed("new", "pavilion", cwd=tmp_path).stderr
     assert typed("new", "schema", "--force", cwd=tmp_path).stdout == "wrote elastica.schema.json\n"
     keys = json.loads((tmp_path / "elastica.schema.json").read_text())["properties"]
-    assert keys["max_width"]["description"].endswith("mm")
+    assert keys["max_width"]["description"].endswith("(mm).")
 
 
 @pytest.mark.campaign

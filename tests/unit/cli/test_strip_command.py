@@ -140,7 +140,7 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     )
     broken = elastica(*arguments)
     assert broken.exit_code == 1
-    assert broken.stderr.startswith("Would break: strain 2.00 % at")
+    assert broken.stderr.startswith("Would break: strain 2 % at")
     loose = elastica(*arguments, "--ignore-limits")
     assert loose.exit_code == 0
     assert "Warning: strain" in loose.stderr
@@ -267,12 +267,8 @@ def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
         (("strip", drawn, "--sheet", "card-200gms", "--max-width", 20), "card-200gsm"),
         (("strip", drawn, "--sheet", "card-200gsm"), "--max-width"),
         (("strip", drawn, *good, "--kerf", "wide"), "kerf"),
-        (("strip", drawn, *good, "--max-width", "-3"), "positive"),
+        (("strip", drawn, *good, "--max-width", "-3"), "a number above 0"),
         (("strip", drawn, *good, "--tab", "-3"), "tab"),
-        (
-            ("strip", drawn, *good, "--tab", "12", "--start-tab", "length = 8", "--end-tab", "length = 9"),
-            "--tab is of",
-        ),
         (("strip", drawn, *good, "--kerf", "50"), "wider than the cut of any tool"),
         (("strip", drawn, *good, "--curve", "7"), "7"),
         (("strip", drawn, *good, "--set", "cut.version=R99"), "R99"),
@@ -320,7 +316,7 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
         "--sheet",
         "birch-plywood-0.8",
         "--max-width",
-        30,
+        20,
         "--set",
         "slots = [{ at = 70, width = 1 }]",
     )
@@ -344,7 +340,7 @@ def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, we
     left = float(
         re.search(r"--compensate makes up for that in the widths: about ([\d.]+) mm are left", told)[1]
     )
-    assert left < 3e-3 * 370  # of which the sheet adds most
+    assert left < 4e-3 * 370  # of which the sheet adds most
     made_up = elastica(*asked, "--compensate", "-o", tmp_path / "made up").stdout
     assert float(re.search(r"as made and held the strip strays about ([\d.]+) mm", made_up)[1]) == left
 
@@ -356,9 +352,9 @@ def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, we
         (
             'kind = "thickness", width = 20',
             "thickness",
-            r"20\.00 mm wide, 2\.\d\d to 3\.00 mm thick",
+            r"20 mm wide, 2\.\d\d to 3 mm thick",
         ),
-        ('kind = "rod"', "diameter", r"2\.\d\d to 3\.00 mm in diameter"),
+        ('kind = "rod"', "diameter", r"2\.\d\d to 3 mm in diameter"),
     ],
 )
 def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, tmp_path):
