@@ -41,8 +41,6 @@ from elastica_cad.fabrication.holders.held_tabs import held_shapes as held_shape
 from elastica_cad.fabrication.measuring import Measuring as Measuring
 from elastica_cad.fabrication.holding.expected_error import (
     MakingTolerance as MakingTolerance,
-    open_deviation as open_deviation,
-    sheet_effects as sheet_effects,
 )
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
 from elastica_cad.fabrication.holding.held_shape import Reactions as Reactions

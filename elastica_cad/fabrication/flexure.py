@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_positive, require_record
+from elastica_cad._values import numbers, require_number, require_positive, require_record
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
@@ -240,7 +240,7 @@ class Flexure:
 
     def thickness_at(self, s: FloatArray) -> FloatArray:
         """Thickness in the plane (n,), mm, at arc lengths (n,), mm; beyond the ends as there."""
-        inside = np.clip(s, 0.0, self.pair.length)
+        inside = np.clip(numbers(s, "the arc lengths"), 0.0, self.pair.length)
         return np.asarray(self.scale * self.pair.first.profile(inside) ** (1 / 3))
 
     @property
@@ -333,6 +333,7 @@ class Flexure:
 
     def outline_along(self, line: "CentreLine") -> Path:
         """The outline, with sharp roots, of the part bent to a centre line."""
+        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         low, high = -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
 
         def side(way: int) -> PlaneCurve:
@@ -361,7 +362,7 @@ class Flexure:
         The fillet thickens the part towards the pad. It bends as a piece of the strip of the length `give`, so it
         begins that far within the free length. What the pad's own root adds is that of a half-plane.
         """
-        h, r = float(self.thickness_at(np.array([s]))[0]), self.fillet
+        h, r = float(self.thickness_at(np.array([require_number(s, "the arc length", "mm")]))[0]), self.fillet
         x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
         wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
         give = float(w @ (h / wide) ** 3) if r else 0.0
@@ -376,6 +377,7 @@ class Flexure:
 
     def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
         """The corners of the pads at start and end of the part bent to a centre line, anticlockwise."""
+        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         length = self.pair.length
         return (
             self._pad_corners(line, -self.overhang(0.0), -1),

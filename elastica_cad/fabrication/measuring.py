@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holding.held_shape import shape_responses
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -140,6 +141,7 @@ leave open
         InputError
             Nothing was measured that is expected here.
         """
+        require_record(measured, Mapping, "what was measured", "a mapping from names to numbers")
         names = [name for name in self.expected if name in measured]
         unknown = [name for name in measured if name not in self.expected]
         if unknown or not names:

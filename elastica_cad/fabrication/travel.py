@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.mechanics.bending.bend_forward import as_steps, bend, bend_path, has_snapped
@@ -247,6 +248,7 @@ def bend_strip(
     >>> round(moved.strained_at, 2), moved.snaps_at
     (2.59, None)
     """
+    require_record(strip, Strip, "what is bent", "a Strip")
     rods = bend_path(strip.rod_to_bend, path, side=side)
     B = strip.bending_stiffness
     end = np.array([rod.position[-1] - rod.position[0] for rod in rods])

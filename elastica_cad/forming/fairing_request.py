@@ -5,9 +5,11 @@ from functools import cached_property
 
 import numpy as np
 
+from elastica_cad._values import require_record
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_tolerance, fair_curve, round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.arguments import require_supports
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -191,7 +193,8 @@ def smooth_curve(
     >>> smooth_curve(pen).moved, round(smooth_curve(pen, 0.1).ratio_as_drawn, 2)
     (0.0, 1.63)
     """
-    smooth = check_smooth(smooth)
+    require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
+    smooth, supports = check_smooth(smooth), None if supports is None else require_supports(supports)
     unbent = _unbent_ends(curve, supports)
     if smooth is not None:
         return _with(curve, _faired(curve, smooth, unbent) if smooth > 0 else None, supports)

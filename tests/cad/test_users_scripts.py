@@ -264,9 +264,9 @@ class TestCadQuery:
 
 @pytest.mark.campaign
 def test_a_skin_is_there_soon_after_its_library(project_root):
-    """What solves, holds and animates strips is imported when it is asked for."""
+    """What solves and animates strips is imported when it is asked for."""
     library = os.environ.get("ELASTICA_KERNELS", "build123d").split(",")[0]
-    late = "optimal_rod", "nearest_rod", "end_travel", "held_shape", "strip_as_made", "assembly", "strip_spec"
+    late = "optimal_rod", "nearest_rod", "end_travel", "strip_as_made", "assembly", "strip_spec"
     code = (
         f"import sys, elastica_cad.{library}\n"
         f"print(sorted(set({late}) & {{name.rpartition('.')[2] for name in sys.modules if 'elastica' in name}}))"

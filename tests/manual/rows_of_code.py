@@ -104,7 +104,8 @@ def _build123d(row, _):
 
     made = getattr(ours, quoted(row[0])[0])
     bases = {"sketch object": bd.BaseSketchObject, "part object": bd.BasePartObject,
-             "line object": bd.BaseLineObject, "linear joint": bd.LinearJoint}  # fmt: skip
+             "line object": bd.BaseLineObject, "linear joint": bd.LinearJoint,
+             "revolute joint": bd.RevoluteJoint}  # fmt: skip
     if row[2] in bases:
         assert issubclass(made, bases[row[2]])
     else:
@@ -231,6 +232,8 @@ def _qualities(row, _):
         assert {path.name for path in asking} == {"qt.py"}
     elif asked.startswith("a valid manifest"):
         proved_by("tests/freecad/test_resources.py::test_package_for_the_addon_manager")
+    elif asked.startswith("no other files"):
+        proved_by("tests/freecad/test_real_freecad.py::test_the_addon_that_users_install")
     elif asked.startswith("the latest FreeCAD"):
         assert (ROOT / "tests" / "freecad" / "release.sh").is_file()
     else:

@@ -77,7 +77,7 @@ def test_a_script_draws_it(picture):
 
 def test_tools_are_shown_in_every_language_and_small():
     english = {path.stem for path in TOOLS.glob("*.png") if "." not in path.stem}
-    assert len(english) == 19
+    assert {"live", "strip", "nearest"} <= english
     for language in ("de", "zh_CN"):
         assert {path.name.split(".")[0] for path in TOOLS.glob(f"*.{language}.png")} == english
     assert max(path.stat().st_size for path in TOOLS.glob("*.png")) < 90_000

@@ -163,6 +163,7 @@ class EndFixture(EqualByValue):
         The tab bends between the walls that it is pressed against, as it does between two plates: the body of a
         straight tab runs into them a little.
         """
+        require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])
         index, straight = ENDS.index(end), replace(self, lean=(0.0, 0.0)).seat
         loaded = strip.as_made.loaded

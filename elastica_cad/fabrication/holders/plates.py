@@ -443,7 +443,7 @@ class Ring(BasePlate):
     seated: tuple[str, ...] = ()
 
     @classmethod
-    def around(
+    def _around(
         cls, loops: Sequence[FloatArray], border: float, sheet: Sheet, frame: Frame, name: str, **more: Any
     ) -> Self:
         """The ring that has loops (4, 2), slots or seats, with so much material about them, mm; without an opening
@@ -585,7 +585,7 @@ def ring_plate(
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
     seated = tuple(tab.name for tab in tabs)
-    found = Ring.around(seats, border, sheet, frame, name, seats=loops, holes=holes, seated=seated)
+    found = Ring._around(seats, border, sheet, frame, name, seats=loops, holes=holes, seated=seated)
     return found.checked(shop, ignore_limits=ignore_limits)
 
 
@@ -602,7 +602,7 @@ def ring_around(
     """The ring about the axis of its frame that has these slots; see `ring_plate`."""
     sheet = Sheet.of(sheet)
     loops = [slot.corners for slot in slots]
-    return Ring.around(loops, border, sheet, frame, name, slots=tuple(slots)).checked(
+    return Ring._around(loops, border, sheet, frame, name, slots=tuple(slots)).checked(
         shop, ignore_limits=ignore_limits
     )
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, require_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -107,6 +107,7 @@ class RestCurvature(EqualByValue):
         InputError
             They differ by more than `LENGTHS_APART`.
         """
+        length = require_number(length, "the length of the curve", "mm")
         if abs(length / self.length - 1) > LENGTHS_APART:
             raise InputError(
                 "the blank is {length:.5g} long before it is bent, the curve {length_2:.5g}: give "

@@ -287,6 +287,7 @@ def optimal_rod(
     require_tolerance(tolerance)
     if check is None:
         check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
+    require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
     if gravity is not None and not check.any_stiffness:
         _require_load_at_free_end(check, supports, weight)
     if not check.realizable:
