@@ -136,7 +136,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             made.append(asked)
             wrong += strict and not kit.strip.strain_verdict.allowed
         except ElasticaError as problem:
-            for stray in stray_point(asked.curve):
+            for stray in () if asked.drawn.problem else stray_point(asked.curve):
                 if stray not in str(problem):
                     warn(stray)
             if len(curves) == 1 and not chosen["every"]:

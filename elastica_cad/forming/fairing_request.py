@@ -80,7 +80,8 @@ class Smoothing:
         drawn, smooth = (
             one.sample(PLACES).curvature for one in (self.drawn, round_corners(self.drawn, points.reach)[0])
         )
-        return float(np.abs(drawn - smooth).max() / np.abs(smooth).max())
+        largest = float(np.abs(smooth).max())
+        return float(np.abs(drawn - smooth).max()) / largest if largest else 0.0
 
     @property
     def noise(self) -> tuple[str, ...]:

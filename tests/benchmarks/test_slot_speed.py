@@ -3,15 +3,7 @@
 from time import process_time
 
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-
-
-def seconds(function, repeats=3):
-    found = []
-    for _ in range(repeats):
-        start = process_time()
-        function()
-        found.append(process_time() - start)
-    return min(found)
+from tests.benchmarks.timing import seconds
 
 
 def test_slots_cost_a_few_times_the_strips(benchmark, pavilion):
@@ -24,7 +16,7 @@ def test_slots_cost_a_few_times_the_strips(benchmark, pavilion):
         return [optimal_rod(strip.rod.curve, gravity=gravity) for strip in model.strips]
 
     benchmark.pedantic(model.interlock, rounds=3)
-    slots = seconds(model.interlock)
-    benchmark.extra_info["ratio"] = slots / seconds(rods)
+    slots = seconds(model.interlock, 3, process_time)
+    benchmark.extra_info["ratio"] = slots / seconds(rods, 3, process_time)
     assert slots < 3.9 / 2
     assert benchmark.extra_info["ratio"] < 8

@@ -2,6 +2,7 @@
 
 import re
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -203,6 +204,8 @@ def asked_curves(
     drawing = drawn_curves(path, unit, number, layer, how)
     several = every and len(drawing) > 1 and number is None
     found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
+    in_files = _names(found)
+    in_drawing = _names(drawing.curves) if len(drawing) > 1 else {}
     return tuple(
         AskedCurve(
             path,
@@ -210,11 +213,13 @@ def asked_curves(
             whole,
             len(drawing),
             _file_stem(
-                path, _called(whole, found) if every else number, one.piece if one.pieces > 1 else None
+                path,
+                (in_files[whole.number][0] or str(whole.number)) if every else number,
+                one.piece if one.pieces > 1 else None,
             ),
             ("--curve", str(one.number)) if several else (),
             unit,
-            *_own_name(whole, drawing.curves),
+            *in_drawing.get(whole.number, ("", False)),
         )
         for whole in found
         for one in (whole.split_at_corners() if split else (whole,))
@@ -240,21 +245,17 @@ def drawn_curves(
     return drawing
 
 
-def _called(one: DrawnCurve, found: Sequence[DrawnCurve]) -> str:
-    """The name that a person gave it, with its number where others have that too; its number where it has none."""
-    if not re.match(r"_|[^\W\d]", one.name):
-        return str(one.number)
-    return one.name if _is_alone(one, found) else f"{one.name}-{one.number}"
-
-
-def _own_name(one: DrawnCurve, found: Sequence[DrawnCurve]) -> tuple[str, bool]:
-    """What it is called where several are in the file and it has a name, and whether no other has that."""
-    called = _called(one, found) if len(found) > 1 else ""
-    return ("", False) if called == str(one.number) else (called, _is_alone(one, found))
-
-
-def _is_alone(one: DrawnCurve, found: Sequence[DrawnCurve]) -> bool:
-    return sum(_word(other.name).casefold() == _word(one.name).casefold() for other in found) == 1
+def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
+    """What curves are called, by their numbers: the name that a person gave each, with its number where others have
+    that too, or empty for none; and whether no other has that name."""
+    often = Counter(_word(one.name).casefold() for one in curves)
+    found = {}
+    for one in curves:
+        alone = often[_word(one.name).casefold()] == 1
+        named = re.match(r"_|[^\W\d]", one.name) is not None
+        called = (one.name if alone else f"{one.name}-{one.number}") if named else ""
+        found[one.number] = called, named and alone
+    return found
 
 
 def _word(name: str) -> str:

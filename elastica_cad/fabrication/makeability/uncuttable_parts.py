@@ -382,10 +382,8 @@ def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> t
     if not wider:
         cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
-        wider, cure = (
-            (),
-            note("ask for the nearest curve with a smaller ratio"),
-        )  # tips of bulges grow thinner
+        wider = ()  # the tips of its bulges grow thinner
+        cure = note("ask for the nearest curve with a smaller ratio")
     else:
         cure = note(
             "make it wider (max_width = {width:g} or more), or ask for the nearest curve with a smaller ratio",

@@ -74,7 +74,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     rounded = (
         MM_PER_INCH / parts / 2 if inches else scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS])
     )
-    by_rule = scale == MM_PER_INCH or any(name for name, _ in columns)  # no machine measured those
+    by_rule = scale == MM_PER_INCH or any(name for name, _ in columns)  # as fine as a rule is read
     noise = rounded / np.sqrt(3) if by_rule else 0.0
     blocks = [(name, block) for name, column in columns for block in _blocks(column, scale)]
     makers = [

@@ -1,6 +1,7 @@
 """Points that were measured: how far they waver about the smooth curve that they stand for."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -67,7 +68,7 @@ class MeasuredPoints:
         """
         return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.waver, 2)
 
-    @property
+    @cached_property
     def stray(self) -> tuple[Refusal, ...]:
         """A sentence about the one point that stands out, as a mistyped one does; none where none stands out.
 

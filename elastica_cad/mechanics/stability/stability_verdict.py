@@ -13,6 +13,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, solve_bordered
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.refusals import note
 
 
 @dataclass(frozen=True, eq=False)
@@ -312,8 +313,11 @@ class Stability:
     borderline: bool
 
     def __str__(self) -> str:
-        told = f"margin {self.margin:.3g} ({self.word}): {self.meaning}"
-        return f"stable, {told}" if self.stable else told
+        return note(
+            "stable, margin {margin:.3g} ({word}): {meaning}" if self.stable else "margin {margin:.3g} ({word}): "
+            "{meaning}",
+            margin=self.margin, word=note(self.word), meaning=note(self.meaning),
+        )  # fmt: skip
 
     @property
     def word(self) -> Literal["unstable", "low", "ample"]:

@@ -116,6 +116,18 @@ def lengths_of(design, folder):
     return {one["name"]: one["length"] for one in json.loads(done.stdout)["parts"]}
 
 
+def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
+    """Nor is a straight one said to change with noise by nan %."""
+    rows = "\n".join(f"0,1,{5 + k}" for k in range(5))
+    (tmp_path / "lines.csv").write_text(f"Station,A,B\n{rows}\n")
+    wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
+    done = elastica("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out")
+    assert "curve 1 (A) of 2: a curve needs two different points" in done.stderr
+    assert "1 of 2 curves made no strip as asked" in done.stderr
+    assert "nan" not in done.stderr
+    assert (tmp_path / "out" / "lines-B.dxf").exists()
+
+
 def test_a_model_warns_of_a_strip_that_will_not_stay(tmp_path):
     x = np.linspace(0, 2 * np.pi, 60)
     np.savetxt(tmp_path / "wave.csv", np.column_stack([40 * x, 10 * np.sin(x)]), delimiter=",")
