@@ -38,6 +38,9 @@ MADE = {
 }
 """What a page's commands made that is shown there, by the name of the page."""
 
+LONGEST_MM = 700.0
+"""Of a drawing as much is shown from its left end: letters can be read, and a sheet of 600 mm is whole."""
+
 
 def main(folder: Path = PICTURES) -> None:
     """One picture for each page, small enough to be read on a phone."""
@@ -83,7 +86,8 @@ def looked_at(file: Path, picture: Path) -> Image.Image:
                 points = [(p.x, p.y) for p in make_path(entity).flattening(0.05)]
                 lines.append((np.array(points), colours.get(entity.dxf.layer, "black")))
     every = np.concatenate([points for points, _ in lines])
-    middle, size = every.min(axis=0) + np.ptp(every, axis=0) / 2, np.ptp(every, axis=0)
+    size = np.minimum(np.ptp(every, axis=0), (LONGEST_MM, np.inf))
+    middle = every.min(axis=0) + size / 2
     width, height = 1.1 * np.maximum(size, 0.05 * size.max())  # the numbers of a batten's axis need room
     figure, (axes,) = new_page([Panel(min(8.0 * height / width, 6.0), below=0.5, left=0.6)])
     axes.set_xlim(middle[0] - width / 2, middle[0] + width / 2)
