@@ -31,9 +31,10 @@ def read_curves(
 ) -> CurveList:
     """The curves drawn in a file, in mm.
 
-    Splines, arcs and ellipses are kept exactly; pieces whose ends meet are joined to one curve; polylines and
-    measured points are fitted. A closed curve is returned too, with equal ends. Corners that the number of decimals
-    explains are taken out, and `PlaneCurve.provenance` tells how far that moved the curve.
+    Splines, arcs and ellipses are kept exactly; polylines and measured points are fitted. Pieces whose ends meet
+    are joined to one curve, but for shapes of an SVG that have names. A closed curve is returned too, with equal
+    ends. Corners that the number of decimals explains are taken out, and `PlaneCurve.provenance` tells how far that
+    moved the curve.
 
     Up to 256 MB, 20,000 shapes (blocks and clones counted as often as they are shown), 120,000 pieces and 5,000
     curves are read; a curve may have 3,000 pieces and be 0.001 mm to 1 km large.
@@ -83,21 +84,31 @@ def read_drawing(
     tolerance: float = JOIN_TOLERANCE,
     fit_tolerance: float = FIT_TOLERANCE,
     unit: str | None = None,
+    corners: bool = True,
 ) -> DrawnFile:
-    """The curves of a file one by one, with numbers, ids and layers, and what was left out.
+    """Read the curves of a file one by one, with numbers, names and layers, and list what was left out.
 
-    Arguments and errors as in `read_curves`; the problem of a single curve is told by that curve.
+    Arguments and errors as in `read_curves`; the problem of a single curve is an attribute of that curve.
+
+    Parameters
+    ----------
+    corners : bool
+        In DXF and SVG: join ends also where they meet at a corner.
     """
     with name_source(path) as file:
         suffix = file.suffix.lower()
         if suffix == ".dxf":
             from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
 
-            return read_dxf_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
+            return read_dxf_drawing(
+                file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
+            )
         if suffix in (".svg", ".svgz"):
             from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
 
-            return read_svg_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
+            return read_svg_drawing(
+                file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
+            )
         if suffix == ".csv":
             from elastica_cad.formats.curve_files.point_files import read_csv_drawing
 

@@ -99,7 +99,7 @@ def check(
     bent = natural_curvature_of(natural_curvature)
     of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
     answers: list[dict[str, Any]] = []
-    several = max(asked[0].count, len(asked)) > 1
+    several = len(asked) > 1
     if picture is not None:
         _draw(asked, picture, supports, bent, smooth, force=force)
     for said, alike in groupby(
@@ -114,7 +114,7 @@ def check(
             warn(said, told=bad <= MOST_REFUSALS)
         else:
             which = one.drawn.called if one is last else f"{one.drawn.called} to {last.drawn.called}"
-            say(f"{curve.name}, {which} of {one.count}:\n{said}" if several else said)
+            say(f"{curve.name}, {which} of {one.count}:\n{said}" if max(one.count, len(asked)) > 1 else said)
             for sentence in answered.get("advice_on_sheets", ()):
                 say(sentence)
         if not (good or several or voice().quiet):

@@ -98,10 +98,10 @@ def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
 
 
 def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
-    """Both; curves of one drawing whose ends meet were joined in reading it, and part at the corner."""
+    """Return both curves, in the order of the file where one drawing holds both."""
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
-        drawn = asked_curves(path, unit, None, None, every=True, split=True)
+        drawn = asked_curves(path, unit, None, None, every=True, split=True, corners=False)
         if len(drawn) != 2:
             raise InputError(
                 "a part rests in two curves, and {path} holds {count}: choose them by --first and --second, or "
@@ -113,7 +113,7 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
 
     def one(file: Path, which: str) -> PlaneCurve:
         how = f"--{which} 1 .. --{which} {{count}}, or --{which} ID"
-        (asked,) = asked_curves(file, unit, chosen[f"{which}_curve"], None, how=how)
+        (asked,) = asked_curves(file, unit, chosen[f"{which}_curve"], None, corners=False, how=how)
         return asked.bendable(None)
 
     return one(path, "first"), one(chosen["second"] or path, "second")

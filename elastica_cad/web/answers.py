@@ -499,8 +499,12 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
         _refuse_files(parse_design(path))
         return {"design": open_design(path)}
     curves = read_curves(path)
+    drawn = [one for one in curves.file if not one.problem]
     return {
-        "curves": [{"called": f"{name} {i}", "curve": curve_table(one)} for i, one in enumerate(curves, 1)],
+        "curves": [
+            {"called": f"{name} {one.number} {one.name}".rstrip(), "curve": curve_table(one.curve)}
+            for one in drawn
+        ],
         "notes": list(curves.notes),
     }
 

@@ -190,10 +190,12 @@ def asked_curves(
     *,
     every: bool = False,
     split: bool = False,
+    corners: bool = True,
     how: str = CHOICE,
 ) -> tuple[AskedCurve, ...]:
     """Return the one curve that number, id or layer select, or every one so selected; with `split` their pieces.
 
+    Without `corners`, curves that meet at a corner stay apart, and nothing is printed about where curves meet.
     `how` tells what to choose one of several by.
 
     Raises
@@ -201,7 +203,7 @@ def asked_curves(
     InputError
         No such curve, or several of which one is asked for; the file is named.
     """
-    drawing = drawn_curves(path, unit, number, layer, how)
+    drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
     found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
     in_files = _names(found)
@@ -227,7 +229,13 @@ def asked_curves(
 
 
 def drawn_curves(
-    path: Path, unit: str | None, number: str | None, layer: str | None, how: str = CHOICE
+    path: Path,
+    unit: str | None,
+    number: str | None,
+    layer: str | None,
+    how: str = CHOICE,
+    *,
+    corners: bool = True,
 ) -> DrawnFile:
     """Read a file, print a note where something was left out, and return what number, id or layer may select from.
 
@@ -236,8 +244,8 @@ def drawn_curves(
     InputError
         No such curve; the file is named.
     """
-    drawing = read_drawing(path, unit=unit)
-    for told in (drawing.size, drawing.left_out, *drawing.gaps):
+    drawing = read_drawing(path, unit=unit, corners=corners)
+    for told in (drawing.size, drawing.left_out, *(drawing.gaps if corners else ())):
         if told:
             warn(f"{path.name}: {told}")
     if not drawing.chosen(number, layer):

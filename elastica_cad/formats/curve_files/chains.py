@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.edges import Edge, Run, reverse_run
+from elastica_cad.formats.curve_files.edges import Edge, Run, Source, reverse_run
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_size, check_tolerance
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
@@ -24,6 +24,7 @@ FIT_TOLERANCE = 0.05  # mm
 NEAR_MM, NEAR_SHARE = 1.0, 0.01  # ends nearer than both, of the smaller curve, were perhaps meant to meet
 HOLE_ASIDE = 0.1  # of its diameter: how far a hole's circle may be drawn off the straight end that it is in
 _CORNER = np.cos(np.radians(50.0))  # cosine of the turn from which a vertex of a polyline is a corner
+_STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the turn up to which two ends share a tangent
 _LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
 _CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
 
@@ -32,19 +33,26 @@ _Joints: TypeAlias = dict[
 ]  # end (run, 0 start or 1 end) -> the end it touches
 
 
-def join_runs(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE) -> list[Run]:
-    """Runs of edges joined wherever exactly two ends lie within `tolerance` mm of each other.
+def join_runs(
+    runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE, *, corners: bool = True
+) -> list[Run]:
+    """Join runs of edges wherever exactly two ends lie within `tolerance` mm of each other.
 
     A chain runs the way its first edge in the file was drawn. Where three or more ends meet nothing is
-    joined, for no file says which way the strip goes on, and none across layers. An edge drawn twice counts once,
-    one shorter than the tolerance not.
+    joined, for no file says which way the strip goes on, and none across layers. A shape with a name is joined to
+    no other shape. An edge drawn twice counts once, one shorter than the tolerance not.
+
+    Parameters
+    ----------
+    corners : bool
+        Join ends also where the direction turns by more than 1 degree.
     """
     check_tolerance(tolerance, "tolerance for joining")
     long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
     if len(long) < 2:
         return long
     kept = _without_repeats(long, tolerance)
-    partner = _partners(kept, tolerance)
+    partner = _partners(kept, tolerance, corners=corners)
     chains, used = [], [False] * len(kept)
     for first in range(len(kept)):
         if used[first]:
@@ -119,7 +127,8 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     """Find ends of two chains on one layer that were not joined and yet nearly meet: distance (mm), both chains,
     the place.
 
-    That is within 1 mm and a hundredth of the smaller chain; the nearest first, one for each end.
+    That is within 1 mm and a hundredth of the smaller chain; the nearest first, one for each end. Ends within
+    `tolerance` are listed where a name keeps them apart.
     """
     from scipy.spatial import cKDTree
 
@@ -131,8 +140,10 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     for a, b in sorted(cKDTree(ends).query_pairs(NEAR_MM)):
         i, j = a // 2, b // 2
         apart = float(np.linalg.norm(ends[a] - ends[b]))
-        near = i != j and tolerance < apart <= NEAR_SHARE * min(sizes[i], sizes[j])
-        if near and _layer_of(chains[i]) == _layer_of(chains[j]):
+        one, other = _source_of(chains[i]), _source_of(chains[j])
+        apart_drawn = apart > tolerance or one.is_named or other.is_named
+        near = i != j and apart_drawn and apart <= NEAR_SHARE * min(sizes[i], sizes[j])
+        if near and one.layer == other.layer:
             found.append((apart, i, j, ends[a]))
     return sorted(found, key=lambda one: one[0])
 
@@ -152,9 +163,9 @@ def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tup
     return way
 
 
-def _layer_of(run: Sequence[Edge]) -> str:
-    """The layer that the run's first edge is drawn on."""
-    return run[0].source.layer if run and run[0].source is not None else ""
+def _source_of(run: Sequence[Edge]) -> Source:
+    """The shape that the run's first edge belongs to."""
+    return run[0].source or Source()
 
 
 def _ends(runs: Sequence[Run]) -> FloatArray:
@@ -162,16 +173,17 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
     return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
 
 
-def _partners(runs: Sequence[Run], tolerance: float) -> _Joints:
+def _partners(runs: Sequence[Run], tolerance: float, *, corners: bool) -> _Joints:
     """For each end (run, side) the one other end it touches, if there is just one."""
     from scipy.spatial import cKDTree
 
     ends = _ends(runs)
-    layers = [_layer_of(run) for run in runs]
+    sources = [_source_of(run) for run in runs]
+    groups = [(source.layer, source if source.is_named else None) for source in sources]
     tree = cKDTree(ends)
     crowd = tree.query_ball_point(ends, tolerance, return_length=True)
     near = [
-        [j for j in tree.query_ball_point(end, tolerance) if layers[j // 2] == layers[k // 2]]
+        [j for j in tree.query_ball_point(end, tolerance) if groups[j // 2] == groups[k // 2]]
         if crowd[k] <= _CROWD
         else []
         for k, end in enumerate(ends)
@@ -180,9 +192,23 @@ def _partners(runs: Sequence[Run], tolerance: float) -> _Joints:
     for k, group in enumerate(near):
         if len(group) == 2:
             other = group[0] if group[1] == k else group[1]
-            if len(near[other]) == 2 and other // 2 != k // 2:
-                found[divmod(k, 2)] = divmod(other, 2)
+            one, two = divmod(k, 2), divmod(other, 2)
+            if len(near[other]) == 2 and one[0] != two[0] and (corners or _goes_on(runs, one, two)):
+                found[one] = two
     return found
+
+
+def _goes_on(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> bool:
+    """Return True if the direction turns by at most 1 degree from one end (run, side) to another."""
+    out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (one, other))
+    return bool(-out @ into > _STRAIGHT_ON)
+
+
+def _outward(run: Run) -> FloatArray:
+    """Direction in which the run leaves its end."""
+    low, high = run[-1].spans.edges[-2:]
+    before, end = run[-1].at([high - 1e-4 * (high - low), high])
+    return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
 
 
 def _without_repeats(runs: Sequence[Run], tolerance: float) -> list[Run]:
@@ -193,15 +219,16 @@ def _without_repeats(runs: Sequence[Run], tolerance: float) -> list[Run]:
     kept: list[Run] = []
     dropped: set[int] = set()
     tree = cKDTree(middles)
+    sources = [_source_of(run) for run in runs]
+    called = [(source.layer, source.is_named and source.name) for source in sources]
     for i, run in enumerate(runs):
         if i in dropped:
             continue
         kept.append(run)
-        layer = _layer_of(run)
         dropped.update(
             j
             for j in tree.query_ball_point(middles[i], tolerance)
-            if j > i and _layer_of(runs[j]) == layer and _same(run, runs[j], tolerance)
+            if j > i and called[j] == called[i] and _same(run, runs[j], tolerance)
         )
     return kept
 

@@ -13,7 +13,7 @@ from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_coun
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.refusals import Length, Point, note
+from elastica_cad.refusals import Length, Listed, Point, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,9 +25,11 @@ class DrawnCurve:
     number : int
         Counted from 1 in the order of the file.
     name, layer : str
-        Its id (or handle) and layer as the drawing program shows them; empty where the file has none.
+        Its label, id or handle, and its layer, as the drawing program shows them; empty where the file has none.
     make : callable
         Makes the curve.
+    id : str
+        Its id, or the handle in "SPLINE 2F".
     piece, pieces : int
         Which of how many pieces of a curve that was cut at its corners, from 1.
     joints : (str, str)
@@ -38,6 +40,7 @@ class DrawnCurve:
     make: Callable[[], PlaneCurve] = field(repr=False)
     name: str = ""
     layer: str = ""
+    id: str = ""
     piece: int = 1
     pieces: int = 1
     joints: tuple[str, str] = ("", "")
@@ -102,7 +105,7 @@ class DrawnFile:
         How large its units were taken, as one sentence, where that is not written in it, or makes its curves of a
         size that strips do not have; else empty.
     gaps : tuple of str
-        Where curves nearly meet and were not joined, one sentence each.
+        Where curves meet, or nearly meet, and were not joined, one sentence each.
 
     Raises
     ------
@@ -144,7 +147,7 @@ class DrawnFile:
         found = [one for one in self.curves if layer is None or one.layer == layer]
         if which is not None:
             named = [one for one in found if which and one.name == which]
-            named = named or [one for one in found if which and which in _parts(one.name)]
+            named = named or [one for one in found if which and which in _parts(one)]
             found = named or [one for one in found if str(one.number) == which.strip()]
         return tuple(found)
 
@@ -231,6 +234,7 @@ def collect_curves(
     fit_tolerance: float,
     shown: Provenance | None = None,
     flat: Callable[[Run, float], Run] | None = None,
+    corners: bool = True,
 ) -> DrawnFile:
     """Join runs of edges whose ends meet, and return the curves of the file that draws them.
 
@@ -242,6 +246,8 @@ def collect_curves(
         Of joints, and of polylines' vertices, mm.
     flat : callable, optional
         Brings edges in space into their plane.
+    corners : bool
+        Join ends also where they meet at a corner.
 
     Raises
     ------
@@ -250,7 +256,7 @@ def collect_curves(
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     runs = list(runs)
-    chains = join_runs((run for run in runs if run), tolerance)
+    chains = join_runs((run for run in runs if run), tolerance, corners=corners)
     if not chains:
         found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
         raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))
@@ -267,15 +273,23 @@ def collect_curves(
 
     sources = [chain[0].source or Source() for chain in chains]
     curves = [
-        DrawnCurve(number, partial(make, chain, drilled), source.name, source.layer)
+        DrawnCurve(number, partial(make, chain, drilled), source.name, source.layer, source.id)
         for number, (chain, drilled, source) in enumerate(zip(chains, holes, sources, strict=True), start=1)
     ]
-    gaps = tuple(note(
+    near = near_ends(chains, tolerance)
+    gaps = [note(
         "{one} and {other} end {apart:.2g} apart near {place} and are two strips: close the gap in the "
         "drawing where they are meant to be one",
         one=curves[i].called, other=curves[j].called, apart=Length(apart), place=Point(place),
-    )for apart, i, j, place in near_ends(chains, tolerance)[:_SHOWN])  # fmt: skip
-    return DrawnFile(path, curves, dict(sorted(skipped.items())), gaps=gaps)
+    )for apart, i, j, place in near if apart > tolerance]  # fmt: skip
+    touching = dict.fromkeys((i, j) for apart, i, j, _ in near if apart <= tolerance)
+    pairs = [note("{one} and {other}", one=curves[i].called, other=curves[j].called) for i, j in touching]
+    names = [note(
+        "shapes with names are not joined where they touch: {pairs}. To make one strip of two shapes, combine them "
+        "into one path in the drawing program, or remove their names",
+        pairs=Listed(pairs),
+    )] if pairs else []  # fmt: skip
+    return DrawnFile(path, curves, dict(sorted(skipped.items())), gaps=(*names, *gaps[:_SHOWN]))
 
 
 _SHOWN = 6  # curves and kinds named in a sentence
@@ -287,10 +301,9 @@ def _known(curves: Sequence[DrawnCurve]) -> str:
     return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
 
 
-def _parts(name: str) -> tuple[str, ...]:
-    """What a curve may be called by: "2F" of the DXF's "SPLINE 2F", both ids of the clone "use1/path3"."""
-    kind, _, handle = name.rpartition(" ")
-    return (handle,) if kind else tuple(name.split("/"))
+def _parts(curve: DrawnCurve) -> set[str]:
+    """What a curve may be called by besides its name: its id, and both names of a clone, "use1/path3"."""
+    return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
 
 
 def list_things(counted: Mapping[str, int]) -> str:

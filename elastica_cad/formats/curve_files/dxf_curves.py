@@ -104,8 +104,10 @@ _INSUNITS = {
 """Millimetres in the units that $INSUNITS numbers; 0 is "no unit", which is read as mm."""
 
 
-def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Read the curves of a DXF file with their handles and layers, in mm; the arguments are those of `read_curves`.
+def read_dxf_drawing(
+    file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None, corners: bool = True
+) -> DrawnFile:
+    """Read the curves of a DXF file with handles and layers, in mm; the arguments are those of `read_drawing`.
 
     LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, those inside of blocks too. True
     curves stay exact, a polyline without arcs is fitted. The unit is the file's $INSUNITS; without one it is mm.
@@ -131,7 +133,7 @@ def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
         return collect_curves(
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
             nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
-            fit_tolerance=fit_tolerance, shown=shown,
+            fit_tolerance=fit_tolerance, shown=shown, corners=corners,
         )  # fmt: skip
 
 
@@ -150,7 +152,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
                 skipped[kind] += 1
                 continue
             handle = str(entity.dxf.get("handle") or "")
-            source = Source(f"{kind} {handle}" if handle else kind, layer, rounding * size)
+            source = Source(f"{kind} {handle}".rstrip(), layer, rounding * size, handle)
             mapped = tuple(edge.mapped(scale * np.eye(3), np.zeros(3), source) for edge in run)
             for edge in mapped:
                 check_places(edge.points)

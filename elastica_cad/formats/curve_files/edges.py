@@ -11,22 +11,28 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.splines import Spans, bezier_spans, knot_runs, unit_circle_arc
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Source:
-    """The shape of a file that edges belong to: its name, layer and digits.
+    """The shape of a file that edges belong to: its name, layer and digits. Equal sources are one shape.
 
     Attributes
     ----------
     name : str
-        Its id or handle, as the drawing program shows it.
+        Its label, id or handle, as the drawing program shows it.
     layer : str
     rounding : float
         Half a unit of the last digit of its coordinates, mm.
+    id : str
+        Its id or handle.
+    is_named : bool
+        True if a person chose the name, False if a program made it.
     """
 
     name: str = ""
     layer: str = ""
     rounding: float = 0.0
+    id: str = ""
+    is_named: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,8 +33,10 @@ _LEAST_UNIT = 1e-9  # mm
 _LARGEST = 1e15  # of any number: what comes of two of them is still a number
 
 
-def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Read the curves of an SVG file with their ids and layers, in mm; the arguments are those of `read_curves`.
+def read_svg_drawing(
+    file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None, corners: bool = True
+) -> DrawnFile:
+    """Read the curves of an SVG file with their names and layers, in mm; the arguments are those of `read_drawing`.
 
     Up on the screen is up: y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied; a
     path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox of the
@@ -62,7 +64,7 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
     drawn = collect_curves(
         file, _runs(file, tree, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
         nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
-        shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
+        corners=corners, shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
     )  # fmt: skip
     return replace(drawn, size=size) if size else drawn
 
@@ -207,10 +209,17 @@ class _Shapes:
         except InputError as error:
             self.bad[mark] = error
             return None
-        clone = next((value for name, value in shape.values.items() if name.startswith(CLONE)), "")
-        source = self.tree.shapes[mark]
-        name = "/".join(part for part in (clone, source.name) if part)
-        return _DrawnShape(runs, Source(name, source.layer, rounding), matrix, offset)
+        clone = next((int(value) for name, value in shape.values.items() if name.startswith(CLONE)), None)
+        drawn = self.tree.shapes[mark]
+        names = [drawn.name] if clone is None else [self.tree.clones[clone], drawn.name]
+        source = Source(
+            "/".join(name.shown for name in names if name.shown),
+            drawn.layer,
+            rounding,
+            "/".join(name.id for name in names if name.id),
+            is_named=any(name.is_chosen for name in names),
+        )
+        return _DrawnShape(runs, source, matrix, offset)
 
     def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
         """Subpaths, and half a unit of their coordinates' last digit."""
@@ -231,7 +240,7 @@ class _Shapes:
         if self.bad and len(self.bad) == len(self.drawn):
             raise next(iter(self.bad.values()))
         for mark, problem in self.bad.items():
-            name = f" {shapes[mark].name}" if shapes[mark].name else ""
+            name = f" {shapes[mark].name.shown}" if shapes[mark].name.shown else ""
             skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
 
 

@@ -177,8 +177,27 @@ _NOT_SHOWN = (
 _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
-_NUMBERED = re.compile(r"[a-z]+[-\d]+")
-"""Ids that Inkscape gives, "path37" or "path37-1-6": what a person calls the shape is its label."""
+_LABELS = (f"{_INKSCAPE}label", "data-name", "{http://www.serif.com/}id")
+"""Attributes in which Inkscape, Illustrator and Affinity keep the name of a shape as a person wrote it."""
+
+_KIND = re.compile(
+    r"""((path|rect(angle)?|circle|ellipse|oval|line|polyline|polygon|vector|shape|spline|bspline|bezcurve|d?wire|sketch
+    |(combined|compound)[ _-](path|shape)|union|subtract|intersect|exclude|g|group|layer|use
+    |pfad|linie|rechteck|kreis|vektor|gruppe|ebene|trac\u00e9|trazado|tracciato
+    |\u8def\u5f84|\u77e2\u91cf|\u76f4\u7ebf|\u77e9\u5f62|\u692d\u5706|\u5f62\u72b6|\u56fe\u5c42|\u7ec4)
+    |(star|triangle|spiral|fill|stroke|svg|object|element|form)(?=\W?\d))
+    ([ _-]*(copy|kopie|\d+|\(stroke\)|n?w[ef]?\d+))*_?""",
+    re.IGNORECASE | re.VERBOSE,
+)
+"""Labels and ids that drawing programs make: the kind of the shape, with numbers ("path37-1-6", "Vector 2")."""
+
+_TOKEN = re.compile(
+    r"""_?\d[0-9a-f]*|[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}|(xmlid|svgid)_\d+_|svgjs\w*\d+|id\d+
+    |(?-i:(LINE|ARC|CIRCLE|ELLIPSE|SPLINE|(LW)?POLYLINE|HELIX)[ _-]?[0-9A-F]*\d[0-9A-F]*)""",
+    re.IGNORECASE | re.VERBOSE,
+)
+"""Ids, but no labels, that programs make: handles of CAD ("2F", "SPLINE_2F"), UUIDs and numbers of libraries."""
+
 _PACKED = b"\x1f\x8b"  # how gzip begins
 _HEAD = 4096  # bytes that are looked through at a time for where the first element begins
 _DEEPEST = 200  # elements within elements
@@ -188,7 +207,35 @@ MARK = "data-shape"
 """The attribute that says which shape of the tree an expanded one is."""
 
 CLONE = "data-clone-"
-"""Begins the attributes of clones that hold their ids; what is within has them all, the outermost first."""
+"""Begins the attributes with the numbers of clones; a shape within clones has them all, the outermost first."""
+
+
+@dataclass(frozen=True)
+class Name:
+    """The name of a shape.
+
+    Attributes
+    ----------
+    shown : str
+        Its label, else its id; "" without both.
+    id : str
+    is_chosen : bool
+        True if a person chose the label or the id, False if a program made them.
+    """
+
+    shown: str
+    id: str
+    is_chosen: bool
+
+    @classmethod
+    def of(cls, element: ElementTree.Element) -> "Name":
+        """Return the name of an element."""
+        own = element.get("id", "")
+        labels = [label for key in _LABELS if (label := element.get(key, "").strip())]
+        chosen = [label for label in labels if not _KIND.fullmatch(label)]
+        if own and not (_KIND.fullmatch(own) or _TOKEN.fullmatch(own)):
+            chosen.append(own)
+        return cls(next(iter([*chosen, own, *labels]), ""), own, bool(chosen))
 
 
 @dataclass(frozen=True)
@@ -199,8 +246,9 @@ class Shape:
     ----------
     kind : str
         "path", "circle", ...
-    name, layer : str
-        Its id, and the label of its layer in Inkscape.
+    name : Name
+    layer : str
+        The label of its layer in Inkscape.
     data : str or None
         The path data of a path.
     rounding : float
@@ -210,7 +258,7 @@ class Shape:
     """
 
     kind: str
-    name: str
+    name: Name
     layer: str
     data: str | None
     rounding: float
@@ -219,10 +267,11 @@ class Shape:
 
 @dataclass
 class SvgTree:
-    """The tree and the shapes in it; path data are taken out of the tree, a mark put in."""
+    """The tree, its shapes and the names of its clones; path data are taken out of the tree, a mark put in."""
 
     root: ElementTree.Element
     shapes: list[Shape] = field(default_factory=list)
+    clones: list[Name] = field(default_factory=list)
     skipped: Counter[str] = field(default_factory=Counter)
 
 
@@ -356,7 +405,6 @@ def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTre
 def _mark(tree: SvgTree) -> None:
     """Name every shape by its number, take the path data out, write lengths such as 10mm as user units."""
     stack: list[tuple[ElementTree.Element, str, bool]] = [(tree.root, "", True)]
-    clones = 0
     while stack:
         element, layer, shown = stack.pop()
         kind = tag(element)
@@ -368,8 +416,8 @@ def _mark(tree: SvgTree) -> None:
         for name in [name for name in element.attrib if name == MARK or name.startswith(CLONE)]:
             del element.attrib[name]
         if kind == "use":
-            element.set(f"{CLONE}{clones}", element.get("id", ""))
-            clones += 1
+            element.set(f"{CLONE}{len(tree.clones)}", str(len(tree.clones)))
+            tree.clones.append(Name.of(element))
         written = " ".join(element.get(name, "") for name in (*_LENGTH_ATTRIBUTES, "points"))
         for name in _LENGTH_ATTRIBUTES:
             text = element.get(name)
@@ -382,8 +430,5 @@ def _mark(tree: SvgTree) -> None:
                 element.set("d", "M0 0L1 1" if data.strip() else "")
             rounding = half_last_place(re.findall(NUMBER, written)) if data is None else 0.0
             element.set(MARK, str(len(tree.shapes)))
-            name = element.get("id", "")
-            if _NUMBERED.fullmatch(name):
-                name = element.get(f"{_INKSCAPE}label") or name
-            tree.shapes.append(Shape(kind, name, layer, data, rounding, shown))
+            tree.shapes.append(Shape(kind, Name.of(element), layer, data, rounding, shown))
         stack += [(child, layer, shown) for child in reversed(element)]

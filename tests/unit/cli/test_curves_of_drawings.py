@@ -61,6 +61,20 @@ def test_a_curve_is_chosen_by_number_id_or_layer(drawing, choice):
     assert [one["realizable"] for one in answers] == [True]
 
 
+@pytest.mark.parametrize("choice", [("--curve", "bow"), ("--layer", "Notes")])
+def test_one_curve_of_several_gets_the_whole_verdict(drawing, tmp_path, choice):
+    alone = tmp_path / "alone.svg"
+    alone.write_text(
+        drawing.read_text().replace("<path", "<desc").replace('<desc id="bow"', '<path id="bow"')
+    )
+    said, expected = (elastica("check", *words).stdout for words in ((drawing, *choice), (alone,)))
+    assert "The widest place of a plain strip" in expected
+    assert said == f"drawn.svg, curve 3 (bow, layer Notes) of 3:\n{expected}"
+    told = elastica("check", drawing, "--curve", "corner")
+    assert told.exit_code == 2
+    assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told.stderr
+
+
 def test_a_choice_that_is_not_there_is_told_with_those_that_are(drawing):
     done = elastica("check", drawing, "--curve", "nix")
     assert done.exit_code == 2

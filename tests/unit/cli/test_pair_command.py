@@ -73,6 +73,9 @@ MEETING = """<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="160mm
 <path d="M20,20 C60,20 110,30 130,110"/><path d="M20,20 C70,10 120,40 100,120"/></svg>"""
 
 
+HALVES = [f"<path{half}" for half in MEETING.removesuffix("</svg>").split("<path")[1:]]
+
+
 def test_curves_that_meet_in_their_drawing_begin_where_they_meet(tmp_path):
     """They are as thick as wider pads take."""
     (tmp_path / "finger.svg").write_text(MEETING)
@@ -81,6 +84,19 @@ def test_curves_that_meet_in_their_drawing_begin_where_they_meet(tmp_path):
     report = json.loads(said.stdout)["pair"]
     assert report["largest_thickness_mm"] > 6
     assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"] * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("names", [("", ""), ('id="open"', 'id="shut"')])
+@pytest.mark.parametrize("swapped", [False, True])
+def test_the_order_in_the_file_decides_first_and_second(tmp_path, names, swapped):
+    """Also of curves that meet, whose chain would begin with the second one."""
+    paths = [path.replace("<path", f"<path {name}") for path, name in zip(HALVES, names, strict=True)]
+    body = "".join(reversed(paths) if swapped else paths)
+    (tmp_path / "finger.svg").write_text(f"{MEETING.splitlines()[0]}{body}</svg>")
+    said = typed(tmp_path / "finger.svg", "--sheet", "pom-3", "--match", "none").output
+    lengths = (159.828, 156.2) if swapped else (156.2, 159.828)  # of both Bezier curves, own sum
+    assert "the first curve is {:g} mm long, the second {:g} mm".format(*lengths) in said
+    assert "not joined" not in said
 
 
 @pytest.mark.parametrize("words", [("clip.toml",), ("clip.svg", "clip.svg", "--first", "up", "--second", "down",

@@ -50,7 +50,7 @@ GIVES = {
     "svgpathtools/rects.svg": {"corner": 2},
     "svgpathtools/test-2.svg": {"corner": 2},
     "svgpathtools/test.svg": {"bends": 3, "faired": 1, "corner": 1},
-    "svgpathtools/transforms.svg": {"bends": 6, "corner": 2, "skipped": 3},
+    "svgpathtools/transforms.svg": {"bends": 9, "corner": 1, "skipped": 3},
     "svgpathtools/vectorframes.svg": {"bends": 4, "corner": 2, "skipped": 2},
 }
 

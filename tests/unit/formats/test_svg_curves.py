@@ -418,6 +418,71 @@ def test_clones_are_found_by_their_own_id(tmp_path):
         drawing.one("use2", None, "--curve")
 
 
+NAMESPACES = (
+    'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" xmlns:serif="http://www.serif.com/" '
+    'width="200mm" viewBox="0 0 200 100"'
+)
+
+
+@pytest.mark.parametrize(("first", "second", "names"), [
+    ('id="a"', 'id="b"', ["a", "b"]),
+    ('id="rib-1"', 'id="rib-2"', ["rib-1", "rib-2"]),
+    ('id="path7" inkscape:label="Left"', 'id="path9" inkscape:label="Right"', ["Left", "Right"]),
+    ('id="path7" inkscape:label="1"', 'id="path9" inkscape:label="2"', ["1", "2"]),
+    ('id="rib_x5F_a" data-name="rib_a"', 'id="rib_x5F_b" data-name="rib_b"', ["rib_a", "rib_b"]),
+    ('id="rib-1" serif:id="rib 1"', 'id="rib-2" serif:id="rib 2"', ["rib 1", "rib 2"]),
+    ('id="rib"', 'id="path12"', ["rib", "path12"]),
+    ('id="rib" inkscape:label="rib"', 'id="rib-3" inkscape:label="rib"', ["rib", "rib"]),
+    ('id="path7"', 'id="path9-1-6"', ["path7"]),
+    ('id="Path_17" data-name="Path 17"', 'id="Path_18" data-name="Path 18"', ["Path_17"]),
+    ('id="XMLID_5_"', 'id="XMLID_6_"', ["XMLID_5_"]),
+    ('id="Pfad_1_"', 'id="Pfad_2_"', ["Pfad_1_"]),
+    ('id="Vector"', 'id="Vector_2"', ["Vector"]),
+    ('id="Path"', 'id="Path-Copy-2"', ["Path"]),
+    ('id="2F"', 'id="30"', ["2F"]),
+    ('id="SPLINE_2F"', 'id="LINE-30"', ["SPLINE_2F"]),
+    ('id="_2183914512"', 'id="_2183914560"', ["_2183914512"]),
+    ('id="6fa459ea-ee8a-3ca4-894e-db77e160355e"', "", ["6fa459ea-ee8a-3ca4-894e-db77e160355e"]),
+    ("", "", [""]),
+])  # fmt: skip
+def test_shapes_with_names_are_not_joined(svg, first, second, names):
+    """Names are labels, and ids that no drawing program made."""
+    body = f'<path {first} d="M0 0 C 20 40 60 40 90 9"/><path {second} d="M90 9 C 110 -10 150 -20 180 0"/>'
+    read = svg(body, NAMESPACES)
+    assert [one.name for one in read.file] == names
+    assert len(read.notes) == (len(names) > 1)
+
+
+def test_touching_shapes_with_names_are_reported_in_one_line(svg):
+    """A path of two pieces is one shape; two shapes of different names that lie on each other stay two."""
+    rib = 'd="M0 0 C 20 40 60 40 90 9 M90 9 C 110 -10 150 -20 180 0"'
+    ends = ["0 0 C 20 -40 30 -40", "180 0 C 190 50 195 50", "0 0 C 20 -60 30 -60"]
+    others = "".join(f'<path id="side{k}" d="M{end} {20 + 9 * k} 90"/>' for k, end in enumerate(ends))
+    read = svg(f'<path id="rib" {rib}/><path id="twin" {rib}/>{others}', NAMESPACES)
+    assert [one.name for one in read.file] == ["rib", "twin", "side0", "side1", "side2"]
+    (told,) = read.notes
+    assert "curve 1 (rib) and curve 2 (twin)" in told
+    assert "and 2 more. To make one strip" in told
+    assert "combine them into one path in the drawing program, or remove their names" in told
+
+
+def test_a_curve_is_chosen_by_label_and_by_id(svg):
+    body = "".join(
+        f'<path id="path{7 + k}" inkscape:label="{label}" d="M0 {k} C 20 {40 + k} 60 {40 + k} 90 {k}"/>'
+        for k, label in enumerate(("3", "Rib 2", "1"))
+    )
+    file = svg(body, NAMESPACES).file
+    for asked, number in (("3", 1), ("1", 3), ("path8", 2), ("Rib 2", 2), ("2", 2)):
+        assert file.one(asked, None, "").number == number
+
+
+def test_clones_of_a_shape_with_a_name_are_not_joined(svg):
+    half = 'd="M0 0 C 20 40 60 40 90 9"'
+    for name, count in (("half", 2), ("path3", 1)):
+        clone = f'<use id="use3" href="#{name}" transform="matrix(-1 0 0 1 180 0)"/>'
+        assert len(svg(f'<path id="{name}" {half}/>{clone}', NAMESPACES)) == count
+
+
 def test_what_is_within_something_invisible_is_left_out(svg):
     arch = "M 0 0 C 30 50 70 0 100 50"
     hidden = f'<g visibility="hidden">{path(arch)}<g style="visibility:visible">{path("M 0 9 Q 50 0 90 9")}</g></g>'
