@@ -134,13 +134,10 @@ def _drawn_edge(item: Any) -> Edge:
 def _as_spline(curve: Any, first: float, last: float) -> Any:
     if isinstance(curve, Part.BSplineCurve):
         whole = abs(first - curve.FirstParameter) + abs(last - curve.LastParameter) < 1e-12 * (last - first)
-        if whole and not curve.isPeriodic():
+        if whole and min(curve.getMultiplicities()[:: curve.NbKnots - 1]) > curve.Degree:
             return curve
         spline = curve.copy()
-        if spline.isPeriodic():
-            spline.setNotPeriodic()
-        if not whole:
-            spline.segment(first, last)
+        spline.segment(first, last)  # begins and ends on poles, and cuts a periodic spline open anywhere
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):
         raise InputError("an edge runs on to infinity: trim it")
