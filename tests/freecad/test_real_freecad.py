@@ -190,7 +190,7 @@ def test_a_model_by_its_names(tmp_path):
     named = {"Strip": first, "Strip001": second, "Flat": f"{first} flat", "Flat001": f"{second} flat"}
     assert found["labels"] == found["undone"] == named
     assert found["renamed"] == named | {"Strip001": "Right rib strip", "Flat001": "Right rib strip flat"}
-    assert found["told together"].startswith(f"{first}: A flat strip takes this curve.\n{second}: ")
+    assert found["told together"] == f"{first}, {second}: A flat strip takes this curve."
     assert found["edited"] == [[14, 14], [17, 17], [10, 10], [15, 15]], "of both, and Cancel takes back both"
     refused, sentence, made, moved = found["held"]
     assert refused == 0, "no block is made before the plate is refused"
@@ -390,6 +390,29 @@ def test_the_card_over_an_open_sketch(tmp_path):
     assert shown == poles <= 24
     assert verdict == "can"
     assert f"Drawn with {poles} poles to drag" in found["cost"]
+
+
+@pytest.mark.campaign
+def test_a_periodic_spline_by_the_mouse_and_strips_that_fail(tmp_path):
+    found = launching.run_window("faults.py", tmp_path)
+    assert [found["periodic"], found["periodic card"]] == [[True], "can"]
+    state, headline, length, drawn = found["oval"]
+    assert [state, headline[:30]] == [["Up-to-date"], "A flat strip takes this curve."]
+    assert length == pytest.approx(drawn, abs=0.1)
+    message, numbers, margin = found["one"]
+    fails = "The strip fails: snaps into another shape; tips over sideways."
+    assert message.startswith(fails)
+    assert margin < 0
+    assert re.findall(r">([\w ]+)&nbsp;&nbsp;</td><td style=\"color: #\w+;", numbers) == [
+        "Stability margin", "Sideways margin",
+    ]  # fmt: skip
+    first, *others, last = found["several"].splitlines()
+    assert first.startswith(f"Strip, Strip001: {fails}")
+    assert all(one.startswith("Strip, Strip001: ") for one in others)
+    assert last == "Strip002: A flat strip takes this curve."
+    heading, verdict, words = found["card"]
+    assert [heading, verdict] == ["snaps into another shape; tips over sideways", "breaks"]
+    assert words.startswith("it does not stay in this shape")
 
 
 @pytest.mark.campaign

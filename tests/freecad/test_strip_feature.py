@@ -320,30 +320,22 @@ def test_how_far_it_strays_as_made_and_held(document, sketch):
 LOOP = [(0, 0), (120, 0), (-60, 200), (160, 200), (-20, 0), (100, 0)]
 
 
-def test_whether_it_stays_in_its_plane_comes_after_the_recompute(document, sketch, drawn, monkeypatch):
-    def never(_):
-        raise AssertionError("a recompute waits for it")
-
+def test_whether_it_stays_in_its_plane_is_known_with_the_shape(document, sketch, drawn):
     upright, tipping = strip.create(document, sketch), strip.create(document, drawn(LOOP, 3))
     tipping.MaxWidth, tipping.Anyway = 5, True  # narrower than a workshop takes
-    with monkeypatch.context() as patched:
-        patched.setattr(Strip, "sideways", property(never))
-        document.recompute()
-    both = (upright, tipping)
-    assert [(one.Sideways, one.SidewaysMargin) for one in both] == [("", 0)] * 2
-    for one in both:
-        strip.tell_held(one)
+    document.recompute()
     assert upright.Sideways == "sideways ample: it stays in its plane"
     assert upright.SidewaysMargin == pytest.approx(strip.strip_of(upright).sideways.margin)
     assert re.match(
         r"sideways margin -[\d.e+]+ \(unstable\): it tips over sideways .*wider", tipping.Sideways
     )
     assert tipping.SidewaysMargin < 0
+    assert "tips over sideways" in tipping.Verdict
     upright.OuterWidth, upright.Style = 60, "Perforated"
     document.recompute()
-    strip.tell_held(upright)
     assert "too wide for its length and bend" in upright.Sideways
     assert upright.SidewaysMargin == 0
+    assert any("too wide for its length and bend" in reason for reason in upright.Reasons)
 
 
 @pytest.mark.parametrize(

@@ -3,15 +3,19 @@
 import re
 import sys
 from dataclasses import replace
+from math import cos, pi, sin
 
 import ezdxf
 import FreeCAD as App
+import Part
 import pytest
 from freecad.elastica_wb.export.cutting_files import write_cut
 from freecad.elastica_wb.features import strip
+from freecad.elastica_wb.host.words import together
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, strip_answer
 from freecad.elastica_wb.solving.strip_cache import find_nearest_now, sharpest_bend, solve_strip
+from freecad.elastica_wb.solving.strip_faults import strip_faults
 
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip_spec import StripSpec
@@ -83,8 +87,53 @@ def test_the_nearest_curve_can_be_used(points, share):
     assert near.met
     again = StripSpec(near.curve, sheet, max_width=30.0)
     assert curve_picture(near.curve, again).answer.verdict is Verdict.CAN
-    drawn = strip_answer(solve_strip(again))
-    assert drawn.verdict is Verdict.CAN, drawn.sentence
+    assert not {fault.number for fault in strip_faults(solve_strip(again))} & {"LargestStrain", "Length"}
+
+
+SPIRAL = [(80 * (1 - 0.01 * i) * cos(pi * i / 4), 80 * (1 - 0.01 * i) * sin(pi * i / 4)) for i in range(18)]
+LOOP = [(0, 0), (150, 20), (-40, 160), (100, 260), (240, 160), (50, 20), (200, 0)]
+
+
+@pytest.mark.parametrize(
+    ("points", "widest", "failing"),
+    [
+        (ARCH, 30, {}),
+        (SPIRAL, 15, {"Margin": "snaps into another shape", "SidewaysMargin": "tips over sideways"}),
+        (LOOP, 12, {"LargestStrain": "beyond its limit: ", "SidewaysMargin": "tips over sideways"}),
+        ([(5 * x, 5 * y) for x, y in ARCH], 650, {"Length": "too short for its width"}),
+        ([], 12, {"NarrowestWidth": "kinks in its width"}),
+    ],
+)
+def test_headline_card_and_numbers_agree_on_what_fails(document, drawn, points, widest, failing):
+    feature = strip.create(document, drawn(points) if points else two_arcs(document))
+    feature.Sheet, feature.MaxWidth, feature.Anyway = "birch-plywood-0.8", widest, True
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.Reasons
+    card = strip_answer(strip.strip_of(feature))
+    assert (card.verdict is Verdict.CAN) == (not failing)
+    assert feature.Verdict.startswith("The strip fails: " if failing else "A flat strip takes this curve.")
+    assert feature.Fails == list(failing)
+    for words in failing.values():
+        assert words in feature.Verdict
+        assert words in card.words
+    for sentence, reason in zip(card.sentence.splitlines() if failing else (), feature.Reasons, strict=False):
+        assert sentence[1:9] == reason[1:9]
+
+
+def two_arcs(document):
+    """A quarter of a circle that goes on in one of half the radius: the curvature jumps."""
+    sketch = document.addObject("Sketcher::SketchObject", "Arcs")
+    for x, radius, first in ((0, 200, pi / 2), (0, 100, 0)):
+        y = 0 if radius == 200 else 100
+        circle = Part.Circle(App.Vector(x, y, 0), App.Vector(0, 0, 1), radius)
+        sketch.addGeometry(Part.ArcOfCircle(circle, first, first + pi / 2), False)
+    document.recompute()
+    return sketch
+
+
+def test_equal_remarks_are_listed_once_with_their_strips():
+    said = [("A", "fails"), ("A", "kinks"), ("B", "fails"), ("C", "takes it"), ("C", "kinks"), ("C", "")]
+    assert together(said) == ["A, B: fails", "A, C: kinks", "C: takes it"]
 
 
 def test_a_sketch_too_small_for_its_strip_is_told():

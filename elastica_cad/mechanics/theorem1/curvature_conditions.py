@@ -31,7 +31,7 @@ from elastica_cad.mechanics.theorem1.verdict import (
     measured_points,
     shown_on,
 )
-from elastica_cad.refusals import Length, Listed, note
+from elastica_cad.refusals import Length, Listed, Refusal, note
 
 
 def require_bendable(curve: PlaneCurve) -> None:
@@ -470,19 +470,21 @@ def _warn_of_widths(
     kinks = [b for b in breaks if b.continuity == 2 and _is_seen(curve, b)]
     sharp = any(_is_seen(curve, b, SHARP_SHARE) for b in kinks)
     if steps:
-        yield note(
+        yield Refusal(
+            "kinks",
             "The width of the strip steps at {places}, where the curvature jumps: smooth = 0.1 "
             "(--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm.",
-            places=lengths(steps), severity="warning",
+            {"places": lengths(steps)}, severity="warning",
         )  # fmt: skip
     if kinks:
-        yield note(
+        yield Refusal(
+            "kinks",
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: "
             "smooth = 0.1 (--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm."
             if curve.degree < 4 else
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
             "repeat the knot there.",
-            places=lengths(b.s for b in kinks), severity="warning" if sharp else "note",
+            {"places": lengths(b.s for b in kinks)}, severity="warning" if sharp else "note",
         )  # fmt: skip
 
 

@@ -228,6 +228,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Results that make the strip fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Largest stiffness over least stiffness</source>
         <translation type="unfinished"></translation>
     </message>
@@ -911,19 +915,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>too short for its width</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>cannot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>would break</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>beyond its limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

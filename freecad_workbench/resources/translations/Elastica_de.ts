@@ -224,6 +224,10 @@
         <translation>Warum nicht, und was sonst zu wissen ist</translation>
     </message>
     <message>
+        <source>Results that make the strip fail</source>
+        <translation>Ergebnisse, an denen der Streifen versagt</translation>
+    </message>
+    <message>
         <source>Largest stiffness over least stiffness</source>
         <translation>Größte durch kleinste Steifigkeit</translation>
     </message>
@@ -907,20 +911,8 @@
         <translation>kann nicht gemacht werden</translation>
     </message>
     <message>
-        <source>too short for its width</source>
-        <translation>zu kurz für seine Breite</translation>
-    </message>
-    <message>
         <source>cannot</source>
         <translation>geht nicht</translation>
-    </message>
-    <message>
-        <source>would break</source>
-        <translation>würde brechen</translation>
-    </message>
-    <message>
-        <source>beyond its limit</source>
-        <translation>über der Grenze</translation>
     </message>
     <message>
         <source>no curve yet</source>

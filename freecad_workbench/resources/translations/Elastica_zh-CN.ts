@@ -224,6 +224,10 @@
         <translation>不能的原因及其他须知</translation>
     </message>
     <message>
+        <source>Results that make the strip fail</source>
+        <translation>使条带失效的结果</translation>
+    </message>
+    <message>
         <source>Largest stiffness over least stiffness</source>
         <translation>最大刚度与最小刚度之比</translation>
     </message>
@@ -907,20 +911,8 @@
         <translation>无法制作</translation>
     </message>
     <message>
-        <source>too short for its width</source>
-        <translation>相对宽度太短</translation>
-    </message>
-    <message>
         <source>cannot</source>
         <translation>不行</translation>
-    </message>
-    <message>
-        <source>would break</source>
-        <translation>会断裂</translation>
-    </message>
-    <message>
-        <source>beyond its limit</source>
-        <translation>超过极限</translation>
     </message>
     <message>
         <source>no curve yet</source>

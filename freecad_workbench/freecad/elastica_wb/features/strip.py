@@ -30,6 +30,7 @@ from freecad.elastica_wb.solving.strip_cache import (
     judged,
     solve_strip,
 )
+from freecad.elastica_wb.solving.strip_faults import strip_faults
 
 from elastica_cad.errors import ElasticaError, InputError, StrainError
 from elastica_cad.fabrication.model.material_colors import sheet_color
@@ -90,8 +91,6 @@ class StripFeature(Feature):
                 HeldDeviation=0.0,
                 ExpectedDeviation=0.0,
                 Held="",
-                SidewaysMargin=0.0,
-                Sideways="",
             )
         changed = find_nearest(spec.rod_spec).deviation if spec.may_change else None
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
@@ -196,17 +195,14 @@ def shown_strip(obj: Any) -> Strip:
 
 
 def tell_held(obj: Any) -> None:
-    """Write into the results how far a strip as made and held is from its curve, and whether it stays in its plane.
+    """Write into the results how far a strip as made and held is from its curve.
 
     It takes as long as the rest of it, so no recompute waits.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
     try:
-        strip = strip_of(obj)
-        found = strip.sideways
-        put(obj, SidewaysMargin=found.margin if found.decided else 0.0, Sideways=worded(str(found)))
-        held = held_shape(strip)
+        held = held_shape(strip_of(obj))
         said = (
             note("it takes no shape near its design: hold it nearer to its curve")
             if held is None
@@ -245,37 +241,41 @@ def _solids(body: Any) -> bool:
 
 def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
     """Write what was found: mm between the nearest curve and the one searched for, that and the drawn one."""
-    rod, found = strip.rod, judged(strip.rod)
-    bent = is_bent_beforehand(strip)
-    notes = [*([tell_blank(strip)] if bent else []), *filter(None, [strip.backing_side]), *strip.warnings]
-    if found is not None and not found.stable:
-        notes.append(note(
-            "it does not stay in this shape: the stability margin is {margin:.3g}"
-            if found.conjugate_point is None else
-            "it does not stay in this shape: the stability margin is {margin:.3g} (conjugate point {s} from "
-            "its start)",
-            margin=found.margin, s=Length(found.conjugate_point or 0.0),
-        ))  # fmt: skip
-    taken = note("A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve.")
-    if strip.strain_verdict.refused:
-        breaks = "A strip bent beforehand would break on this curve."
-        taken = note(breaks if bent else "A flat strip would break on this curve.")
-    elif changed is not None:
+    rod, found, sideways = strip.rod, judged(strip.rod), strip.sideways
+    faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
+    notes = [
+        *(fault.sentence for fault in faults),
+        *filter(None, [tell_blank(strip), strip.backing_side]),
+        *strip.warnings,
+        *([] if sideways.word == "ample" else [str(sideways)]),
+    ]
+    words = [fault.words for fault in faults if not (refused and fault.number == "LargestStrain")]
+    fails = note("The strip fails: {faults}.", faults=sentences(words, "; ")) if words else ""
+    taken = "" if faults else note(
+        "A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve."
+    )  # fmt: skip
+    if changed is not None:
         taken = note(
             "A strip bent beforehand takes a curve {far} from this one." if bent else
             "A flat strip takes a curve {far} from this one.",
             far=Length(changed),
         )  # fmt: skip
+    if refused:
+        breaks = "A strip bent beforehand would break on this curve."
+        fails, taken = note(breaks if bent else "A flat strip would break on this curve."), fails
     put(
         obj,
-        Verdict=worded(sentences([taken, note("There are remarks.") if notes else ""], " ")),
-        Reasons=[capital(worded(note)) for note in notes],
+        Verdict=worded(sentences([fails, taken, note("There are remarks.") if notes else ""], " ")),
+        Reasons=[capital(worded(note)) for note in dict.fromkeys(notes)],
+        Fails=[fault.number for fault in faults],
         Ratio=rod.ratio,
         Margin=0.0 if found is None else found.margin,
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
         LargestStrain=100 * strip.max_strain,
         StrainUse=strip.strain_verdict.percent,
         Deviation=(rod.moved if changed is None else changed) + smoothed,
+        SidewaysMargin=sideways.margin if sideways.decided else 0.0,
+        Sideways=worded(str(sideways)),
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,

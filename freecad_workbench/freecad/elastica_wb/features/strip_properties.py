@@ -161,6 +161,7 @@ PROPERTIES = (
     Property("Integer", "Quantity", "Ends", "How many of it are cut", 1),
     result("String", "Verdict", "Can a flat strip take the curve?"),
     result("StringList", "Reasons", "Why not, and what else to know"),
+    result("StringList", "Fails", "Results that make the strip fail", hidden=True),
     result("Float", "Ratio", "Largest stiffness over least stiffness"),
     result("Float", "Margin", "Stability margin; positive means that it stays"),
     result("Length", "ConjugatePoint", "Where along the strip stability is lost; 0 where it is not"),

@@ -7,6 +7,7 @@ The core and the workbench make records: an English template and its values. A c
 language for each of the English ones; what it does not hold is said in English.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import FreeCAD as App
@@ -55,6 +56,14 @@ def capital(sentence: str) -> str:
     """Return the sentence with a capital letter, but for a user's name that a colon follows."""
     first = sentence.partition(" ")[0]
     return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
+
+
+def together(named: Iterable[tuple[str, str]]) -> list[str]:
+    """Return each sentence once, behind the names of all that it is about; without the empty ones."""
+    names: dict[str, list[str]] = {}
+    for name, said in named:
+        names.setdefault(said, []).append(name)
+    return [f"{', '.join(dict.fromkeys(names[said]))}: {said}" for said in names if said]
 
 
 def decimal_point() -> str:

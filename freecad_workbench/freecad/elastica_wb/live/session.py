@@ -39,6 +39,7 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 
 FREE_RATIO = 9.5  # of a strip without limits of its own: 30 mm wide, it can just be cut where it is narrowest
@@ -198,7 +199,7 @@ class Session:
         self.overlay.show_width(width_lines(strip))
         answer = strip_answer(strip)
         self._say(answer)
-        if answer.verdict is not Verdict.CAN and preferences.get("LiveNearest"):
+        if answer.verdict is not Verdict.CAN and answer.curve_helps and preferences.get("LiveNearest"):
             self._ask()
 
     def _ask(self) -> None:
@@ -239,7 +240,7 @@ class Session:
         if self._asks is None:
             sheet = sheet_called(preferences.default_sheet())
             asks = StripSpec(self._curve, sheet, max_width=preferences.get("MaxWidth"))
-            allows = RodSpec(self._curve, limits=Limits(ratio=FREE_RATIO, sheet=sheet))
+            allows = RodSpec(self._curve, limits=Limits(FREE_RATIO, SAFE_MARGIN, sheet=sheet))
             for strip in sketches.followers(self.sketch):
                 drawn = drawn_curve(strip.Curve, strip)
                 asks, allows = spec_of(strip, drawn), nearest_spec_of(strip, drawn)

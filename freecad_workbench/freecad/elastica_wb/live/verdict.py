@@ -9,16 +9,15 @@ from enum import Enum
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
 from freecad.elastica_wb.solving.strip_cache import sharpest_bend
+from freecad.elastica_wb.solving.strip_faults import Fault, strain_words, strip_faults, width_fault
 
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.material.section_limits import StrainVerdict, judge_strain
+from elastica_cad.mechanics.material.section_limits import judge_strain
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
-from elastica_cad.refusals import Length, Span, note
-
-SLENDER = 2.0  # times its width a strip must be long before it bends as a rod does
+from elastica_cad.refusals import Length, Span, note, sentences
 
 
 class Verdict(Enum):
@@ -32,11 +31,12 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Answer:
-    """A verdict with its short text, and the sentence that explains it."""
+    """A verdict with its short text, and the sentence that explains it; whether another curve may help."""
 
     verdict: Verdict
     words: str
     sentence: str
+    curve_helps: bool = True
 
 
 def quick_answer(
@@ -45,18 +45,27 @@ def quick_answer(
     """Return the verdict that needs no search: equilibrium, strain of the skin, widths."""
     if not check.realizable:
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(check))
-    spoiled = _too_wide(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
-    return spoiled or Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(check))
+    fault = width_fault(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
+    return (
+        _failing([fault]) if fault else Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(check))
+    )
 
 
 def strip_answer(strip: Strip) -> Answer:
     """Return the verdict on a strip that was made."""
-    spoiled = _too_wide(strip.rod.length, strip.width.extremes[1])
-    if spoiled is not None:
-        return spoiled
-    if not strip.strain_verdict.allowed:
-        return Answer(Verdict.BREAKS, _strained(strip.strain_verdict), strip.strain_warnings[0])
-    return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
+    faults = list(strip_faults(strip))
+    return (
+        _failing(faults) if faults else Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
+    )
+
+
+def _failing(faults: list[Fault]) -> Answer:
+    return Answer(
+        Verdict.BREAKS,
+        sentences((one.words for one in faults), "; "),
+        sentences((one.sentence for one in faults), "\n"),
+        any(one.curve_helps for one in faults),
+    )
 
 
 def refusal_answer(error: ElasticaError) -> Answer:
@@ -64,8 +73,8 @@ def refusal_answer(error: ElasticaError) -> Answer:
     if isinstance(error, NotRealizable):
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(error))
     if isinstance(error, StrainError):
-        told = f"{translate('Elastica', 'would break')}: {error.refusal.values['percent']} %"
-        return Answer(Verdict.BREAKS, told, sentence_of(error))
+        words = note("would break: {percent} %", percent=error.refusal.values["percent"])
+        return Answer(Verdict.BREAKS, words, sentence_of(error))
     return Answer(Verdict.BREAKS, translate("Elastica", "cannot be made"), sentence_of(error))
 
 
@@ -86,18 +95,7 @@ def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     return answer.reasons[0] if answer.reasons else answer.verdict
 
 
-def _too_wide(length: float, width: float | None) -> Answer | None:
-    if width is None or length >= SLENDER * width:
-        return None
-    words = note(
-        "The strip would be {width} wide and {length} long: a strip bends as computed where it is "
-        "{times:.0f} times as long as wide; draw a longer curve, or make the strip narrower.",
-        width=Length(width), length=Length(length), times=SLENDER,
-    )  # fmt: skip
-    return Answer(Verdict.BREAKS, translate("Elastica", "too short for its width"), words)
-
-
-def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Answer | None:
+def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fault | None:
     sheet = spec.material
     bend, place = sharpest_bend(curve, spec.natural_curvature, samples)
     judged = judge_strain(sheet, bend * sheet.thickness / 2, place)
@@ -110,11 +108,4 @@ def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Ans
         "{least}; {outcome}; use a thinner sheet or a gentler curve.",
         s=Length(place), radius=Length(1 / bend), least=Length(judged.used / bend), outcome=note(judged.outcome),
     )  # fmt: skip
-    return Answer(Verdict.BREAKS, _strained(judged), words)
-
-
-def _strained(judged: StrainVerdict) -> str:
-    beyond = (
-        translate("Elastica", "would break") if judged.refused else translate("Elastica", "beyond its limit")
-    )
-    return f"{beyond}: {judged.percent} %"
+    return Fault(strain_words(judged), words, "LargestStrain")

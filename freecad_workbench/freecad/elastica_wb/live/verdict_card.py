@@ -12,6 +12,7 @@ from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.lifetime import sensor
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surface_of
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.overlay import COLORS, PARTS
 from freecad.elastica_wb.live.verdict import Answer
 from pivy import coin
@@ -67,7 +68,7 @@ class VerdictCard(QtCore.QObject):
         self.answer = answer
 
     def _show(self, answer: Answer, sentence: str, legend: str) -> None:
-        self.heading.setText(answer.words)
+        self.heading.setText(worded(answer.words))
         if self.answer is None or answer.verdict is not self.answer.verdict:
             color = hex_of(COLORS[answer.verdict])
             self.heading.setStyleSheet(

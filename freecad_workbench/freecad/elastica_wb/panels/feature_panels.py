@@ -29,7 +29,6 @@ from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Tol
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
 from elastica_cad.fabrication.holding.held_shape import about
-from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 from elastica_cad.refusals import Length, note
 
 
@@ -59,16 +58,8 @@ def _held_deviation(obj: Any) -> object:
 
 
 def _sideways_margin(obj: Any) -> str:
-    """Its margin out of the plane; not yet known, or none where it is undecided and the footnote says why."""
-    if not obj.Sideways:
-        return "..."
+    """Its margin out of the plane; none where it is undecided and a remark says why."""
     return note("{margin:.3g}", margin=obj.SidewaysMargin) if obj.SidewaysMargin else "-"
-
-
-def _strip_footnote(obj: Any) -> str:
-    """How it strays as made and held, and a warning where it may leave its plane."""
-    stays = obj.SidewaysMargin >= SAFE_MARGIN
-    return "\n".join(words for words in (obj.Held, "" if stays else obj.Sideways) if words)
 
 
 def _flat_footnote(obj: Any) -> str:
@@ -134,7 +125,7 @@ STRIP = Layout(
     },
     "Curve",
     _strip_numbers,
-    footnote=_strip_footnote,
+    footnote=lambda obj: obj.Held,
 )
 
 MODEL = Layout(

@@ -17,7 +17,10 @@ from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.words import report_error, worded
+from freecad.elastica_wb.host.words import report_error, together, worded
+from freecad.elastica_wb.live.overlay import COLORS
+from freecad.elastica_wb.live.verdict import Verdict
+from freecad.elastica_wb.live.verdict_card import hex_of
 from freecad.elastica_wb.panels.labels import LABELS
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import (
@@ -33,6 +36,7 @@ from freecad.elastica_wb.recording import record_value, recorded
 from elastica_cad.refusals import note
 
 Told = tuple[tuple[str, object, str], ...]
+FAILING = f' style="color: {hex_of(COLORS[Verdict.BREAKS])};"'
 
 
 @dataclass(frozen=True)
@@ -233,8 +237,9 @@ class PropertyPanel(Panel):
         failed = bool(why_not_made(obj))
         told = () if failed else layout.told(obj)
         rows = "".join(
-            f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{worded(note('{given}', given=value))}</b></td></tr>"
-            for name, value, _ in told
+            f"<tr><td>{name}&nbsp;&nbsp;</td><td{FAILING if entry in getattr(obj, 'Fails', ()) else ''}>"
+            f"<b>{worded(note('{given}', given=value))}</b></td></tr>"
+            for name, value, entry in told
         )
         helps = {entry.name: entry.translated_help for entry in layout.table}
         self.form.numbers.setToolTip("\n".join(f"{name}: {helps[entry]}" for name, _, entry in told))
@@ -257,9 +262,10 @@ class PropertyPanel(Panel):
     def _words(self) -> str:
         obj = self.object
         if len(self.objects) > 1:
-            return "\n".join(f"{one.Label}: {why_not_made(one) or one.Verdict}" for one in self.objects)
+            said = [(one.Label, words) for one in self.objects for words in _verdict_of(one)]
+            return "\n".join(together(said))
         if hasattr(obj, "Verdict"):
-            return "\n".join([obj.Verdict, *obj.Reasons])
+            return "\n".join(_verdict_of(obj))
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
     def _lives(self) -> bool:
@@ -320,6 +326,11 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if self.form is not None and self.layout.source:
             set_value(self.form.pick, False)
+
+
+def _verdict_of(strip: Any) -> list[str]:
+    """The headline of a strip and its remarks."""
+    return [strip.Verdict, *strip.Reasons]
 
 
 def _plain(value: Any) -> Any:

@@ -6,7 +6,7 @@
 from collections.abc import Iterable
 
 import numpy as np
-from freecad.elastica_wb.host.words import worded
+from freecad.elastica_wb.host.words import together, worded
 
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.reports.strip_report import tell_blank
@@ -19,8 +19,4 @@ def is_bent_beforehand(strip: Strip) -> bool:
 
 def told_blanks(named: Iterable[tuple[str, Strip]]) -> list[str]:
     """How named strips are bent beforehand: a sentence for those that are bent alike, none for flat ones."""
-    alike: dict[str, list[str]] = {}
-    for name, strip in named:
-        alike.setdefault(tell_blank(strip), []).append(name)
-    alike.pop("", None)
-    return [f"{', '.join(dict.fromkeys(names))}: {worded(words)}" for words, names in alike.items()]
+    return together((name, worded(tell_blank(strip))) for name, strip in named)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Reasons why a strip fails that can be made: headline, card and numbers all show these."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from freecad.elastica_wb.solving.strip_cache import judged
+
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.mechanics.material.section_limits import StrainVerdict
+from elastica_cad.refusals import Length, Refusal, note
+
+SLENDER = 2.0
+"""Length over width from which a strip bends as a rod."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A reason why a strip fails.
+
+    Attributes
+    ----------
+    words : str
+        A few words for a headline.
+    sentence : str
+    number : str
+        Property of a strip with the number that is out of bounds.
+    curve_helps : bool
+        Whether the nearest curve within limits may be without it.
+    """
+
+    words: str
+    sentence: str
+    number: str
+    curve_helps: bool = True
+
+
+def strip_faults(strip: Strip) -> Iterator[Fault]:
+    """Yield the faults of a strip."""
+    if (wide := width_fault(strip.rod.length, strip.width.extremes[1])) is not None:
+        yield wide
+    if not strip.strain_verdict.allowed:
+        yield Fault(strain_words(strip.strain_verdict), strip.strain_warnings[0], "LargestStrain")
+    found = judged(strip.rod)
+    if found is not None and not found.stable:
+        sentence = note(
+            "it does not stay in this shape: the stability margin is {margin:.3g}"
+            if found.conjugate_point is None else
+            "it does not stay in this shape: the stability margin is {margin:.3g} (conjugate point {s} from "
+            "its start)",
+            margin=found.margin, s=Length(found.conjugate_point or 0.0),
+        )  # fmt: skip
+        yield Fault(note("snaps into another shape"), sentence, "Margin")
+    if strip.sideways.word == "unstable":
+        yield Fault(note("tips over sideways"), str(strip.sideways), "SidewaysMargin", curve_helps=False)
+    for warning in strip.rod.warnings:
+        if isinstance(warning, Refusal) and warning.kind == "kinks" and warning.severity == "warning":
+            yield Fault(note("kinks in its width"), warning, "NarrowestWidth", curve_helps=False)
+
+
+def width_fault(length: float, width: float | None) -> Fault | None:
+    """Return the fault of a strip that is too wide for its length, mm; None of a slender strip."""
+    if width is None or length >= SLENDER * width:
+        return None
+    sentence = note(
+        "The strip would be {width} wide and {length} long: a strip bends as computed where it is "
+        "{times:.0f} times as long as wide; draw a longer curve, or make the strip narrower.",
+        width=Length(width), length=Length(length), times=SLENDER,
+    )  # fmt: skip
+    return Fault(note("too short for its width"), sentence, "Length")
+
+
+def strain_words(verdict: StrainVerdict) -> str:
+    """Return a few words on a strain that is not allowed."""
+    return note(
+        "would break: {percent} %" if verdict.refused else "beyond its limit: {percent} %",
+        percent=verdict.percent,
+    )
