@@ -44,7 +44,7 @@ from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCu
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.plain_section import WidthLaw
+from elastica_cad.mechanics.material.plain_section import WidthLaw, WidthRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -351,7 +351,7 @@ class StripSpec(EqualByValue):
             layers=layers,
             smooth=self.smooth,
             section=self._section(share),
-            largest_stiffness=self._largest_stiffness if weight is not None else None,
+            widths=self._widths,
         )
 
     @cached_property
@@ -394,11 +394,15 @@ class StripSpec(EqualByValue):
         )
 
     @property
-    def _largest_stiffness(self) -> float | None:
-        """Of a plain strip as wide as it may be, N mm2: masses settle how wide it is."""
-        if self.max_width is None or self.law is not None or not isinstance(self.style, Plain):
+    def _widths(self) -> WidthRange | None:
+        """Widths of a plain strip whose stiffness follows from its loads; None for other strips."""
+        sized = self.max_width is not None or self.min_width is not None
+        if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None
-        return self.material.bending_stiffness(self.max_width)
+        least, cuttable = self.min_width or 0.0, self.shop.width_for(self.material)
+        if self.max_width is not None and not self.ignore_limits and cuttable < self.max_width:
+            least = max(least, cuttable)
+        return WidthRange(self.material, least, self.max_width)
 
     @cached_property
     def _begun(self) -> PlaneCurve:

@@ -3,10 +3,11 @@ within limits."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad._values import require_record
-from elastica_cad.errors import InputError, NotMetError
+from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing, check_smooth, smooth_curve
 from elastica_cad.forming.limits import Keep, Limits, require_limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
@@ -23,12 +24,15 @@ from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, requir
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.plain_section import PlainSection, WidthRange
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_balance import OverloadError
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import examine
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.refusals import Length, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,8 +77,8 @@ class RodSpec(EqualByValue):
         How far the curve may be moved to make it fair, mm: see `smooth_curve`.
     section : BoundedLaw, optional
         What stiffness is made of, as in `optimal_rod`.
-    largest_stiffness : float, optional
-        Of a rod that carries loads, N mm2, as in `optimal_rod`.
+    widths : WidthRange, optional
+        Widths of a plain strip that carries loads.
 
     Raises
     ------
@@ -93,7 +97,7 @@ class RodSpec(EqualByValue):
     layers: LaminateLayers | None = None
     smooth: float | None = None
     section: BoundedLaw | None = None
-    largest_stiffness: float | None = None
+    widths: WidthRange | None = None
 
     def __post_init__(self) -> None:
         require_curve(self.curve)
@@ -180,17 +184,58 @@ class RodSpec(EqualByValue):
                 least_backing=self.layers.least_backing,
                 masses=() if self.weight is None else self.weight.masses,
             ).rod
-        return optimal_rod(
-            self.smoothing.curve,
-            self.gravity,
-            self.supports,
-            self.natural_curvature,
-            self.samples,
-            weight=self.weight,
-            largest_stiffness=self.largest_stiffness,
-            section=self.section,
-            check=self.check,
-        )
+        limits: Any = {} if self.widths is None else self.widths.stiffness
+        try:
+            rod = optimal_rod(
+                self.smoothing.curve,
+                self.gravity,
+                self.supports,
+                self.natural_curvature,
+                self.samples,
+                weight=self.weight,
+                section=self.section,
+                check=self.check,
+                **limits,
+            )
+        except OverloadError as error:
+            raise (error if self.widths is None else _too_narrow(self.widths, error)) from None
+        return rod if self.widths is None else _with_widest(rod, self.widths)
+
+
+WIDTH_TOLERANCE_MM = 0.1
+"""Difference between the widest place and `max_width`, mm, above which it is reported."""
+
+
+def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
+    """The rod with a warning if its widest place stays below the width that it may have."""
+    widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
+    if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
+        return rod
+    told = note(
+        "This load determines the width: the widest place is {widest:.4g} wide, below max_width {largest:g}.",
+        widest=Length(widest), largest=Length(widths.largest), severity="warning",
+    )  # fmt: skip
+    return replace(rod, warnings=(*rod.warnings, told))
+
+
+def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
+    """The refusal of a load that no strip of these widths carries."""
+    needed = rounded_up(error.needed / PlainSection(widths.sheet).rigidity, 4)
+    changes, otherwise = [Change("max_width", needed)], ""
+    if error.thickening is not None:
+        thickness = rounded_up(error.thickening * widths.sheet.thickness, 4)
+        changes.append(Change("thickness", thickness))
+        otherwise = note(", or use a sheet {thickness:.4g} thick or thicker", thickness=Length(thickness))
+    return InputError(
+        "No strip between {least:.4g} and {largest:.4g} wide carries this load. Set max_width to {needed:.4g} "
+        "or more{otherwise}.",
+        least=Length(widths.least),
+        largest=Length(widths.largest or 0.0),
+        needed=Length(needed),
+        otherwise=otherwise,
+        where={"field": "max_width"},
+        changes=changes,
+    )
 
 
 def accepted_rod(found: Rod | NearestRod) -> Rod:

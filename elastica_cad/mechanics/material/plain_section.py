@@ -108,6 +108,37 @@ class PlainSection:
         return 2 * self.sheet.max_strain / self.sheet.thickness
 
 
+WIDTH_SHARE = 1e-6
+"""Relative excess of a rod over the least width, so that the width does not fall below it by rounding."""
+
+
+@dataclass(frozen=True)
+class WidthRange:
+    """Limits of the width of a plain strip whose loads determine its width.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    least : float
+        Least width, mm; 0 for none.
+    largest : float or None
+        Width of the widest place, mm. None if the narrowest place has the least width instead.
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float | None
+
+    @property
+    def stiffness(self) -> dict[str, float]:
+        """The arguments of `optimal_rod` for these widths, N mm2."""
+        rigidity = PlainSection(self.sheet).rigidity
+        if self.largest is None:
+            return {"bending_stiffness": rigidity * self.least * (1 + WIDTH_SHARE)}
+        limits = {"least_stiffness": self.least, "largest_stiffness": self.largest}
+        return {name: rigidity * width for name, width in limits.items() if width}
+
+
 @dataclass(frozen=True)
 class PerforatedSection(PlainSection):
     """A sheet with holes: the ligaments that are left at a station act like one strip of their summed width.

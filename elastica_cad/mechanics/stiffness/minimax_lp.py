@@ -284,6 +284,10 @@ def least_variation(
 
     if bends.shape[1] == 1:
         return _least_variation_of_one(rows[:, 0], offset, bends[:, 0], bend_offset, largest)
+    basis = _conditioned(rows)
+    rows, bends = rows @ basis, bends @ basis
+    size = np.abs(bends).max() or 1.0
+    bends, bend_offset = bends / size, bend_offset / size
     # the dual program: as many rows as there are numbers, which are the prices of its rows
     matrix = np.concatenate([bends, -rows, rows]).T
     cost = -np.concatenate([bend_offset, 1 - offset, offset - largest])
@@ -296,7 +300,7 @@ def least_variation(
         raise NotConvergedError(
             "the second phase for a smooth stiffness stopped: {message}", message=result.message
         )
-    return np.asarray(result.eqlin.marginals, dtype=float)
+    return np.asarray(basis @ result.eqlin.marginals, dtype=float)
 
 
 def _least_variation_of_one(
@@ -318,10 +322,14 @@ def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> Floa
     """The numbers x of the largest number @ x subject to 1 <= rows @ x <= largest."""
     from scipy.optimize import linprog
 
+    basis = _conditioned(rows)
+    rows, cost = rows @ basis, number @ basis
     limit = np.concatenate([np.full(len(rows), -1.0), np.full(len(rows), largest)])
-    result = linprog(-number, np.concatenate([-rows, rows]), limit, bounds=(None, None), method="highs")
+    result = linprog(
+        -cost / np.abs(cost).max(), np.concatenate([-rows, rows]), limit, bounds=(None, None), method="highs"
+    )
     if result.status != 0:
         raise NotConvergedError(
             "the linear program for the bending stiffness stopped: {message}", message=result.message
         )
-    return np.asarray(result.x, dtype=float)
+    return np.asarray(basis @ result.x, dtype=float)

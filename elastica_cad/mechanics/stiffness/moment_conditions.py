@@ -360,11 +360,15 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
 
 
 def _smoothest(
-    family: StiffnessFamily, ratio: float, places: tuple[IntArray, FloatArray] | None = None
+    family: StiffnessFamily,
+    ratio: float,
+    places: tuple[IntArray, FloatArray] | None = None,
+    kept: FloatArray | None = None,
 ) -> FloatArray:
     """The numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3).
 
-    As by `least_ratio`, K is judged on the continuous curve unless `places` (panel, x) fix the samples.
+    As by `least_ratio`, K is judged on the continuous curve unless `places` (panel, x) fix the samples. Where the K
+    of the numbers `kept` is `ratio`, it stays so.
     """
     panels = family.panels
     count, order = panels.t.shape
@@ -379,11 +383,17 @@ def _smoothest(
     bends = np.concatenate([bend.reshape(count * order, -1), after - before])
     d = family.freedom
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
-    if places is not None:
-        return least_variation(*family.at(*places), bends[:, :d], bend_offset, ratio)
-    return _bounded(
-        family, ratio, lambda rows, offset: least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
-    )
+    pins, pin_offset = np.zeros((0, d)), np.zeros(0)
+    if kept is not None:
+        pins, pin_offset = family.extremes(kept) if places is None else family.at(*places)
+        pins = pins[pins @ kept + pin_offset > ratio * (1 - BOUNDED)]
+        pin_offset = 1.0 - pins @ kept  # 1 <= pins @ y + pin_offset: no less than now
+
+    def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
+        rows, offset = np.concatenate([rows, pins]), np.concatenate([offset, pin_offset])
+        return least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+
+    return smoothest(*family.at(*places)) if places is not None else _bounded(family, ratio, smoothest)
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
@@ -447,6 +457,9 @@ NO_GAIN_SHARE = 1e-6
 WIDEST_RATIO = 1e10
 """Largest stiffness ratio that is computed with; no strip can have it."""
 
+LARGEST_LOAD = 1e3
+"""Size of a fixed weight, in multiples of the largest stiffness, above which a program is scaled by the weight."""
+
 RANK_SHARE = 1e-7
 """Relative accuracy to which conditions count as linearly dependent."""
 
@@ -494,6 +507,7 @@ class RodRequest:
     weight: Weight | None = None
     bending_stiffness: float | None = None
     largest_stiffness: float | None = None
+    least_stiffness: float | None = None
     law: MaterialLaw | None = None
     section: BoundedLaw | None = None
     samples: int | None = None
@@ -627,6 +641,44 @@ class ConditionedRows:
             y = _smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), self.places)
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
+    def _offset(self, tau: float) -> FloatArray:
+        """K (N, p) at the nodes of the particular solution with least bending stiffness 1 / tau."""
+        return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
+
+    @property
+    def load_stiffness(self) -> float:
+        """Size of the bending stiffness that the fixed weight requires, N mm2."""
+        return float(np.abs(self._offset(1.0)).max())
+
+    def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
+        """The state (m,) and tau of the largest least bending stiffness whose largest one is `most`, N mm2.
+
+        Smoothed where inflections leave a choice, at the largest stiffness and at `least` or more. None where no
+        stiffness within these limits balances the curve.
+        """
+        family = self.at_compliance(1 / most).family
+        # of the rows K <= 1: 1 + 1 / size - K / size has its least largest value where K has its largest least one
+        size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
+        turned = StiffnessFamily(
+            self.panels,
+            PanelFunction(-family.rows.coefficients),
+            PanelFunction.through(1 + (1 - self._offset(1 / most)) / size),
+        )
+        found = least_ratio(turned, self.places)
+        if found is None:
+            return None
+        softest, y = 1 + size * (1 - found[1]), size * found[0]
+        if softest < least / most * (1 - BOUNDED):
+            return None
+        trade = 1.0
+        if self.check.zeros and family.freedom > 0:
+            trade = max(1.0, min(1 + SMOOTHING_SHARE, softest * most / least))
+        tau, y = trade / (softest * most), y * trade / softest
+        numbers = self.at_compliance(tau)
+        if trade > 1:
+            y = _smoothest(numbers.family, trade / softest, self.places, kept=y)
+        return numbers.fixed + numbers.basis @ y, tau
+
     def balance(self, state: FloatArray) -> BalancedStiffness:
         """The functions that a state at the curve's end belongs to."""
         K = self.rows.stiffness @ state
@@ -678,8 +730,10 @@ def _rank(sigma: FloatArray) -> int:
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
     """Null space (m, d) of matrix (k, m), and a solution of matrix @ x = right where there is one."""
     count = matrix.shape[1]
-    size = np.maximum(np.abs(matrix).max(axis=1), np.abs(right)) if len(matrix) else np.ones(0)
+    size = np.abs(matrix).max(axis=1, initial=0.0)
+    size = np.where(size > 0, size, np.abs(right))
     size = np.where(size > 0, size, 1.0)
+    largest = max(1.0, float(np.abs(right / size).max(initial=0.0)))
     u, sigma, vt = (
         np.linalg.svd(matrix / size[:, None]) if len(matrix) else (np.eye(0), np.zeros(0), np.eye(count))
     )
@@ -687,7 +741,7 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
     inner = (u.T @ (right / size))[:rank] / sigma[:rank]
     x = vt[:rank].T @ inner
     residual = np.abs(matrix @ x - right) / size
-    return vt[rank:].T, x if residual.max(initial=0.0) <= 10 * RANK_SHARE else None
+    return vt[rank:].T, x if residual.max(initial=0.0) <= 10 * RANK_SHARE * largest else None
 
 
 def stretches(s: FloatArray, length: float) -> Listed:

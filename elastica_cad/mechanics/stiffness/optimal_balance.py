@@ -6,7 +6,7 @@ from typing import NoReturn
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.panel_functions import PanelFunction
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -15,6 +15,7 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
 from elastica_cad.mechanics.rod.rod_record import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness.moment_conditions import (
+    BOUNDED,
     NO_GAIN_SHARE,
     SMOOTHING_SHARE,
     BalancedStiffness,
@@ -31,14 +32,29 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import REFINEMENTS, Pane
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.refusals import Length, note
 
-COMPLIANCE_STEP = 0.2
-"""Step of log(1 / B) in the search for lighter rods."""
+LEAST_SHARE = 1e-6
+"""Least stiffness over the largest one, where only the largest is limited: an even thinner place cannot be made."""
 
-FITTED_SHARE = 1e-3
-"""Share of the largest stiffness that is left for finer panels and for the spline of the width."""
 
-BEYOND = 1e6
-"""Largest multiple of the allowed stiffness that is distinguished; more counts as this."""
+class OverloadError(InputError):
+    """No stiffness within its limits carries the weight.
+
+    Attributes
+    ----------
+    needed : float
+        Least possible largest bending stiffness, N mm2.
+    thickening : float or None
+        Factor on the thickness of a sheet whose limits of width stay; None if no thickness carries the weight.
+    """
+
+    def __init__(self, needed: float, most: float, thickening: float | None) -> None:
+        super().__init__(
+            "The weight requires a bending stiffness of {needed:.4g} N mm2 at the stiffest place, but "
+            "largest_stiffness is {most:.4g} N mm2. Increase largest_stiffness.",
+            needed=rounded_up(needed, 4),
+            most=most,
+        )
+        self.needed, self.thickening = needed, thickening
 
 
 def balance_of(asked: RodRequest) -> BalancedStiffness:
@@ -58,30 +74,34 @@ def balance_without_weight(asked: RodRequest) -> BalancedStiffness:
 
 def _with_weight(asked: RodRequest, gravity: Gravity) -> BalancedStiffness:
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
-    cut, weight, most = asked.cut, asked.weight, asked.largest_stiffness
+    cut, weight = asked.cut, asked.weight
     if weight is None or weight.own:
         cut = cut.for_weight(gravity)
     tau = None if asked.bending_stiffness is None else 1 / asked.bending_stiffness
     for _ in range(REFINEMENTS):
         load = WeightedPanels(asked, cut.panels, gravity)
-        if weight is None:
-            problem = load.against(0.0)
-            balance = problem.balance(problem.least(problem.homogeneous(3)))
+        if asked.largest_stiffness is not None and weight is not None:
+            balance, tau = _within_stiffness(load, weight, asked.largest_stiffness)
         else:
-            if tau is None:
+            if tau is None and weight is not None:
                 tau = _least_compliance(load, weight)
-                tau = tau if most is None else _compliance_within(load, tau, most)
-            problem = load.against(tau)
-            balance = problem.balance(problem.least(problem.at_compliance(tau)))
+            problem = load.against(tau or 0.0)
+            numbers = problem.homogeneous(3) if tau is None else problem.at_compliance(tau)
+            balance = problem.balance(problem.least(numbers))
         finer = cut.for_stiffness(balance.stiffness)
         if finer is None:
             break
         cut = finer
     if weight is None or tau is None:
         return replace(balance, kinks=cut.kinks)
-    beta = _raised(weight.beta, gravity.length**-3 / tau) if weight.own else weight.beta
-    carried = replace(weight, beta=beta, own=False)
+    carried = carried_weight(weight, gravity, 1 / tau)
     return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=cut.kinks)
+
+
+def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
+    """The weight with the own weight of a strip of least bending stiffness B, N mm2, if it is requested."""
+    step = bending_stiffness / gravity.length**3
+    return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,6 +162,23 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     if isinstance(weight.beta, Profile) or weight.beta:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
+    _require_fixed_weight(problem, weight)
+    light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
+    heavy = problem.ratio(numbers)
+    if heavy is None:
+        problem.refuse(numbers.family)
+    if light is None or heavy[1] < light[1] * (1 - NO_GAIN_SHARE):
+        tau = float((numbers.basis @ heavy[0])[3])
+    else:
+        y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
+        tau = float(numbers.basis[3] @ y)
+    if tau <= 0:  # rounding, of rows that grow beyond their digits
+        load.refuse()
+    return tau
+
+
+def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
+    """Refuse a weight that is proportional to the stiffness, or that bends the rod nowhere."""
     if problem.scale.size == 3:
         if weight.masses:
             raise InputError(
@@ -152,21 +189,6 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
             "the weight is proportional to the stiffness, so every bending stiffness will do: leave "
             "`weight` out, or give bending_stiffness"
         )
-    light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
-    heavy = problem.ratio(numbers)
-    if heavy is None:
-        problem.refuse(numbers.family)
-    if light is None or heavy[1] < light[1] * (1 - NO_GAIN_SHARE):
-        tau = float((numbers.basis @ heavy[0])[3])
-    else:
-        try:
-            y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
-            tau = float(numbers.basis[3] @ y)
-        except NotConvergedError:
-            load.refuse()
-    if tau <= 0:  # rounding, of rows that grow beyond their digits
-        load.refuse()
-    return tau
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
@@ -208,39 +230,58 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
     return np.inf if found is None else found[1]
 
 
-def _compliance_within(load: WeightedPanels, tau: float, most: float) -> float:
-    """The compliance next to that of least ratio whose rod is nowhere stiffer than `most`, N mm2.
+def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
+    """The balance whose largest bending stiffness is `most`, N mm2, and its compliance tau.
 
-    The least largest stiffness is the ratio over tau, whose ratio is convex in tau: it falls up to one place and
-    rises behind it. Where it stays above `most`, that place is taken.
+    Of these balances it has the largest least stiffness. A weight that goes with K needs rounds, because its
+    share follows from tau.
     """
-    from scipy.optimize import brentq, minimize_scalar
+    least = max(load.asked.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
+    most /= 1 + BOUNDED
+    tau = 1 / most
+    for _ in range(MOST_ROUNDS):
+        problem = load.against(tau)
+        _require_fixed_weight(problem, weight)
+        found = problem.stiffest(most, least)
+        if found is None:
+            raise _overload(load, problem, least, most)
+        before, (state, tau) = tau, found
+        if not weight.beta or abs(tau / before - 1) < SETTLED_SHARE:
+            return problem.balance(state), tau
+    raise NotConvergedError("weight and stiffness do not settle: give bending_stiffness")
 
-    # where inflections leave a choice, the smoothest stiffness takes its share
-    room = most / (1 + FITTED_SHARE) / (1 + SMOOTHING_SHARE if load.asked.check.zeros else 1)
 
-    def over(logarithm: float) -> float:
-        """log of the largest stiffness over the room for it."""
-        stiffest = _ratio_at(load, float(np.exp(logarithm))) / np.exp(logarithm)
-        return float(np.log(min(stiffest / room, BEYOND)))
+def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
+    """The refusal of a weight that no stiffness from `least` to `most`, N mm2, carries."""
+    bound = max(least, LEAST_SHARE * problem.load_stiffness)
+    numbers = problem.at_compliance(1 / bound)
+    needed = problem.ratio(numbers)
+    if needed is None:
+        problem.refuse(numbers.family)
+    try:
+        thickening = _thickening(load, least, most)
+    except NotConvergedError:  # the width alone is named
+        thickening = None
+    return OverloadError(bound * needed[1], most, thickening)
 
-    start = before = float(np.log(tau))
-    last = over(start)
-    if last <= 0:
-        return tau
-    while True:
-        after = before + COMPLIANCE_STEP
-        here = over(after)
-        if here <= 0:
-            return float(np.exp(brentq(over, before, after, xtol=1e-6)))
-        if here >= last:
+
+def _thickening(load: WeightedPanels, least: float, most: float) -> float | None:
+    """The least factor on the thickness with which a sheet carries the weight within its limits of width.
+
+    Stiffness grows with its cube, the weight of the sheet over the stiffness falls with its square.
+    """
+    factor = 1.0
+    for _ in range(MOST_ROUNDS):
+        thick = replace(load, gravity=load.gravity.scaled(factor**-2))
+        problem = thick.against(1 / (factor**3 * least))
+        light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
+        if light is None or light[1] * (1 + FIT_SHARE) >= most / least:
+            return None
+        tau = numbers.basis[3] @ largest_within(numbers.family, numbers.basis[3], most / least)
+        before, factor = factor, float(1 / (tau * least)) ** (1 / 3)
+        if abs(factor / before - 1) < FIT_SHARE:
             break
-        before, last = after, here
-    around = (max(before - COMPLIANCE_STEP, start), after)
-    lowest = minimize_scalar(over, bounds=around, method="bounded", options={"xatol": 1e-6})
-    if lowest.fun <= 0:
-        return float(np.exp(brentq(over, around[0], lowest.x, xtol=1e-6)))
-    return float(np.exp(lowest.x if lowest.fun < over(start) else start))
+    return factor
 
 
 def _raised(value: float | Profile, step: float) -> float | Profile:

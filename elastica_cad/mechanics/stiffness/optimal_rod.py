@@ -34,8 +34,8 @@ from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness, RodRequest
-from elastica_cad.mechanics.stiffness.optimal_balance import balance_of
-from elastica_cad.mechanics.stiffness.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO
+from elastica_cad.mechanics.stiffness.optimal_balance import balance_of, carried_weight
+from elastica_cad.mechanics.stiffness.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO, STEP_LENGTH
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE
 from elastica_cad.mechanics.theorem1.equilibrium_check import examine
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, InflectionLine, NotRealizable
@@ -53,9 +53,6 @@ NOISE_TIMES = 4
 
 SAME_PLACE_SHARE = 1e-9
 """A knot nearer to a zero of the curvature than this share of the length is moved there."""
-
-STEP_LENGTH = 1e-5
-"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
 
 CELLS = 8
 """Parts of a panel in which the density of knots is taken as constant."""
@@ -203,6 +200,7 @@ def optimal_rod(
     weight: Weight | None = None,
     bending_stiffness: float | None = None,
     largest_stiffness: float | None = None,
+    least_stiffness: float | None = None,
     law: MaterialLaw | None = None,
     section: BoundedLaw | None = None,
     tolerance: float = 1e-4,
@@ -231,9 +229,11 @@ def optimal_rod(
         given it is solved for: that of least ratio, or where the ratio only falls with growing B, the least B
         whose ratio is within 1 % of the weightless one.
     largest_stiffness : float, optional
-        Upper bound of E I anywhere, N mm2, under a weight in newtons whose B is solved for: as of the widest strip
-        that there is room for. Where the rod of least ratio is stiffer, the rod of next larger ratio within it is
-        taken; where none is, the one that comes nearest.
+        Largest E I of the rod, N mm2, under a weight in newtons, such as that of the widest strip that there is
+        room for. The ratio is the least one of such rods. Where a rod so stiff cannot rest in the curve under
+        this weight, the largest E I stays below.
+    least_stiffness : float, optional
+        Lower bound of E I anywhere, N mm2, beside `largest_stiffness`.
     law : MaterialLaw, optional
         Nonlinear material: its effective curvature takes the place of kappa - kappa_0 (Appendix D).
     section : BoundedLaw, optional
@@ -259,7 +259,7 @@ def optimal_rod(
     NotRealizable
         No admissible stiffness exists; `check` of the error says why and where.
     InputError
-        Options that do not fit together, a kinked curve.
+        Options that do not fit together, a kinked curve, a weight that no rod within its stiffness carries.
 
     References
     ----------
@@ -277,12 +277,18 @@ def optimal_rod(
     _check_options(gravity, samples, weight)
     _check_stiffness("bending_stiffness", bending_stiffness, weight)
     _check_stiffness("largest_stiffness", largest_stiffness, weight)
+    _check_stiffness("least_stiffness", least_stiffness, weight)
     if section is not None:
         _check_section(section, weight, bending_stiffness, largest_stiffness, law)
     elif bending_stiffness is not None and largest_stiffness is not None:
         raise InputError(
             "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: "
             "leave one of them out"
+        )
+    elif least_stiffness is not None and largest_stiffness is None:
+        raise InputError(
+            "least_stiffness is a limit beside largest_stiffness. Pass largest_stiffness, or pass "
+            "bending_stiffness instead."
         )
     require_tolerance(tolerance)
     if check is None:
@@ -297,8 +303,8 @@ def optimal_rod(
         t = check.curve.parameter(np.linspace(0.0, check.length, _LAW_SAMPLES))
         law.require_design(float(np.abs(ExcessCurvature(check.curve, natural_curvature).at(t)).max()))
     asked = RodRequest(
-        check, supports, natural_curvature, gravity, weight, bending_stiffness, largest_stiffness, law, section,
-        samples,
+        check, supports, natural_curvature, gravity, weight, bending_stiffness, largest_stiffness,
+        least_stiffness, law, section, samples,
     )  # fmt: skip
     return _unbent_rod(asked) if check.any_stiffness else _bent_rod(asked, balance_of(asked))
 
@@ -394,10 +400,13 @@ def _unbent_rod(asked: RodRequest) -> Rod:
     """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
     check, nodes = asked.check, asked.nodes
     n = nodes.s.size
+    B, weight = asked.bending_stiffness or asked.largest_stiffness, asked.weight
+    if B is not None and weight is not None and asked.gravity is not None:
+        weight = carried_weight(weight, asked.gravity, B)
     rod = _rod_of(
-        asked, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=asked.weight,
+        asked, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=weight,
         profile=Profile.interpolate(nodes.s[[0, -1]], np.ones(2)),
-        bending_stiffness=asked.bending_stiffness, warnings=check.warnings,
+        bending_stiffness=B, warnings=check.warnings,
     )  # fmt: skip
     if asked.section is not None:
         rod = _even_rod(rod, asked.section)

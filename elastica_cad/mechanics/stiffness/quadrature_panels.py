@@ -44,6 +44,12 @@ NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
 ROUGH_AT_ZERO = 2
 """Continuity up to which a knot divides panels, however near it is to a zero of the curvature."""
 
+STEP_LENGTH = 1e-5
+"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
+
+NEAR_ZERO_SHARE = 0.05
+"""Distance from a mass to a zero of the curvature, in lengths of the curve, below which panels grow from it."""
+
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
 _LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
@@ -351,9 +357,10 @@ class CutCurve:
     ) -> "CutCurve":
         """Cut where the blank, the material law or the load is not smooth."""
         bend = _bend_kinks(check, natural_curvature, law)
-        hung = _load_kinks(check.length, weight)
-        places = [float(t) for t in check.curve.parameter(np.array([s for s, _ in hung]))] if hung else []
-        cuts = (*(t for t, _, _ in bend), *places)
+        zeros = np.array([zero.s for zero in check.zeros])
+        hung = [(_at_zero(s, zeros, check.length), c) for s, c in _load_kinks(check.length, weight)]
+        places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
+        cuts = (*(t for t, _, _ in bend), *check.curve.parameter(np.array(places)).tolist())
         return cls(check, natural_curvature, law, cuts, (*((s, c) for _, s, c in bend), *hung))
 
     @cached_property
@@ -397,6 +404,27 @@ def _bend_kinks(
         for side in (-curvature, curvature)
         for place in excess.equals(side)
     ]
+
+
+def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
+    """The zero of the curvature next to a place, mm, if they are closer than a step of the stiffness is long."""
+    near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
+    return float(near[0]) if near.size else s
+
+
+def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
+    """Places, mm, beyond a mass at s that is next to a zero, each twice as far from the zero as the one before.
+
+    There the stiffness has a part that falls with the inverse of the distance from the zero.
+    """
+    if not zeros.size:
+        return []
+    zero = float(zeros[np.abs(zeros - s).argmin()])
+    places, reach = [], 2 * (s - zero)
+    while 0 < abs(reach) < NEAR_ZERO_SHARE * length and 0 < zero + reach < length:
+        places.append(zero + reach)
+        reach *= 2
+    return places
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
