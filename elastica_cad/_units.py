@@ -20,6 +20,32 @@ MILLIMETRES = {
 """Millimetres in one of each unit that a file or an option may name; px is the pixel of CSS, pt the DTP point."""
 
 
+_WORDS = {
+    "mm": "millimet(?:er|re)s?|millimètres?|milímetros?|毫米",
+    "cm": "centimet(?:er|re)s?|zentimeter|centimètres?|centímetros?|厘米",
+    "dm": "decimet(?:er|re)s?|dezimeter|décimètres?|分米",
+    "m": "met(?:er|re)s?|mètres?|metros?|米",
+    "um": "[µμ]m|micromet(?:er|re)s?|mikrometer|microns?|微米",
+    "in": "in\\.|inch|inches|zoll|pouces?|pulgadas?|英寸|\"|″|”|''",
+    "ft": "ft\\.|foot|feet|fu(?:ß|ss)|pieds?|pies?|英尺|'|′|’",
+    "px": "pixels?",
+    "pt": "points?|punkte?",
+}
+_UNIT = {unit: re.compile(f"{unit}|{words}", re.IGNORECASE) for unit, words in _WORDS.items()}
+"""How people write units: symbols, words and signs."""
+
+
+def read_unit(text: str) -> str | None:
+    """Return the unit that a word or a sign names, None for other text.
+
+    Examples
+    --------
+    >>> read_unit("Inches"), read_unit("″"), read_unit("Zoll"), read_unit("furlong")
+    ('in', 'in', 'in', None)
+    """
+    return next((unit for unit, words in _UNIT.items() if words.fullmatch(text.strip())), None)
+
+
 def look_up_unit(unit: str) -> float:
     """Millimetres in one `unit`.
 
@@ -40,8 +66,15 @@ def look_up_unit(unit: str) -> float:
     return MILLIMETRES[unit]
 
 
-_FRACTION = re.compile(r"\s*(?:(\d+)[ -])?(\d+)/([1-9]\d*)\s*")
-_OFFSET = re.compile(r"([-+]?)(\d+)-(\d+)-([0-7])(\+?)")
+_FRACTION = re.compile(r"\s*(?:(\d+)[ -]+)?(\d+)/([1-9]\d*)\s*")
+_OFFSET = re.compile(r"([-+]?)(\d+)-(\d+)-([0-7])\s*([-+]?)")
+_INCHES = r"(?:\d+[ -]+)?\d+/[1-9]\d*|\d+\.?\d*|\.\d+"
+_MARKED = re.compile(
+    rf"""([-+]?)\s*(?=.*['"a-z])(?:(\d+\.?\d*)\s*(?:'|ft\.?|feet|foot)\s*-?\s*(?=\d|$))?
+    (?:({_INCHES})\s*("|in\.?|inch|inches)?)?""",
+    re.IGNORECASE | re.VERBOSE,
+)
+_SIGNS = str.maketrans({"′": "'", "’": "'", "‘": "'", "″": '"', "”": '"', "“": '"'})
 
 
 def read_number(text: str) -> float:
@@ -62,22 +95,28 @@ def read_number(text: str) -> float:
 
 
 def read_offset(text: str) -> float | None:
-    """Inches of feet, inches and eighths, as tables of offsets have them; a plus behind them is a sixteenth more.
+    """Return the inches of feet, inches and eighths, as tables of offsets have them, or of marked feet and inches.
 
-    None of any other text.
+    A plus behind the eighths is a sixteenth more, a minus a sixteenth less. None of any other text.
 
     Examples
     --------
-    >>> read_offset("3-4-5"), read_offset("0-0-5+"), read_offset("3.5")
-    (40.625, 0.6875, None)
+    >>> read_offset("3-4-5"), read_offset("0-0-5+"), read_offset("3-1-0-"), read_offset("3.5")
+    (40.625, 0.6875, 36.9375, None)
+    >>> read_offset("3' 4 5/8\\""), read_offset("2 ft 11in"), read_offset("40.5\\"")
+    (40.625, 35.0, 40.5)
     """
-    parts = _OFFSET.fullmatch(text)
-    if parts is None:
+    text = text.translate(_SIGNS).replace("''", '"').strip()
+    if parts := _OFFSET.fullmatch(text):
+        sixteenth = {"+": 1, "-": -1, "": 0}[parts[5]] / 16
+        inches = 12 * int(parts[2]) + int(parts[3]) + int(parts[4]) / 8 + sixteenth
+    elif (parts := _MARKED.fullmatch(text)) and (parts[2] or parts[4]):
+        inches = 12 * float(parts[2] or 0) + read_number(parts[3] or "0")
+    else:
         return None
-    inches = 12 * int(parts[2]) + int(parts[3]) + int(parts[4]) / 8 + bool(parts[5]) / 16
     return -inches if parts[1] == "-" else inches
 
 
 def is_in_inches(text: str) -> bool:
-    """Is it written as only inches are: a fraction, or feet, inches and eighths?"""
+    """Return True if it is written as only inches are: a fraction, feet and inches, or feet, inches and eighths."""
     return _FRACTION.fullmatch(text) is not None or read_offset(text) is not None

@@ -1,6 +1,5 @@
 """`elastica sections`: from a mesh or a CAD body to curves that strips can follow, and a design file for them."""
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -21,6 +20,7 @@ from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.curve_files.point_files import read_path_points
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.sections_table import compose_section_design
 from elastica_cad.formats.design_files.toml_text import seen_from
@@ -213,7 +213,13 @@ def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
 def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
     """The planes; where they are not told after the box of the surface."""
     if family == "--along":
-        path = np.array(_path_points(chosen["along"]))
+        path = read_path_points(chosen["along"])
+        if len(path) < 2:
+            raise InputError(
+                "{path} holds {count} points: a path needs two or more, a row x, y, z each",
+                path=chosen["along"],
+                count=len(path),
+            )
         return AlongPath(path, chosen["count"] or ALONG, up=_up(chosen, np.ptp(path, axis=0)))
     x, y, z = surface.middle.round(6).tolist()
     point = chosen["point"] or (x, y, z)
@@ -249,43 +255,6 @@ def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, A
     strips |= {"max_width": chosen["max_width"], "limits": limits}
     strips |= {"gravity": True} if chosen["gravity"] else {}
     return strips if chosen["stand"] == "none" else strips | {"stand": {"sheet": chosen["stand"]}}
-
-
-def _path_points(path: Path) -> list[list[float]]:
-    """Rows of three numbers, under a row of three names or none."""
-    text = require_file(path).read_text(encoding="utf-8-sig", errors="replace")
-    rows: list[list[float]] = []
-    headed = False
-    for number, line in enumerate(text.splitlines(), start=1):
-        if not line.strip() or line.lstrip().startswith("#"):
-            continue
-        words = re.split(r"[\s,;]+", line.strip(" \t,;"))
-        try:
-            row = [float(word) for word in words]
-        except ValueError:
-            if (
-                not rows
-                and [word.strip("\"'").lower()[:1] for word in words] == ["x", "y", "z"]
-                and not headed
-            ):
-                headed = True
-                continue
-            row = []
-        if len(row) != 3 or not np.all(np.isfinite(row)):
-            raise InputError(
-                "{path}, line {number}: {strip!r} is no point x, y, z in mm",
-                path=path,
-                number=number,
-                strip=line.strip()[:40],
-            )
-        rows.append(row)
-    if len(rows) < 2:
-        raise InputError(
-            "{path} holds {count} points: a path needs two or more, a row x, y, z each",
-            path=path,
-            count=len(rows),
-        )
-    return rows
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:

@@ -4,14 +4,15 @@ import re
 import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._units import look_up_unit
+from elastica_cad._units import MM_PER_INCH, look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
@@ -25,6 +26,7 @@ from elastica_cad.formats.curve_files.number_gate import (
 from elastica_cad.formats.curve_files.placed_curve import flatten_run
 from elastica_cad.formats.file_access.source_file import quiet_log
 from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.refusals import note
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -101,7 +103,17 @@ _INSUNITS = {
     0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254, 10: 914.4,
     11: 1e-7, 12: 1e-6, 13: 1e-3, 14: 100.0, 15: 1e4, 16: 1e5, 17: 1e12, 21: 1.2e6 / 3937,
 }  # fmt: skip
-"""Millimetres in the units that $INSUNITS numbers; 0 is "no unit", which is read as mm."""
+"""Millimetres in the units that $INSUNITS numbers; 0 is "no unit"."""
+
+_OWN_UNIT = b"all lengths in mm"
+"""The comment at the top of R12 files that this program writes, which have no $INSUNITS."""
+
+_INCHES_BELOW = 40.0
+"""Drawing units: a smaller drawing of a program that measures in inches is in inches."""
+
+_ASSUMED = (
+    "its unit is assumed: {unit}, because {reason}; if that is wrong, give the unit, such as --unit {other}"
+)
 
 
 def read_dxf_drawing(
@@ -110,7 +122,8 @@ def read_dxf_drawing(
     """Read the curves of a DXF file with handles and layers, in mm; the arguments are those of `read_drawing`.
 
     LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, those inside of blocks too. True
-    curves stay exact, a polyline without arcs is fitted. The unit is the file's $INSUNITS; without one it is mm.
+    curves stay exact, a polyline without arcs is fitted. The unit is the file's $INSUNITS. Without one it is mm, or
+    inches if the file says $MEASUREMENT = 0 and its curves are smaller than 40 units; the record says so.
 
     Raises
     ------
@@ -120,8 +133,8 @@ def read_dxf_drawing(
         ezdxf is not installed.
     """
     document = _opened(file)
-    scale = look_up_unit(unit) if unit else _INSUNITS[_unit_code(document)]
     _refuse_many_inserts(document)
+    scale, assumed = (look_up_unit(unit), "") if unit else _unit_of(document, file)
     rounding = scale * _dxf_rounding(file)
     skipped: Counter[str] = Counter()
     shown = Provenance(
@@ -130,11 +143,12 @@ def read_dxf_drawing(
     with np.errstate(
         over="ignore", invalid="ignore"
     ):  # what is not finite is refused where places are checked
-        return collect_curves(
+        drawn = collect_curves(
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
             nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
             fit_tolerance=fit_tolerance, shown=shown, corners=corners,
         )  # fmt: skip
+    return replace(drawn, size=assumed) if assumed else drawn
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
@@ -218,6 +232,22 @@ def _opened(path: Path) -> "Drawing":
         )
         raise InputError("is damaged ({said}): export it anew", said=said)
     return document
+
+
+def _unit_of(document: "Drawing", file: Path) -> tuple[float, str]:
+    """Millimetres in a drawing unit, and a note where that is assumed."""
+    code = _unit_code(document)
+    with file.open("rb") as opened:
+        if code or _OWN_UNIT in opened.read(200):
+            return _INSUNITS[code], ""
+    if document.header.get("$MEASUREMENT") == 0:
+        with np.errstate(over="ignore", invalid="ignore"), suppress(InputError):
+            points = [edge.points for run in _runs(document, 1.0, 0.0, Counter()) for edge in run]
+            size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
+            if 0 < size < _INCHES_BELOW:
+                reason = note("it names none, has $MEASUREMENT = 0 and is {size:.3g} units large", size=size)
+                return MM_PER_INCH, note(_ASSUMED, unit="in", reason=reason, other="mm")
+    return 1.0, note(_ASSUMED, unit="mm", reason=note("it names none ($INSUNITS)"), other="in")
 
 
 def _unit_code(document: "Drawing") -> int:

@@ -1,48 +1,30 @@
 """Curves from plain numbers: measured points (CSV) and the control points of a uniform spline (text)."""
 
 import re
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._units import (
-    MILLIMETRES,
-    MM_PER_INCH,
-    is_in_inches,
-    look_up_unit,
-    read_number,
-    read_offset,
-)
+from elastica_cad._units import MM_PER_INCH, is_in_inches, look_up_unit
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.chains import curve_from_points
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
-    NUMBER,
     check_count,
     check_degree,
     check_size,
     check_tolerance,
     half_last_place,
 )
+from elastica_cad.formats.curve_files.point_tables import PointTable, Row, read_row, read_text
+from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import Length, note
-
-_UNIT = "|".join(MILLIMETRES)
-_HEAD = re.compile(rf"(.+?)(?:[\s_]*[\[(]\s*({_UNIT})\s*[\])]|[\s_]+({_UNIT}))?", re.IGNORECASE)
-"""A cell of a heading: the name of a column, and its unit."""
-
-ALONG = ("distance", "station")
-"""Columns of a table of offsets from which all others are curves: the first of these names that its heading has."""
-
-NOTHING = ("", "-", "\u2013", "\u2014")
-"""Cells of a table of offsets where a curve does not reach."""
-
-_MINUS = "\u2212"
-"""The minus of typesetters, which spreadsheets in Nordic languages write."""
 
 _DIGITS = 20_000  # numbers whose digits are looked at
 
@@ -50,13 +32,16 @@ _DIGITS = 20_000  # numbers whose digits are looked at
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
     """Fit curves to measured points, one "x, y" a row; blank rows part one curve from the next.
 
-    Columns are parted by commas, semicolons, tabs or blanks; rows that start with # are remarks, and the
-    first row may be a heading. With semicolons, or with tabs, decimals may have commas. A third column is
-    taken when it is constant: points of a plane z = const. A heading that names x and y among its columns says
-    which they are, and their unit, "x (in)", "y [mm]" or "x_mm", unless `unit` does. One that names a column
-    "distance" or "station" is of a table of offsets: every other column is a curve over that one, called as the
-    column is. Cells may be fractions, "3 1/2", or feet, inches and eighths, "3-4-5"; where no unit is named those
-    tell that it is inches.
+    Columns are parted by commas, semicolons, tabs or blanks, or by the sign that Excel's `sep=;` names. Rows that
+    start with # are remarks. Titles, a heading and a row of units may be above the numbers. Decimals may have
+    commas where those part no columns, or in quotes. A third column is taken when it is constant: points of a plane
+    z = const.
+
+    A heading that names x and y (or Easting and Northing) among its columns selects them, several times for
+    several curves. It names their unit unless `unit` does: "x (in)", "y [mm]", "x_mm", "x in inches". A heading
+    with a column "distance" or "station" is of a table of offsets: every other column is a curve over that one,
+    called as the column is. Cells may be fractions, "3 1/2", feet and inches, 3' 4 5/8", or feet, inches and
+    eighths, "3-4-5"; where no unit is named, they are inches.
 
     Raises
     ------
@@ -64,31 +49,50 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
         A row that is not two or three finite numbers, which is named; too few points; a heading with two units.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
-    text = _text(file)
-    columns, named = _columns(text)
-    rows = [row for _, column in columns for row in column]
-    inches = [cell for _, cells in rows for cell in cells if is_in_inches(cell)]
-    headed = unit or _one_unit(named)
-    scale = look_up_unit(headed or ("in" if inches else "mm"))
-    parts = max((int(cell.rpartition("/")[2]) for cell in inches if "/" in cell), default=8)  # of an inch
-    rounded = (
-        MM_PER_INCH / parts / 2 if inches else scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS])
-    )
-    by_rule = scale == MM_PER_INCH or any(name for name, _ in columns)  # as fine as a rule is read
+    table = PointTable.read(file, unit=unit)
+    cells = [cell for column in table.columns for _, row in column.rows for cell in row]
+    inches = [cell for cell in cells if is_in_inches(cell)]
+    scale = look_up_unit(table.unit or ("in" if inches else "mm"))
+    parts = [int(found[1]) for cell in inches if (found := re.search(r"/(\d+)", cell))]  # of an inch
+    parts += [8 for cell in inches if cell.count("-") > 1]
+    rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
+    by_rule = scale == MM_PER_INCH or table.is_offsets  # as fine as a rule is read
     noise = rounded / np.sqrt(3) if by_rule else 0.0
-    blocks = [(name, block) for name, column in columns for block in _blocks(column, scale)]
-    makers = [
-        DrawnCurve(
-            number,
-            partial(_fitted, block, fit_tolerance, Provenance(rounding=rounded, name=name), noise),
-            name,
-        )
-        for number, (name, block) in enumerate(blocks, start=1)
-    ]
+    makers: list[tuple[str, Callable[[], PlaneCurve]]] = []
+    for name, rows in table.columns:
+        try:
+            blocks = _blocks(rows, scale)
+        except InputError as problem:
+            if len(table.columns) == 1:
+                raise
+            makers.append((name, partial(_raise, problem)))
+            continue
+        digits = Provenance(rounding=rounded, name=name)
+        makers += [(name, partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks]
     told = note(
         "its numbers were read as inches, with fractions or as feet-inches-eighths: give the unit if they are none"
     )
-    return DrawnFile(file, makers, size=told if inches and headed is None else "")
+    curves = [DrawnCurve(number, make, name) for number, (name, make) in enumerate(makers, start=1)]
+    return DrawnFile(file, curves, size=table.note or (told if inches and table.unit is None else ""))
+
+
+def read_path_points(file: Path) -> FloatArray:
+    """Read the points (n, 3), mm, of a path in space from a table with x, y and z, as `read_csv_drawing` does.
+
+    Raises
+    ------
+    InputError
+        A row without three finite numbers, which is named.
+    """
+    with name_source(file):
+        table = PointTable.read(file, unit=None)
+        scale = look_up_unit(table.unit or "mm")
+        rows = [row for column in table.columns for row in column.rows if row[1]]
+        return np.array([read_row(cells, n, 3, 3, scale) for n, cells in rows]).reshape(-1, 3)
+
+
+def _raise(problem: InputError) -> PlaneCurve:
+    raise problem
 
 
 def _fitted(points: FloatArray, tolerance: float, digits: Provenance, noise: float) -> PlaneCurve:
@@ -108,7 +112,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
         A first line that does not say degree and count, or other than `count` good points after it.
     """
     scale = look_up_unit(unit or "mm")
-    rows = [(n, line.split()) for n, line in enumerate(_text(file).splitlines(), 1) if line.strip()]
+    rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]
     rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
     if not rows:
         raise InputError("there are no numbers in it: the first line must be 'degree count'")
@@ -135,7 +139,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
             count=count,
             given=len(rows) - 1,
         )
-    points = np.array([_numbers(row, n, 2, scale) for n, row in rows[1:]]).reshape(-1, 2)
+    points = np.array([read_row(row, n, 2, 2, scale) for n, row in rows[1:]]).reshape(-1, 2)
     check_size(points)
     digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
     knots = np.arange(-degree, count + 1, dtype=float)
@@ -143,66 +147,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     return DrawnFile(file, [DrawnCurve(1, lambda: curve)])
 
 
-def _text(path: Path) -> str:
-    """The file as text, with or without a byte order mark."""
-    data = path.read_bytes()
-    encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
-    try:
-        return data.decode(encoding).replace(_MINUS, "-")
-    except UnicodeDecodeError as error:
-        raise InputError("is not a text file: save the points as plain text") from error
-
-
-_Rows = list[tuple[int, list[str]]]
-
-
-def _columns(text: str) -> tuple[list[tuple[str, _Rows]], tuple[str, ...]]:
-    """Name of each curve, number and coordinates of its rows (none where they part blocks); a heading's units."""
-    lines = [line.strip() for line in text.splitlines()]
-    rows = [(n, _cells(line)) for n, line in enumerate(lines, 1) if not line.startswith("#")]
-    first = next((k for k, (_, cells) in enumerate(rows) if any(cells)), 0)
-    if not rows or any(_is_number(cell) for cell in rows[first][1]):
-        return [("", rows)], ()
-    head = _cells(re.sub(r"\s+(?=[\[(])", "", lines[rows[first][0] - 1]))  # where blanks part columns
-    heads = {
-        found[1].lower(): (k, found[2] or found[3], found[1])
-        for k, cell in enumerate(head)
-        if (found := _HEAD.fullmatch(cell))
-    }
-    rows = rows[first + 1 :]
-    along = next((heads[name] for name in ALONG if name in heads), None)
-    if {"x", "y"} <= heads.keys():
-        taken = [heads[name] for name in ("x", "y", "z") if name in heads]
-        last = max(k for k, *_ in taken)
-        rows = [(n, [cells[k] for k, *_ in taken] if len(cells) > last else cells) for n, cells in rows]
-        columns = [("", rows)]
-    elif along is not None:
-        taken = [one for name, one in heads.items() if name not in ALONG]
-        tried = [(name, _offsets(rows, along[0], k)) for k, _, name in taken]
-        columns = [(name, column) for name, column in tried if any(_is_number(y) for _, (_, y) in column)]
-        taken = [along, *taken]
-    else:
-        return [("", rows)], ()
-    return columns, tuple(unit.lower() for _, unit, _ in taken if unit)
-
-
-def _offsets(rows: _Rows, along: int, column: int) -> _Rows:
-    """The rows of two columns in which a curve has a place."""
-    far = max(along, column)
-    return [(n, [cells[along], cells[column]]) for n, cells in rows
-            if len(cells) > far and cells[column] not in NOTHING]  # fmt: skip
-
-
-def _one_unit(named: tuple[str, ...]) -> str | None:
-    """The unit that a heading names; None where it names none."""
-    if len(set(named)) > 1:
-        raise InputError(
-            "its heading names {names}: give x and y in one unit", names=" and ".join(dict.fromkeys(named))
-        )
-    return named[0] if named else None
-
-
-def _blocks(rows: _Rows, scale: float) -> list[FloatArray]:
+def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
     """The points (n, 2) of each block of rows, mm."""
     blocks: list[list[FloatArray]] = [[]]
     for n, cells in rows:
@@ -210,7 +155,8 @@ def _blocks(rows: _Rows, scale: float) -> list[FloatArray]:
             if blocks[-1]:
                 blocks.append([])
             continue
-        blocks[-1].append(_numbers(cells, n, 3, scale))
+        values = read_row(cells, n, 2, 3, scale)
+        blocks[-1].append(np.array([*values, 0.0][:3]))
     filled = [np.array(block) for block in blocks if block]
     if not filled:
         raise InputError("there are no points in it: write one 'x, y' a row")
@@ -223,58 +169,3 @@ def _blocks(rows: _Rows, scale: float) -> list[FloatArray]:
                 height=Length(height),
             )
     return [block[:, :2] for block in filled]
-
-
-def _cells(line: str) -> list[str]:
-    """The cells of one row, without quotes; a trailing separator adds none."""
-    parts = line.split('"')
-    parting = next((sign for sign in ";\t," if any(sign in part for part in parts[::2])), None)
-    if parting is None:
-        cells = "".join(parts).split()
-    else:
-        parts[::2] = [part.replace(parting, "\n") for part in parts[::2]]  # within quotes nothing parts cells
-        cells = [cell.strip() for cell in "".join(parts).split("\n")]
-    if parting != "," or len(parts) > 1:
-        cells = [cell.replace(",", ".") for cell in cells]
-    while cells and not cells[-1]:
-        cells.pop()
-    return cells
-
-
-def _in_mm(cell: str, scale: float) -> float:
-    """A cell, mm, whose unit is `scale` mm unless it is of feet, inches and eighths."""
-    inches = read_offset(cell)
-    return scale * read_number(cell) if inches is None else MM_PER_INCH * inches
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        _in_mm(cell, 1.0)
-    except ValueError:
-        return False
-    return True
-
-
-def _numbers(cells: list[str], row: int, most: int, scale: float) -> FloatArray:
-    """x, y (and z, 0 where there is none, when `most` is 3) of one row, mm."""
-    if not 2 <= len(cells) <= most:
-        raise InputError(
-            "row {row} has {count} columns; it needs x and y{given}",
-            row=row,
-            count=len(cells),
-            given=" (and z)" if most == 3 else "",
-        )
-    for cell in cells:
-        if not _is_number(cell):
-            raise InputError(
-                "row {row} has {cell!r} where a number is needed: write digits alone, 12.5, or # "
-                "before a remark",
-                row=row,
-                cell=cell,
-            )
-    values = np.array([_in_mm(cell, scale) for cell in cells])
-    if not np.all(np.isfinite(values)):
-        raise InputError(
-            "row {row} is not finite ({cells}): leave it out or mend it", row=row, cells=", ".join(cells)
-        )
-    return np.append(values, [0.0] * (most - len(values)))

@@ -12,22 +12,27 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
-from elastica_cad.formats.svg_files.svg_tree import CLONE, LENGTH, MARK, MM, SvgTree, open_svg, svg_tree
+from elastica_cad.formats.svg_files.svg_tree import (
+    CLONE,
+    MARK,
+    PHYSICAL,
+    SvgTree,
+    open_svg,
+    read_length,
+    svg_tree,
+)
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
 _AFFINITY = b'xmlns:serif="http://www.serif.com/"'
 _ILLUSTRATOR = b"Generator: Adobe Illustrator"  # in a remark at the top
-_SIZED = re.compile(
-    rb"""<svg\b[^>]*\s(?:width|height)\s*=\s*["'][^"']*(?:mm|cm|in|pt|pc|q)\s*["']""", re.IGNORECASE
-)
 _TOP = 4096  # bytes
 _LEAST_UNIT = 1e-9  # mm
 _LARGEST = 1e15  # of any number: what comes of two of them is still a number
@@ -51,8 +56,8 @@ def read_svg_drawing(
         Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
     """
     tree = svg_tree(file)
-    size, pixel = ("", _PX) if unit else _program(file, tree.root)
-    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root) * pixel / _PX
+    size, pixel = ("", _PX) if unit else _program(file, tree)
+    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
             "has user units of {scale:.3g} by {scale_2}: check width, height and viewBox",
@@ -85,46 +90,49 @@ _WITHOUT_UNIT = (
     "millimetres, say --unit mm"
 )
 
+_OF_OTHER_UNIT = (
+    "its size, {size}, is not in mm or the like, so its pixels are taken as 96 to the inch and a font as 16 pixels "
+    "high, as browsers do; where its numbers are millimetres, say --unit mm"
+)
+
 _OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
 
 
-def _program(file: Path, root: ElementTree.Element) -> tuple[str, float]:
+def _program(file: Path, tree: SvgTree) -> tuple[str, float]:
     """A sentence and the size of a pixel, mm, where the program that drew it has one of its own.
 
     Illustrator and Affinity do without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
     """
     with open_svg(file) as opened:
         top = opened.read(_TOP)
-    sized = _SIZED.search(top)
+    sizes = [(text, read_length(text)) for text in tree.size if text]
+    sized = any(length and length[1] in PHYSICAL for _, length in sizes)
+    other = next((text for text, _ in sizes if re.search(r"\d\s*(?!px)[a-z]+\s*$", text.lower())), "")
     if _ILLUSTRATOR in top and not sized:
         return _IN_POINTS, _PT
     if _AFFINITY in top and not sized:
         return _OF_AFFINITY, _PX
-    version = re.match(r"0\.(\d+)", root.get(_INKSCAPE, ""))
-    if version and int(version[1][:2]) < 92 and not (sized and root.get("viewBox")):
+    version = re.match(r"0\.(\d+)", tree.root.get(_INKSCAPE, ""))
+    if version and int(version[1][:2]) < 92 and not (sized and tree.root.get("viewBox")):
         return _OF_INKSCAPE, MM_PER_INCH / 90
-    return "" if sized or root.get(_INKSCAPE) else _WITHOUT_UNIT, _PX
+    if sized or (tree.root.get(_INKSCAPE) and not other):
+        return "", _PX
+    return note(_OF_OTHER_UNIT, size=quoted(other)) if other else _WITHOUT_UNIT, _PX
 
 
-def _scale(root: ElementTree.Element) -> FloatArray:
+def _scale(tree: SvgTree) -> FloatArray:
     """Millimetres in one user unit along x and y, from width, height and viewBox."""
-    size = [_absolute(root.get(side)) for side in ("width", "height")]
-    box = [float(v) for v in re.findall(NUMBER, root.get("viewBox", ""))]
+    size = [read_length(text) for text in tree.size]
+    box = [float(v) for v in re.findall(NUMBER, tree.root.get("viewBox", ""))]
     if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
         return np.full(2, _PX)
-    known = [length / extent for length, extent in zip(size, box[2:], strict=True) if length]
+    known = [length[0] / extent for length, extent in zip(size, box[2:], strict=True) if length and length[0]]
     if not known:
         return np.full(2, _PX)
-    aspect = root.get("preserveAspectRatio", "")
+    aspect = tree.root.get("preserveAspectRatio", "")
     if len(known) == 2 and "none" in aspect:
         return np.array(known)
     return np.full(2, max(known) if "slice" in aspect else min(known))
-
-
-def _absolute(text: str | None) -> float | None:
-    """A length in mm; None for percentages and what is no length."""
-    match = LENGTH.fullmatch(text or "")
-    return float(match[1]) * MM[(match[2] or "px").lower()] if match else None
 
 
 def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
@@ -139,7 +147,7 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
         ) from error
     shapes, count = _Shapes(tree), 0
     try:
-        drawing = SVG.parse(BytesIO(_in_user_units(tree.root)), reify=False, on_error="raise")
+        drawing = SVG.parse(BytesIO(_in_user_units(tree)), reify=False, on_error="raise")
         for shape in drawing.elements():
             drawn = shapes.read(shape) if isinstance(shape, Shape) else None
             if drawn is None:
@@ -244,10 +252,12 @@ class _Shapes:
             skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
 
 
-def _in_user_units(root: ElementTree.Element) -> bytes:
+def _in_user_units(tree: SvgTree) -> bytes:
     """The document without the size of its root."""
+    root = tree.root
     box = root.get("viewBox", "").replace(",", " ").split()
-    size = box[2:] if len(box) == 4 else [root.get("width", "100%"), root.get("height", "100%")]
+    lengths = [read_length(text) for text in tree.size]
+    size = box[2:] if len(box) == 4 else [repr(one[0] / _PX) if one else "100%" for one in lengths]
     for name in ("viewBox", "preserveAspectRatio", "x", "y"):
         root.attrib.pop(name, None)
     root.set("width", size[0])

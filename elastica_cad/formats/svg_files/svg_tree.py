@@ -19,14 +19,39 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
 
-LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|pt|pc|mm|cm|in|[qQ])?\s*")
-MM = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("px", "pt", "mm", "cm", "in")}
+_LENGTH = re.compile(rf"\s*({NUMBER}|[-+]?\d+,\d+)\s*([a-z]*)\s*", re.IGNORECASE)
+PHYSICAL = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("pt", "mm", "cm", "in")}
+"""Millimetres in one of each unit that is not a pixel."""
+
+_MM = PHYSICAL | {"px": MILLIMETRES["px"], "": MILLIMETRES["px"]}
+_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # of a font that nobody chose
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
 def tag(element: ElementTree.Element) -> str:
     """Return the name of an element without its namespace."""
     return str(element.tag).rpartition("}")[2]
+
+
+def read_length(text: str | None) -> tuple[float, str] | None:
+    """Return a length in mm and its unit in small letters; None for percentages and what is no length.
+
+    Examples
+    --------
+    >>> read_length("8.5IN"), read_length("210,5mm"), read_length("50vw")
+    ((215.9, 'in'), (210.5, 'mm'), None)
+    """
+    match = _LENGTH.fullmatch(text or "")
+    if match is None or (unit := match[2].lower()) not in _MM:
+        return None
+    return float(match[1].replace(",", ".")) * _MM[unit], unit
+
+
+def _size_of(root: ElementTree.Element) -> tuple[str, str]:
+    """Width and height of a drawing as they are written; those of its style come first."""
+    style = dict(re.findall(r"([\w-]+)\s*:\s*([^;!]+)", root.get("style", "")))
+    width, height = (style.get(side, root.get(side, "")) for side in ("width", "height"))
+    return width, height
 
 
 def _linked_id(element: ElementTree.Element) -> str:
@@ -55,7 +80,8 @@ Fit = tuple[float, float, float, float]  # scales, then where the origin goes
 def _fit_views(root: ElementTree.Element) -> None:
     """Write percentages as user units and nested drawings as groups; fit symbols into the boxes of clones."""
     box = _box(root)
-    extent = box[2:] if box else (_size(root.get("width"), 100.0), _size(root.get("height"), 100.0))
+    width, height = _size_of(root)
+    extent = box[2:] if box else (_size(width, 100.0), _size(height, 100.0))
     held: dict[str, ElementTree.Element] = {}
     fits: dict[ElementTree.Element, Fit] = {}
     clones: list[tuple[ElementTree.Element, Extent]] = []
@@ -154,10 +180,10 @@ def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | No
 
 def _size(text: str | None, whole: float, default: float | None = None) -> float:
     """A length in user units; `whole`, all of its side, is what none means unless told."""
-    match = LENGTH.fullmatch(text or "")
-    if match is None:
+    length = read_length(text)
+    if length is None:
         return whole if default is None else default
-    return float(match[1]) * MM[(match[2] or "px").lower()] / MM["px"]
+    return length[0] / _PX
 
 
 _PX = MILLIMETRES["px"]
@@ -267,9 +293,16 @@ class Shape:
 
 @dataclass
 class SvgTree:
-    """The tree, its shapes and the names of its clones; path data are taken out of the tree, a mark put in."""
+    """The tree, its shapes and the names of its clones; path data are taken out of the tree, a mark put in.
+
+    Attributes
+    ----------
+    size : (str, str)
+        Width and height as they are written.
+    """
 
     root: ElementTree.Element
+    size: tuple[str, str]
     shapes: list[Shape] = field(default_factory=list)
     clones: list[Name] = field(default_factory=list)
     skipped: Counter[str] = field(default_factory=Counter)
@@ -291,7 +324,7 @@ def svg_tree(path: Path) -> SvgTree:
             raise InputError("is not an SVG file ({error}): export it anew", error=error) from error
     if tag(root) != "svg":
         raise InputError("is not an SVG file: it begins with <{tag}>, not with <svg>", tag=tag(root))
-    tree = SvgTree(root)
+    tree = SvgTree(root, _size_of(root))
     _refuse_bombs(tree)
     _fit_views(root)
     _mark(tree)
@@ -420,10 +453,9 @@ def _mark(tree: SvgTree) -> None:
             tree.clones.append(Name.of(element))
         written = " ".join(element.get(name, "") for name in (*_LENGTH_ATTRIBUTES, "points"))
         for name in _LENGTH_ATTRIBUTES:
-            text = element.get(name)
-            match = LENGTH.fullmatch(text) if text else None
-            if match and match[2]:
-                element.set(name, repr(float(match[1]) * MM[match[2].lower()] / _PX))
+            length = read_length(element.get(name))
+            if length and length[1]:
+                element.set(name, repr(length[0] / _PX))
         if kind in _SHAPES:
             data = element.get("d", "") if kind == "path" else None
             if data is not None:

@@ -8,6 +8,7 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
+from elastica_cad.formats.curve_files.point_files import read_path_points
 
 
 def run(*arguments):
@@ -122,8 +123,8 @@ def test_planes_along_a_path(dome, tmp_path):
     path.write_bytes(b"\xef\xbb\xbf-60, 0, 0\r\n60, 0, 0\r\n")  # as Windows saves it
     assert_two_along(mesh, path, tmp_path / "windows")
     path.write_text("1, 2\n")
-    assert "path.csv, line 1: '1, 2' is no point" in run("sections", mesh, "--along", path).stderr.replace(
-        "  ", ", "
+    assert (
+        "path.csv: row 1 has 2 columns; it needs x, y and z" in run("sections", mesh, "--along", path).stderr
     )
 
 
@@ -305,7 +306,18 @@ def test_a_path_under_a_row_of_names(dome, tmp_path):
     path.write_text("x,y,z\n-60,0,0\n60,0,0\n")
     assert_two_along(mesh, path, tmp_path)
     path.write_text("x,y\n-60,0\n60,0\n")
-    assert "line 1: 'x,y' is no point" in run("sections", mesh, "--along", path).stderr
+    assert "row 2 has 2 columns; it needs x, y and z" in run("sections", mesh, "--along", path).stderr
+
+
+@pytest.mark.parametrize("rows", [
+    "\ufeffx;y;z\n-60,5;0;10,25\n60,5;0;10,25\n".encode(),
+    "Pfad für die Spanten\nX [cm];Y [cm];Z [cm]\n-6,05;0;1,025\n6,05;0;1,025\n".encode("cp1252"),
+    b"sep=;\nPoint;x (inches);y (inches);z (inches)\nA;-2.3819;0;0.40354\nB;2.3819;0;0.40354\n",
+])  # fmt: skip
+def test_a_path_is_read_as_other_tables_are(tmp_path, rows):
+    (tmp_path / "path.csv").write_bytes(rows)
+    expected = [(-60.5, 0, 10.25), (60.5, 0, 10.25)]
+    assert read_path_points(tmp_path / "path.csv") == pytest.approx(np.array(expected), abs=1e-3)
 
 
 def test_a_drawing_in_place_of_a_body_is_told_all_that_can_be_cut(tmp_path):

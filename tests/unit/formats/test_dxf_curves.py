@@ -6,7 +6,11 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.fabrication.drawings.drawing import MARK, Drawing, LayeredPath
 from elastica_cad.files import read_curves
+from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 S_POINTS = np.array([(0, 0), (30, 40), (60, -40), (90, 10), (120, 0)], dtype=float)
@@ -275,6 +279,35 @@ def test_units_of_the_file_become_mm(drawing, units, factor):
     """The units of $INSUNITS as the DXF reference lists them, an arc of 300 mm radius in each."""
     (curve,) = drawing(lambda space, _: space.add_arc((0, 0), 300 / factor, 0, 90), units=units)
     assert curve.length == pytest.approx(150 * np.pi, rel=1e-9)
+
+
+@pytest.mark.parametrize(("version", "measurement", "size", "mm"), [
+    ("R2010", 0, 12.5, 25.4), ("R2010", 0, 39, 25.4), ("R2010", 0, 41, 1), ("R2010", 1, 12.5, 1),
+    ("R12", None, 12.5, 1), ("R2000", 0, 400, 1),
+])  # fmt: skip
+def test_a_unit_that_the_file_does_not_name_is_assumed_and_reported(drawing, version, measurement, size, mm):
+    """Inches only if the file itself says that it measures in inches, and is small."""
+
+    def draw(space, document):
+        space.add_line((100, 7), (100 + size, 8))
+        if measurement is not None:
+            document.header["$MEASUREMENT"] = measurement
+
+    curves = drawing(draw, units=0, version=version)
+    assert curves[0].length == pytest.approx(mm * np.hypot(size, 1))
+    (told,) = curves.notes
+    unit, other = ("in", "mm") if mm > 1 else ("mm", "in")
+    assert f"its unit is assumed: {unit}, because it names none" in told
+    assert f"--unit {other}" in told
+    for given in ("mm", "in"):
+        assert not drawing(draw, units=0, version=version, unit=given).notes
+
+
+def test_own_files_of_the_oldest_version_say_their_unit(tmp_path):
+    path = tmp_path / "own.dxf"
+    line = Drawing("own", (LayeredPath(MARK, Path((Line((0, 0), (30, 40)),))),))
+    path.write_bytes(encode_dxf(line, version="R12"))
+    assert not read_curves(path).notes
 
 
 def test_given_unit_overrides_the_file(drawing):

@@ -252,3 +252,148 @@ def test_what_was_read_off_is_never_more_exact_than_its_digits(csv, heading, uni
 def test_a_rule_is_as_fine_as_its_finest_mark(csv, cells, parts):
     (curve,) = csv(f"0,0\n{cells}\n")
     assert curve.provenance.rounding == pytest.approx(25.4 / parts / 2)
+
+
+ARCH = [(0, 40), (450, 812.5), (980, 1204.25), (1620, 1310), (2200, 955.75)]
+
+
+def table(head="x,y\n", separator=",", style="{:g}".format, points=ARCH):
+    """Rows of points below a heading, each number in a style."""
+    return head + "".join(separator.join(map(style, row)) + "\n" for row in points)
+
+
+def inches(value):
+    return f"{value / 25.4:.5f}"
+
+
+def feet(value):
+    return f"{value / 304.8:.6f}"
+
+
+def cm(value):
+    return f"{value / 10:g}"
+
+
+def german(value):
+    return f"{value:,.2f}".translate(str.maketrans(",.", ".,"))
+
+
+@pytest.mark.parametrize("text", [
+    table("x (inches),y (inches)\n", style=inches),
+    table("X in Zoll;Y in Zoll\n", ";", lambda v: inches(v).replace(".", ",")),
+    table('x ("),y (")\n', style=inches), table("x [″]\ty [″]\n", "\t", inches),
+    table("x'\ty'\n", "\t", feet), table("Länge (Fuß),Höhe (Fuß)\n", style=feet),
+    table("x / cm;y / cm\n", ";", cm), table("X-Koordinate (millimetres),Y-Koordinate (mm)\n"),
+    table("# measured, all in inches\nx,y\n", style=inches), table("Arch\nUnits: cm\n\nx,y\n", style=cm),
+    table("x,y\nin,in\n", style=inches), table("The arch of May 3\nx;y\n[cm];[cm]\n", ";", cm),
+    table("mm;mm\n", ";"), table(style=lambda v: f"{cm(v)} cm"), table(style=lambda v: f'{inches(v)}"'),
+    table("sep=;\nx;y\n", ";"), table('"SEP=|"\nx|y\n', "|"), table("sep=,\nx,y\n"),
+    table("Bemerkung über alles\nx;y\n", ";").encode("cp1252"), table("x,y,备注\n").encode("gbk"),
+    table(style=lambda v: f'"{v:,g}"'), table("x;y\n", ";", lambda v: f"{v:,.2f}"), table("x;y\n", ";", german),
+    table("x;y\n", ";", lambda v: f"{v:,.2f}".replace(",", "\u202f").replace(".", ",")),
+    table("x;y\n", ";", lambda v: f"{v:,g}".replace(",", "’")),
+    table("Northing;Easting\n", ";", points=[p[::-1] for p in ARCH]),
+    table("Point,E,N,Elevation\n", style="P,{0[0]},{0[1]},7".format, points=[[p] for p in ARCH]),
+])  # fmt: skip
+def test_tables_as_other_programs_write_them(csv, text):
+    """Each was refused, or read in mm, mirrored or a thousand times too small."""
+    (curve,) = csv(text)
+    assert curve.sample(2).position == pytest.approx(np.array([ARCH[0], ARCH[-1]]), abs=0.1)
+    dense = curve.sample(4001).position
+    assert max(np.hypot(*(dense - p).T).min() for p in ARCH) < 0.4
+
+
+@pytest.mark.parametrize("heading", [
+    "x (furlong),y (furlong)", "x [yd],y [yd]", "x chain,y chain", "breadth [km],height [km]",
+    "Northing (rods),Easting (rods)", "Station,Sheer (league)", "# unit: cubits\nx,y",
+    "x (rods),y (rods),y (rods)",
+])  # fmt: skip
+def test_no_unknown_unit_is_read_as_mm(csv, heading):
+    with pytest.raises(InputError, match="not a unit known here: give the unit, --unit mm"):
+        csv(table(f"{heading}\n"))
+    assert csv(table(f"{heading}\n"), unit="cm")[0].length > 20_000
+
+
+@pytest.mark.parametrize("text", [
+    table("x;y\n", ";", "{:,}".format, [(1000, 2050), (1250, 2260), (1500, 2310), (1750, 2055)]),
+    table("x\ty\n", "\t", "{:,}".format, [(0, 50), (500, 860), (1000, 910), (1500, 55)]),
+    table("x;y\n", ";", lambda v: f"{v:,}".replace(",", "."), [(0, 50), (500, 860), (1000, 910), (1500, 55)]),
+    'x,y\n"1,250.5","12,5"\n"2,000.5","13,5"\n',
+])  # fmt: skip
+def test_signs_that_may_part_thousands_or_decimals_are_refused(csv, text):
+    with pytest.raises(
+        InputError, match=r"row \d has '1.\d+(\.5)?', and its sign may part thousands or decimals"
+    ):
+        csv(text)
+
+
+def test_three_decimals_are_no_thousands(csv):
+    for sign in ".,":
+        (curve,) = csv(table("x;y\n", ";", lambda v, s=sign: f"{v / 10:.3f}".replace(".", s), ARCH[1:]))
+        assert curve.bounds[1][0] == pytest.approx(220)
+
+
+def test_thousands_in_quotes_are_reported(tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text(table(style='"{:,}"'.format, points=[(1000, 2050), (1250, 2260), (1500, 2310)]))
+    drawing = read_drawing(path)
+    assert drawing.size == "its numbers have signs between thousands: 1,000 was read as 1000"
+    assert drawing.read()[0].bounds[1] == pytest.approx((1500, 2310), abs=1)
+
+
+@pytest.mark.parametrize(("heading", "names"), [
+    ("x,y,x,y", ["", ""]), ("Outer,,Inner,\nx,y,x,y", ["Outer", "Inner"]),
+    ("x (left),y (left),x (right),y (right)", ["left", "right"]), ("X1 (cm),Y1 (cm),X2 (cm),Y2 (cm)", ["1", "2"]),
+])  # fmt: skip
+def test_curves_beside_each_other(tmp_path, heading, names):
+    """The second may be shorter."""
+    rows = [f"{a},{b},{a},{b + 700}\n" for a, b in ARCH[:-1]] + ["{},{},,\n".format(*ARCH[-1])]
+    path = tmp_path / "points.csv"
+    path.write_text(f"{heading}\n{''.join(rows)}")
+    drawing = read_drawing(path)
+    assert [one.name for one in drawing] == names
+    scale = 10 if "cm" in heading else 1
+    ends = [one.curve.sample(2).position[1] / scale for one in drawing]
+    assert np.array(ends) == pytest.approx(np.array([ARCH[-1], (1620, 2010)]))
+    path.write_text(f"x,y,x,y,x\n{''.join(rows)}")
+    with pytest.raises(InputError, match="names x 3 times, y 2 times"):
+        read_drawing(path)
+
+
+def test_one_x_serves_several_y(tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text("x,y,y\n0,1,5\n10,3,9\n20,2,7\n")
+    assert [one.curve.sample(2).position[1, 1] for one in read_drawing(path)] == pytest.approx([2, 7])
+
+
+@pytest.mark.parametrize(("cells", "height"), [
+    (["3-1-0-", "2-11-2", "2-10-4"], 36.9375), (["3-1-0 +", "2-11-2", "2-10-4-"], 37.0625),
+    (['"2\' 7 3/8"""', '"2\' 6"""', '"2\' 5 1/2"""'], 31.375), (["2'-7 3/8\"", "2'", "1'-11 1/4\""], 31.375),
+    (["2′ 7⅜″", "2′ 6½″", "2′"], 31.375), (["2ft 7.5in", "2 ft", "1 ft 10 in"], 31.5),
+    (["31 5/8\"", "30\"", "29''"], 31.625),
+])  # fmt: skip
+def test_feet_and_inches_in_a_table_of_offsets(tmp_path, cells, height):
+    path = tmp_path / "hull.csv"
+    path.write_text("Distance (ft),Sheer\n" + "".join(f"{2 * k},{cell}\n" for k, cell in enumerate(cells)))
+    drawing = read_drawing(path)
+    (curve,) = drawing.read()
+    assert curve.sample(2).position[0] == pytest.approx((0, 25.4 * height))
+    assert curve.sample(2).position[1, 0] == pytest.approx(4 * 304.8)
+
+
+def test_a_table_without_a_readable_cell_names_its_first(tmp_path):
+    path = tmp_path / "hull.csv"
+    for cell in ("2 cubits", "high"):
+        path.write_text(f"Station,Sheer\n0,{cell}\n2,{cell}\n")
+        with pytest.raises(InputError, match=f"row 2 has '{cell}' where a number is needed"):
+            read_drawing(path)
+    path.write_text("Station,Sheer,Rabbet\n0,2 cubits,1\n2,3 cubits,2\n4,3,1\n")
+    drawing = read_drawing(path)
+    assert [bool(one.problem) for one in drawing] == [True, False]
+    assert "row 2 has '2 cubits'" in drawing.read().notes[0]
+
+
+@pytest.mark.parametrize(("style", "digits"), [("{:.2f}", 2), ("{:.1f}", 1)])
+def test_decimal_commas_count_as_digits(csv, style, digits):
+    (curve,) = csv(table("x;y\n", ";", lambda v: style.format(v).replace(".", ",")))
+    assert curve.provenance.rounding == pytest.approx(0.5 * 10.0**-digits)

@@ -103,6 +103,14 @@ def test_transforms_apply_to_arcs_exactly(svg):
     ("", PX),
     ('width="400mm" height="100mm" viewBox="0 0 200 100"', 1.0),
     ('width="400mm" height="100mm" viewBox="0 0 200 100" preserveAspectRatio="xMidYMid slice"', 2.0),
+    ('width="300MM" height="150Mm" viewBox="0 0 200 100"', 1.5),
+    ('width="12IN" viewBox="0 0 120 100"', 2.54),
+    ('width="300,5mm" height="150,25mm" viewBox="0 0 200 100"', 1.5025),
+    ('width="25em" height="12.5EM" viewBox="0 0 200 100"', 2 * PX),
+    ('width="50rem" viewBox="0 0 200 100"', 4 * PX),
+    ('style="width:26cm; height:13cm" viewBox="0 0 200 100"', 1.3),
+    ('width="7mm" style="fill:none;width: 5in !important" viewBox="0 0 100 50"', 1.27),
+    ('width="60vw" viewBox="0 0 200 100"', PX),
 ])  # fmt: skip
 def test_size_of_the_drawing_gives_the_unit(svg, head, mm):
     (curve,) = svg(path("M 30 20 Q 60 80 90 20"), head)
@@ -517,6 +525,9 @@ def test_a_packed_drawing_is_unpacked(tmp_path):
         ('width="300px" height="200px"', True),
         ('width="100%"', True),
         ('width="300mm" height="200mm"', False),
+        ('width="300MM" height="200MM"', False),
+        ('width="300,0mm"', False),
+        ('style="width:300mm"', False),
     ],
 )
 def test_a_size_without_a_unit_is_told(tmp_path, size, told):
@@ -530,3 +541,15 @@ def test_a_size_without_a_unit_is_told(tmp_path, size, told):
     assert found[0].length == pytest.approx(140 * np.pi * (25.4 / 96 if told else 1))
     assert ["no unit" in note and "--unit mm" in note for note in found.notes] == [True] * told
     assert not read_curves(file, unit="mm").notes
+
+
+@pytest.mark.parametrize("size", ["60vw", "30ex", "20em", "7furlong"])
+def test_a_size_of_another_unit_is_named(svg, size):
+    (told,) = svg(path("M 0 0 C 30 50 70 0 100 50"), f'width="{size}" viewBox="0 0 300 200"').notes
+    assert f"its size, '{size}', is not in mm or the like" in told
+    assert "--unit mm" in told
+
+
+def test_lengths_of_shapes_have_units_in_any_writing(svg):
+    (curve,) = svg('<line x1="1CM" y1="0" x2="30,5mm" y2="0"/>')
+    assert curve.length == pytest.approx(20.5 / PX)
