@@ -115,11 +115,21 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
-CUT, CUT_GRAIN, TAB, TAB_GRAIN = 1.15, 0.7, 1.0, 0.55
-"""What a corner beside a cut or a step of the width adds to a strip, over what a crack far from all edges adds
-(`crack_energy`), and the power with which that follows sqrt(E / G), over that of a sheet without grain; the same
-of a corner beside a tab, over a crack at nu = 0. Fitted to finite elements
-(`tests/campaign/finite_elements/idle_corners.py`)."""
+CUT, CUT_GRAIN = 1.15, 0.7
+"""Factor on `crack_energy` of an even sheet for a slot, and the exponent with which that follows sqrt(E / G), over
+that of an even sheet. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+
+STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
+"""Factors on `crack_energy` for a step of the width, and for a tab, which also keeps the strip from deflecting
+there (at nu = 0). Distance from the tab, in widths that it lacks, at which its idle corners act, in an even sheet;
+it follows sqrt(E / G). Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+
+RESTRAINT, WIDE_TAB = 0.35, 0.4
+"""Length, in widths, along which a clamp keeps a strip from curling across, and the least share of the width for a
+tab that does the same. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+
+FREE_EDGE = 0.63
+"""Loss of width, in thicknesses, of a strip that is twisted, at both edges together (Saint-Venant)."""
 
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
@@ -172,22 +182,21 @@ def stiffness_shares(
         mm; None for a tab as wide as the strip's end.
     """
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
-    grain = np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio)
-    cut, tab = (
-        factor * crack_energy(ratio) * grain**power
-        for factor, ratio, power in ((CUT, nu, CUT_GRAIN), (TAB, 0.0, TAB_GRAIN))
-    )
+    grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
+    curl = _curl_of(rod, layout)
+    free = np.zeros(2)  # share of a plate's stiffening that the ends do not have yet
+    if curl is not None and layout.backing is None and layout.pattern is None:
+        free = 1 / curl.designed[[0, -1]] - 1 + nu**2
     kinks = {
-        "slots": _beside_slots(slots, width, cut),
-        "narrow tabs": _beside_tabs(width, tab_widths, tab),
-        "steps of width": _beside_steps(layout, cut),
+        "slots": _beside_slots(slots, width, CUT * crack_energy(nu) * grain**CUT_GRAIN),
+        "narrow tabs": _beside_tabs(layout, tab_widths, grain, RESTRAINT * free),
+        "steps of width": _beside_steps(layout, STEP * crack_energy(nu, grain)),
     }
     shares = {cause: _softer(found, rod) for cause, found in kinks.items() if found}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
     if leaning is not None:  # a cell's angle feels the mean compliance
         shares["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
-    curl = _curl_of(rod, layout)
     if curl is not None and layout.section is None:
         shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
     return shares
@@ -293,12 +302,41 @@ def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
 
 
+def idle_length(width: float, narrow: float, thickness: float) -> float:
+    """Length, mm, that idle corners add to a strip which continues `narrow` mm wide, over its `crack_energy`.
+
+    Strips side by side, joined along their edges, are a sheet with a row of cracks between the narrow parts. Its
+    energy is that of a row of collinear cracks in a wide sheet, whose stress intensity follows sqrt(tan(pi a / w))
+    (Westergaard, J. Appl. Mech. 6, 1939; in bending as in tension): depth^2 / width of few and short ones. Twist
+    is lost near free edges, so the narrow part counts as narrower by `FREE_EDGE`.
+    """
+    net = narrow**2 / (narrow + FREE_EDGE * thickness)
+    return float(-2 / np.pi**2 * width * np.log(np.sin(np.pi / 2 * net / width)))
+
+
 def _beside_tabs(
-    width: Profile, tab_widths: tuple[float | None, float | None], corner: float
+    layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
 ) -> list[tuple[float, float]]:
-    """The same of ends that are wider than their tabs."""
-    ends = ((end, float(width(end)), tab) for end, tab in zip((0.0, width.length), tab_widths, strict=True))
-    return [(end, corner * ((wide - tab) / 2) ** 2 / wide) for end, wide, tab in ends if tab and tab < wide]
+    """The same of ends that are wider than their tabs, at the centroid of what the idle corners add.
+
+    A tab also keeps the strip from curling across beside it, which takes away a length: `restraint` (2,), of the
+    width, at the start and end.
+    """
+    found, h = [], layout.sheet.thickness
+    for end, inwards, tab, stiffer in zip(
+        (0.0, layout.width.length),
+        (TAB_REACH * grain, -TAB_REACH * grain),
+        tab_widths,
+        restraint,
+        strict=True,
+    ):
+        wide = float(layout.width(end))
+        if tab and tab < wide:
+            added = TAB * crack_energy(0.0, grain) * idle_length(wide, tab, h)
+            added -= stiffer * wide * min(1.0, tab / WIDE_TAB / wide) ** 2
+            if added > 0:
+                found.append((end + inwards * (wide - tab), added))
+    return found
 
 
 def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
@@ -308,9 +346,9 @@ def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
     found = []
     for start, end in layout.width.steps:
         before, after = layout.width([start, end]).tolist()
-        depth, wide = abs(after - before) / 2, max(before, after)
-        at = start - depth / 2 if before > after else end + depth / 2
-        found.append((at, corner * depth**2 / wide))
+        narrow, wide = sorted((before, after))
+        at = start - (wide - narrow) / 4 if before > after else end + (wide - narrow) / 4
+        found.append((at, corner * idle_length(wide, narrow, layout.sheet.thickness)))
     return found
 
 

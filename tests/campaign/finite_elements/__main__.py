@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
-from tests.campaign.finite_elements.drawn_by_seed import strips_drawn
+from tests.campaign.finite_elements.drawn_by_seed import strips_drawn, tabs_drawn
 from tests.campaign.finite_elements.flexures import flexed_parts
 from tests.campaign.finite_elements.joined import joined_strips
 from tests.campaign.finite_elements.sideways import swings
@@ -30,7 +30,7 @@ def main() -> None:
         "--only",
         nargs="+",
         default=[""],
-        help="parts of names of strips, or: known, sideways, pockets, tapered, joined, drawn, flexures",
+        help="parts of names of strips, or: known, sideways, pockets, tapered, joined, drawn, tabs, flexures",
     )
     parser.add_argument("--widths", nargs="+", choices=list(WIDTHS), default=list(WIDTHS))
     asked = parser.parse_args()
@@ -52,6 +52,7 @@ def main() -> None:
         "joined": joined_strips,
         "flexures": flexed_parts,
         "drawn": strips_drawn,
+        "tabs": tabs_drawn,
     }
     for part, found in parts.items():
         for record in found(folder) if wanted(part) else ():

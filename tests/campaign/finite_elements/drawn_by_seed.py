@@ -1,4 +1,4 @@
-"""Twelve strips that nothing was fitted to: curves, widths and places drawn by a seed, bent in space.
+"""Strips that nothing was fitted to: curves, widths and places drawn by a seed, bent in space.
 
 Plywood counts with an E across of 0.3 of that along, which no strip of ours knows.
 """
@@ -25,11 +25,13 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 from tests.campaign.finite_elements.tapered import WIDTH, bend_tapered
 
-__all__ = ["SEED", "Drawn", "requests_drawn", "strips_drawn"]
+__all__ = ["SEED", "Drawn", "requests_drawn", "strips_drawn", "tab_requests", "tabs_drawn"]
 
 SEED = 541126
 LENGTH = 300.0
 E, ACROSS = 9000.0, 0.3
+TAB_SHARES = (0.2, 0.35, 0.5)
+"""Widths of tabs over those of the strip's ends."""
 
 
 @dataclass(frozen=True)
@@ -128,6 +130,31 @@ def strips_drawn(folder: Path, wanted: str = "") -> Iterator[Drawn]:
             bent = bend_cut_strip(strip, folder, size=size, across=across)
             more = ", made up for" if compensate else ""
             yield _row(name + more, strip, bent.deviation, len(bent.body.nodes))
+
+
+def tab_requests() -> Iterator[tuple[str, StripSpec]]:
+    """Return twelve strips with narrow tabs, and their names: two curves, three widths of tab, two sheets."""
+    rng = np.random.default_rng(SEED + 1)
+    for number in ("first", "second"):
+        width, thickness = float(rng.uniform(30.0, 60.0)), float(rng.uniform(0.8, 2.5))
+        curve = _curve(rng, 2.2)
+        for plywood in (False, True):
+            sheet = _sheet(plywood=plywood, thickness=thickness)
+            spec = StripSpec(curve, sheet, max_width=width, ignore_limits=True, compensate=False)
+            ends = spec.make().width([0.0, LENGTH])
+            for share in TAB_SHARES:
+                tabs = tuple(Tab(12.0, width=float(share * end)) for end in ends)
+                yield f"{number} curve, {sheet.name}, {share:g} of the width", spec.changed(ends=tabs)
+
+
+def tabs_drawn(folder: Path) -> Iterator[Drawn]:
+    """Strips with narrow tabs, as the stiffness alone asks."""
+    for name, spec in tab_requests():
+        strip = spec.make()
+        bent = bend_cut_strip(
+            strip, folder, size=3.0, across=ACROSS * E if strip.sheet.shear_modulus else None
+        )
+        yield _row(name, strip, bent.deviation, len(bent.body.nodes))
 
 
 def _row(name: str, strip: Strip, strayed: float, nodes: int) -> Drawn:
