@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication.holding.held_shape import closes, shape_responses, strayed
+from elastica_cad.fabrication.holding.held_shape import LEAST_TOLD_MM, closes, shape_responses, strayed
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.splines import bezier_spans
@@ -122,8 +122,8 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
-    starts = [_held(strip, basis, start_at) for start_at in (np.zeros(basis.shape[1]), guess)]
-    best = min(filter(None, starts), key=lambda one: one.strayed, default=None)
+    drawn, guessed = (_held(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
+    best = min(filter(None, (drawn, guessed)), key=lambda one: one.strayed, default=None)
     if best is None:
         return strip
     step = 1.0
@@ -140,7 +140,8 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
         gain, best, step = found.strayed / best.strayed, found, min(1.0, 2 * step)
         if gain > LEAST_GAIN:
             break
-    return best.strip
+    gained = np.inf if drawn is None else drawn.strayed - best.strayed
+    return best.strip if gained >= LEAST_TOLD_MM else strip
 
 
 class _Held(NamedTuple):

@@ -81,9 +81,11 @@ class HeldShape:
     start, end : EndPose
         Where the ends come to rest.
     corrected : bool
-        Do the widths make up for the causes? `parts` are then those of the strip without the correction.
+        Were the widths corrected? `parts` are then those of the strip without the correction.
     as_plate : bool
-        Are the widths made by how the strip curls across? Anticlastic bending is then no cause.
+        Are the widths made for anticlastic bending, which would move the strip otherwise?
+    made_up_for : tuple of str
+        Causes that move the strip without the correction of its widths; holders are not corrected.
     open : float
         How far a strip of a perfect sheet may lie from where the model has it, mm: see `open_deviation`.
     sheet : mapping of str to float
@@ -99,14 +101,10 @@ class HeldShape:
     end: EndPose
     corrected: bool = False
     as_plate: bool = False
+    made_up_for: tuple[str, ...] = ()
     open: float = 0.0
     sheet: Mapping[str, float] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
-
-    @property
-    def made_up_for(self) -> tuple[str, ...]:
-        """The causes that widths make up for."""
-        return (*(self.parts if self.corrected else ()), *((ANTICLASTIC,) if self.as_plate else ()))
 
     @property
     def sheet_adds(self) -> float:

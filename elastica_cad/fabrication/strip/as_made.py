@@ -13,6 +13,7 @@ from elastica_cad.fabrication.holding.expected_error import MakingTolerance, ope
 from elastica_cad.fabrication.holding.held_shape import (
     ANTICLASTIC,
     LEAF_ENDS,
+    LEAST_TOLD_MM,
     HeldShape,
     Seats,
     closes,
@@ -20,7 +21,7 @@ from elastica_cad.fabrication.holding.held_shape import (
     strayed,
 )
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
-from elastica_cad.fabrication.holding.tab_seat import EndPose
+from elastica_cad.fabrication.holding.tab_seat import EndPose, TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.laps import LapJoint, LapPlates
 from elastica_cad.fabrication.strip.outline import Ends, fix_tab_widths
@@ -488,13 +489,26 @@ class StripAsMade:
         """
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
         parts = asked.parts(seats, poses)
+        corrected, holders = (
+            asked is not self,
+            {_cause(k, seat) for k, seat in enumerate(seats) if seat is not None},
+        )
+        made_up_for = tuple(
+            cause
+            for cause, mm in parts.items()
+            if mm >= LEAST_TOLD_MM
+            and ((corrected and cause not in holders) or (self.as_plate and cause == ANTICLASTIC))
+        )
+        if self.as_plate:
+            parts.pop(ANTICLASTIC, None)
         return HeldShape(
             as_bent(rod),
             strayed(self.design, rod.position + self._leaf_ends),
             parts,
             *poses,
-            corrected=asked is not self,
-            as_plate=self.as_plate,
+            corrected=corrected,
+            as_plate=self.as_plate and ANTICLASTIC in made_up_for,
+            made_up_for=made_up_for,
             open=open_deviation(
                 rod.length,
                 self.layout.sheet,
@@ -565,11 +579,13 @@ class StripAsMade:
     def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
         """How far, mm, each cause alone takes the strip from its design, to first order about the strip as made.
 
-        A cause bends each node by more or less under the designed moment, or moves and turns an end.
+        A cause bends each node by more or less under the designed moment, or moves and turns an end. Of a strip
+        that bends as a plate, anticlastic bending counts as if its widths were not made for it.
         """
         design, made = self.design, self.loaded
         K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
-        bends = {cause: elastic * (1 / share - 1) for cause, share in self.shares.items()}
+        curl = {ANTICLASTIC: self.curl.designed} if self.as_plate and self.curl is not None else {}
+        bends = {cause: elastic * (1 / share - 1) for cause, share in {**self.shares, **curl}.items()}
         if self.approximated:
             share = self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.bending_stiffness)
             bends["fit of the drawing"] = elastic * (1 / share - 1)
@@ -579,7 +595,7 @@ class StripAsMade:
         cells = design.discrete.node_lengths
         for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
             if seat is not None:
-                cause, angle = f"{('start', 'end')[k]}: {seat.name}", float(design.angle[-k])
+                cause, angle = _cause(k, seat), float(design.angle[-k])
                 bends[cause], shifts[cause] = np.zeros(n), np.zeros((2, 2))
                 bends[cause][-k] = (-pose.turn if k else pose.turn) / cells[-k]
                 shifts[cause][k] = pose.shift * np.array([-np.sin(angle), np.cos(angle)])
@@ -594,6 +610,11 @@ class StripAsMade:
         return jumps | {
             cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
         }
+
+
+def _cause(end: int, seat: TabSeat) -> str:
+    """Name of a holder as a cause; the end is 0 or 1."""
+    return f"{('start', 'end')[end]}: {seat.name}"
 
 
 def _lapped(made: Rod, lap: LapJoint) -> Rod:

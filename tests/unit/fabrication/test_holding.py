@@ -15,6 +15,7 @@ from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.plate_pairs import end_plates, plate_pair
 from elastica_cad.fabrication.holders.plates import base_plate
 from elastica_cad.fabrication.holders.slotted_frame import add_feet, slotted_frame
+from elastica_cad.fabrication.holding.held_shape import LEAST_TOLD_MM
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against, rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
@@ -469,6 +470,23 @@ def test_widths_that_make_up_bring_the_strip_back(rod, asked):
     assert "without its correction" in str(better.held())
     assert better.width.extremes[1] == pytest.approx(30.0, abs=1e-4)
     assert better.rod is strip.rod
+
+
+def test_only_causes_that_the_correction_changes_are_named(rod):
+    """Not tabs that lack next to nothing of the width, nor holders, for which no width is corrected."""
+    strip = Strip(rod, replace(PLY, poisson_ratio=0.0), max_width=30.0, slots=SLOTS)
+    narrower = replace(strip, ends=tuple(Tab(10, width=width - 0.2) for width in strip.end_widths))
+    held = compensate_widths(narrower).held(start=TabSeat.pocket(10.0, 0.8, 0.1))
+    assert 0 < held.parts["narrow tabs"] < LEAST_TOLD_MM < held.parts["start: pocket"]
+    assert held.made_up_for == ("slots",)
+
+
+def test_a_correction_that_changes_nothing_is_left_out(rod):
+    strip = Strip(rod, replace(CARD, poisson_ratio=0.05), max_width=30.0)
+    assert 0 < strip.held_deviation < LEAST_TOLD_MM
+    better = compensate_widths(strip)
+    assert better is strip
+    assert better.held().made_up_for == ()
 
 
 def test_a_heavy_strip_carries_the_weight_of_its_corrected_widths():
