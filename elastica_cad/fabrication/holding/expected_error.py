@@ -18,6 +18,7 @@ from elastica_cad.fabrication.holding.held_shape import (
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import even_shear_ratio
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.studies.tolerance_study import feels_modulus
 
 PHASES = 8
 """Of a wave along the strip that are tried."""
@@ -88,6 +89,8 @@ class MakingTolerance:
         By how much each clamp is turned, rad.
     kerf : float
         Width lost all along beyond what the kerf was corrected for, mm.
+    modulus : float
+        Share by which Young's modulus is smaller; only strips under weight or loads depend on it.
 
     Raises
     ------
@@ -113,6 +116,14 @@ class MakingTolerance:
     kerf: Annotated[
         float, Asked("Width that is lost beyond what the kerf was corrected for.", "mm", least=0)
     ] = 0.05
+    modulus: Annotated[
+        float,
+        Asked(
+            "Share by which Young's modulus is smaller; only strips under weight or loads depend on it.",
+            least=0,
+            most=0.5,
+        ),
+    ] = 0.1
 
     def __post_init__(self) -> None:
         require_declared(MakingTolerance, vars(self), "tolerance")
@@ -146,6 +157,8 @@ def sheet_effects(
     softer = np.sin(tolerance.grain) ** 2 * (1 / sheet.shear_ratio - 2 * sheet.poisson_ratio - 2)
     if sheet.grain != "none" and softer > 0:
         changes["grain"] = softer / 2 * wave
+    if feels_modulus(design):
+        changes["modulus"] = (tolerance.modulus / (1 - tolerance.modulus) * M)[:, None]
     if breadth is not None:
         changes["kerf"] = (M * tolerance.kerf / breadth)[:, None]
     for k, end in enumerate(made.supports.ends):

@@ -12,12 +12,13 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape, about
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.studies.tolerance_study import Imperfection, perturb_rod
 
 pytestmark = pytest.mark.core
 
 ARCH = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
 PLY = replace(ec.Sheet.named("birch-plywood-0.8"), poisson_ratio=0.0)
-NOTHING = MakingTolerance(0.0, 0.0, 0.0, 0.0)
+NOTHING = MakingTolerance(0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @pytest.fixture(scope="module")
@@ -51,6 +52,27 @@ def test_clamps_and_kerf_do_too(strip):
     assert told["clamp at the start"] == pytest.approx(shifted(rod, rod, angles), rel=0.02)
     narrower = softened(rod, 1 - 0.5 / strip.width(rod.s))
     assert told["kerf"] == pytest.approx(shifted(rod, narrower), rel=0.05)
+
+
+@pytest.mark.parametrize("softer", [0.02, 0.1])
+def test_a_smaller_modulus_moves_strips_that_carry_something(softer):
+    """Against a strip of that modulus, bent anew; a strip without weight does not depend on it."""
+    card = ec.Sheet.named("card-200gsm")
+    curve = ec.PlaneCurve.spline([(0, 0), (50, 60), (100, 10), (150, -40), (200, 20)])
+    heavy = Strip(
+        ec.optimal_rod(curve, card.gravity(), samples=241),
+        replace(card, poisson_ratio=0.0),
+        max_width=20.0,
+        tolerance=replace(NOTHING, modulus=softer),
+    )
+    bent = perturb_rod(heavy.rod, Imperfection(youngs_modulus=1 - softer))
+    found = float(np.hypot(*(bent.position - heavy.rod.position).T).max())
+    assert heavy.held().sheet["modulus"] == pytest.approx(found, rel=0.05)
+    assert heavy.held().sheet_adds == heavy.held().sheet["modulus"]
+
+
+def test_a_strip_without_weight_does_not_depend_on_the_modulus(strip):
+    assert "modulus" not in strip.held().sheet
 
 
 def test_only_sheets_with_a_grain_feel_it(strip):
@@ -90,6 +112,8 @@ def test_numbers_have_two_digits_and_end_at_a_micrometre(value, text):
 def test_slips_are_refused(strip):
     with pytest.raises(InputError, match="tolerance kerf is -1: it must be a number from 0, in mm"):
         MakingTolerance(kerf=-1)
+    with pytest.raises(InputError, match=r"tolerance modulus is 0\.6: it must be a number from 0 up to 0\.5"):
+        MakingTolerance(modulus=0.6)
     with pytest.raises(InputError, match="MakingTolerance"):
         replace(strip, tolerance=0.01)
 

@@ -46,7 +46,7 @@ ends.taper = 0
 ends.holes = [{ at = 5, diameter = 2, across = 0 }]
 smooth = 0
 shop = { least_width = 1, least_ligament = 0.5, least_bridge = 1, stock = [900, 600], lap = 40 }
-tolerance = { thickness_wave = 0.02, grain = "degrees", clamps = 0.01, kerf = 0.1 }
+tolerance = { thickness_wave = 0.02, grain = "degrees", clamps = 0.01, kerf = 0.1, modulus = 0.2 }
 compensate = false
 engrave = ""
 straight_ends = false
