@@ -44,7 +44,7 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
     Examples
     --------
     >>> round(crack_energy(0.3), 3), round(crack_energy(0.1, 2.6), 2)
-    (1.238, 2.41)
+    (1.238, 2.53)
     """
     nu = require_number(poisson_ratio, "Poisson's ratio")
     if not 0 <= nu <= 0.5:
