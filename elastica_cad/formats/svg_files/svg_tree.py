@@ -49,7 +49,7 @@ def read_length(text: str | None) -> tuple[float, str] | None:
 
 def _size_of(root: ElementTree.Element) -> tuple[str, str]:
     """Width and height of a drawing as they are written; those of its style come first."""
-    style = dict(re.findall(r"([\w-]+)\s*:\s*([^;!]+)", root.get("style", "")))
+    style = dict(re.findall(r"([\w-]+)\s*:\s*([^;!]+)", root.get("style", "").lower()))
     width, height = (style.get(side, root.get(side, "")) for side in ("width", "height"))
     return width, height
 

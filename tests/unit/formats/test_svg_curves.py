@@ -108,7 +108,7 @@ def test_transforms_apply_to_arcs_exactly(svg):
     ('width="300,5mm" height="150,25mm" viewBox="0 0 200 100"', 1.5025),
     ('width="25em" height="12.5EM" viewBox="0 0 200 100"', 2 * PX),
     ('width="50rem" viewBox="0 0 200 100"', 4 * PX),
-    ('style="width:26cm; height:13cm" viewBox="0 0 200 100"', 1.3),
+    ('style="Width:26cm; height:13cm" viewBox="0 0 200 100"', 1.3),
     ('width="7mm" style="fill:none;width: 5in !important" viewBox="0 0 100 50"', 1.27),
     ('width="60vw" viewBox="0 0 200 100"', PX),
 ])  # fmt: skip
