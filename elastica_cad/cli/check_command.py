@@ -33,14 +33,14 @@ from elastica_cad.cli.running.suggestions import (
 from elastica_cad.cli.running.voice import answer, say, voice, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.formats.reports.strip_report import report_check, round_numbers
-from elastica_cad.forming.fairing_request import Smoothing, smooth_curve
+from elastica_cad.forming.fairing_request import Smoothing
+from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.material.sheets_for_curve import sheets_for_curve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, changes_of, measured_points
 from elastica_cad.refusals import Length, Refusal, note
 
@@ -224,9 +224,8 @@ def _examined(
 ) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
     """The verdict on what is bent of one curve, with what was taken off and moved before."""
     ends = StraightEnds.of(asked.bendable(smooth), supports, natural_curvature)
-    smoothing = smooth_curve(ends.bent, smooth, supports=supports)
-    check = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
-    return ends, smoothing, check
+    spec = RodSpec(ends.bent, supports=supports, natural_curvature=natural_curvature, smooth=smooth)
+    return ends, spec.smoothing, spec.check
 
 
 def _draw(

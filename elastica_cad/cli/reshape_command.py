@@ -1,5 +1,6 @@
 """`elastica reshape`: a curve pulled by four handles; what can be bent before can be bent after."""
 
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,7 @@ from elastica_cad.cli.asking.asked_curves import UNIT, curve_argument, drawn_cur
 from elastica_cad.cli.asking.options import LENGTH, POINT, option_name, output_options
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.curve_files.write_curves import FitWarning, write_curves
 from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
 from elastica_cad.formats.file_access.write_files import write_together
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -71,7 +72,11 @@ def reshape(
     names = [f"{curve.stem}-reshaped.{kind}" for kind in KINDS]
     with write_together(output, names, force=force) as workshop:
         for name in names:
-            write_curves(changed, workshop / name)
+            with warnings.catch_warnings(record=True) as fits:
+                warnings.simplefilter("always", FitWarning)
+                write_curves(changed, workshop / name)
+            for fit in fits:
+                warn(str(fit.message))
     told = []
     for count, pair in enumerate(zip(drawn, changed, strict=True), start=1):
         if len(drawn) > 1:

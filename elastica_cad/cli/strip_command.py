@@ -101,8 +101,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is that of the file read.
     NAME-backing.dxf and .svg are what is glued on a laminate.
 
-    The curve is taken exactly as drawn, or refused; only a pen curve whose curvature jumps from piece to piece is
-    made fair within 0.1 mm or so, which is told (--smooth 0 leaves it alone). With --nearest, --ratio,
+    The curve is taken exactly as drawn, or refused; only a curve whose curvature jumps, so that the width would
+    step, is smoothed within 0.1 mm, which is told (--smooth 0 leaves it alone). With --nearest, --ratio,
     --stable, --margin, --keep-strain or another limit the strip may leave it, as little as it must.
 
     All other keys of a design file are given by --set KEY=VALUE, as --set limits.curvature=0.02; `elastica help`

@@ -36,6 +36,7 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
 from elastica_cad.forming.straight_ends import StraightEnds
+from elastica_cad.geometry.curve_editing.fairing import may_step
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
@@ -102,9 +103,9 @@ class StripSpec(EqualByValue):
     engrave : str, optional
         Text engraved on the strip; empty for none. Unless given its label, in letters that can be engraved.
     smooth : float, optional
-        How far the curve may be moved to make its curvature and the slope of that continuous, mm; 0: exactly as
-        drawn. Unless given only curves of a pen tool whose curvature jumps, read from a drawing, are moved, by
-        0.1 mm or 5e-4 of the length at most, or by what the digits of the file leave open (see `smooth_curve`).
+        Largest distance, mm, by which the curve may be moved to make its curvature and the slope of that
+        continuous; 0: exactly as drawn. By default a curve is moved by at most 0.1 mm and 5e-4 of its length, and
+        only if the outline would step: see `smooth_curve`.
     shop : FabricationLimits
         What the workshop can make: least widths and the largest sheet.
     compensate : bool, optional
@@ -352,6 +353,8 @@ class StripSpec(EqualByValue):
             smooth=self.smooth,
             section=self._section(share),
             widths=self._widths,
+            # these decide about a step of the outline; without one all widths share a rod
+            outline_widths=(self.max_width, self.min_width) if may_step(self._begun) else (None, None),
         )
 
     @cached_property
@@ -545,7 +548,8 @@ class StripSpec(EqualByValue):
     @property
     def _bent(self) -> PlaneCurve:
         """The curve that the strip takes where it may not change."""
-        return smooth_curve(self._begun, self.smooth, supports=self.supports).curve
+        widths = self.max_width, self.min_width
+        return smooth_curve(self._begun, self.smooth, supports=self.supports, widths=widths).curve
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
         """What the rod of a laminate is found from; its weight is known for sheets that stand upright only."""

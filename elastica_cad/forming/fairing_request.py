@@ -1,4 +1,4 @@
-"""A drawn curve as a strip is to take it: exactly, or made fair where that was asked for or a pen drew it."""
+"""The one decision whether a drawn curve is smoothed: on request, or where the outline of the strip would step."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -7,11 +7,20 @@ import numpy as np
 
 from elastica_cad._values import require_record
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_tolerance, fair_curve, round_corners
+from elastica_cad.geometry.curve_editing.fairing import (
+    Fairing,
+    fair_curve,
+    may_step,
+    round_corners,
+    usual_tolerance,
+)
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_supports
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.curvature_conditions import curvature_jump, require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import measured_points, stray_point
 from elastica_cad.refusals import Length, note
@@ -25,6 +34,15 @@ LITTLE_BEND_SHARE = 0.05
 SEEN = 1e-3
 """Smallest move, mm, that is reported."""
 
+STEP_MM, STEP_SHARE = 0.2, 0.02
+"""Step of the width that is smoothed: in mm, and as a fraction of the width. Both are exceeded."""
+
+MOST_WORSE = 1.05
+"""Factor by which smoothing may enlarge the stiffness ratio, or reduce the least width, by default."""
+
+USUAL_WIDTH = 40.0
+"""Width, mm, of the widest place of a strip whose width is unknown."""
+
 PLACES, SEEN_SHARE = 401, 0.1
 """Places along a curve where curvature is compared, and the smallest change of it by noise that is reported."""
 
@@ -36,17 +54,43 @@ class Smoothing:
     Attributes
     ----------
     drawn : PlaneCurve
-    curve : PlaneCurve
-        The drawn one itself where nothing was moved.
-    fairing : Fairing or None
-        How it was made fair.
-    supports : Supports
+    smooth : float or None
+        Requested distance, mm; None decides by the steps of the outline.
+    supports : Supports or None
+    natural_curvature : float or RestCurvature
+    widths : (float or None, float or None)
+        Width of the widest and of the narrowest place, mm, where known.
     """
 
     drawn: PlaneCurve
-    curve: PlaneCurve
-    fairing: Fairing | None = None
+    smooth: float | None = None
     supports: Supports | None = None
+    natural_curvature: NaturalCurvature = 0.0
+    widths: tuple[float | None, float | None] = (None, None)
+
+    @cached_property
+    def fairing(self) -> Fairing | None:
+        """The smoothed curve; None where the strip follows the drawn one."""
+        unbent = _unbent_ends(self.drawn, self.supports)
+        if self.smooth is not None:
+            return _faired(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
+        if not may_step(self.drawn) or not self._steps():
+            return None
+        try:
+            fairing = fair_curve(self.drawn, usual_tolerance(self.drawn), unbent)
+        except InputError:
+            return None
+        return fairing if self._is_as_good(fairing.curve) else None
+
+    @cached_property
+    def curve(self) -> PlaneCurve:
+        """The curve that is bent: the drawn one itself where nothing was moved."""
+        if self.fairing is None:
+            return self.drawn
+        drawn, stray = self.drawn.provenance, stray_point(self.drawn)
+        if drawn is not None:  # a point that stands out does so for all that is made of it
+            drawn = replace(drawn, measured=drawn.measured if stray else None)
+        return self.fairing.curve.drawn_as(drawn)
 
     @property
     def moved(self) -> float:
@@ -58,15 +102,47 @@ class Smoothing:
         """Distance, mm, by which the reader moved the curve to remove rounding errors from its tangents."""
         return 0.0 if self.drawn.provenance is None else self.drawn.provenance.healed
 
-    @cached_property
+    @property
     def ratio_as_drawn(self) -> float | None:
-        """Stiffness ratio of the curve as drawn, clamped and without weight; None where no strip takes it."""
-        from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+        """Stiffness ratio of the curve as drawn, without weight; None if no strip takes the curve."""
+        return None if self._rod_as_drawn is None else self._rod_as_drawn.ratio
 
+    @cached_property
+    def _rod_as_drawn(self) -> Rod | None:
+        return self._rod_on(self.drawn)
+
+    def _rod_on(self, curve: PlaneCurve) -> Rod | None:
+        """The rod without weight that rests in a curve; None if there is none."""
         try:
-            return optimal_rod(self.drawn, supports=self.supports).ratio
+            return optimal_rod(curve, supports=self.supports, natural_curvature=self.natural_curvature)
         except ElasticaError:
             return None
+
+    def _inflections(self, curve: PlaneCurve) -> int:
+        return sum(zero.changes_sign for zero in ExcessCurvature(curve, self.natural_curvature).zeros)
+
+    def _steps(self) -> bool:
+        """Return True if the outline of the strip would step."""
+        curve, rod = self.drawn, self._rod_as_drawn
+        if rod is None:  # no outline yet, but the smoothed curve may have one
+            breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+            return any(curvature_jump(curve, b)[0] > STEP_SHARE for b in breaks)
+        places = [*rod.profile.steps, *([(rod.length, 0.0)] if curve.is_closed else [])]
+        least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
+        widest, narrowest = self.widths
+        width = narrowest if narrowest and not widest else (widest or USUAL_WIDTH) / rod.ratio
+        step = most - least
+        return bool(np.any((step > STEP_SHARE * most) & (width * step > STEP_MM)))
+
+    def _is_as_good(self, curve: PlaneCurve) -> bool:
+        """Return True if smoothing adds no inflection and takes no width away that counts."""
+        if self._inflections(curve) > self._inflections(self.drawn):
+            return False
+        if self._rod_as_drawn is None:
+            return True
+        rod = self._rod_on(curve)
+        # where the widest place is given, the least width shrinks as the ratio grows
+        return rod is not None and rod.ratio < MOST_WORSE * self._rod_as_drawn.ratio
 
     @property
     def change_by_noise(self) -> float:
@@ -113,14 +189,7 @@ class Smoothing:
                 waver=points.shown, far=Length(self.moved), severity="warning",
             ))  # fmt: skip
         found += self.noise
-        drawn = self.drawn.provenance
-        if self.fairing is not None and drawn is not None and drawn.drawn == "poles":
-            found.append(note(
-                "A spline of degree {degree} would give the strip kinks: made fair, {far:.2g} from the drawn curve "
-                "at most.",
-                degree=self.drawn.degree, far=Length(self.moved),
-            ))  # fmt: skip
-        elif self.fairing is not None:
+        if self.fairing is not None:
             before = self.ratio_as_drawn
             ratio = (
                 note("as drawn no strip takes it")
@@ -169,46 +238,49 @@ def check_smooth(smooth: object) -> float | None:
 
 
 def smooth_curve(
-    curve: PlaneCurve, smooth: float | None = None, *, supports: Supports | None = None
+    curve: PlaneCurve,
+    smooth: float | None = None,
+    *,
+    supports: Supports | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+    widths: tuple[float | None, float | None] = (None, None),
 ) -> Smoothing:
-    """The curve to be bent instead of a drawn one.
+    """Decide whether a drawn curve is smoothed, and return both curves.
+
+    By default a curve is smoothed if the width of its strip would step by more than 0.2 mm and 2 %, because the
+    curvature jumps, or its slope at an inflection. The curve then moves by at most 0.1 mm and 5e-4 of its length.
+    It stays as drawn if smoothing would add an inflection or enlarge the stiffness ratio by 5 % or more.
 
     Parameters
     ----------
     smooth : float, optional
-        0: exactly the drawn one; more: fair within so many mm, slight corners rounded; None: only a curve of a
-        pen tool whose curvature jumps is moved (see `choose_tolerance`), and only where it can be bent afterwards
-        if it could before.
+        0 follows the drawn curve exactly. A larger number smooths within this distance, mm, and rounds slight
+        corners.
     supports : Supports, optional
-        What holds the ends. Those that are free to turn and drawn with little bend come out unbent.
+        Ends that are free to turn and drawn with little bend become unbent.
+    natural_curvature : float or RestCurvature
+        Curvature of the strip before bending, 1/mm.
+    widths : (float or None, float or None)
+        Requested width of the widest and of the narrowest place, mm. Without both the strip is 40 mm wide.
 
     Raises
     ------
     InputError
-        When it was asked for and cannot be done.
+        A requested smoothing is impossible.
 
     Examples
     --------
     >>> pen = PlaneCurve(np.repeat([0.0, 1.0, 2.0], [4, 3, 4]),
     ...                  [(0, 0), (0, 60), (40, 100), (100, 100), (150, 100), (200, 70), (200, 0)], 3)
-    >>> smooth_curve(pen).moved, round(smooth_curve(pen, 0.1).ratio_as_drawn, 2)
-    (0.0, 1.63)
+    >>> smoothing = smooth_curve(pen)
+    >>> 0 < smoothing.moved <= 0.1, smooth_curve(pen, 0).moved, round(smoothing.ratio_as_drawn, 2)
+    (True, 0.0, 1.63)
     """
     require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
-    smooth, supports = check_smooth(smooth), None if supports is None else require_supports(supports)
-    unbent = _unbent_ends(curve, supports)
-    if smooth is not None:
-        return _with(curve, _faired(curve, smooth, unbent) if smooth > 0 else None, supports)
-    tolerance = choose_tolerance(curve)
-    if tolerance == 0:
-        return _with(curve, None, supports)
-    try:
-        fairing: Fairing | None = fair_curve(curve, tolerance, unbent)
-    except InputError:
-        return _with(curve, None, supports)
-    if fairing and _can_be_bent(curve, supports) and not _can_be_bent(fairing.curve, supports):
-        fairing = None
-    return _with(curve, fairing, supports)
+    supports = None if supports is None else require_supports(supports)
+    smoothing = Smoothing(curve, check_smooth(smooth), supports, natural_curvature, widths)
+    _ = smoothing.fairing
+    return smoothing
 
 
 def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
@@ -233,13 +305,3 @@ def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fair
 
 def _can_be_bent(curve: PlaneCurve, supports: Supports | None) -> bool:
     return check_equilibrium(curve, supports).realizable
-
-
-def _with(curve: PlaneCurve, fairing: Fairing | None, supports: Supports | None) -> Smoothing:
-    if fairing is None:
-        return Smoothing(curve, curve, None, supports)
-    drawn, stray = curve.provenance, stray_point(curve)
-    if drawn is not None:  # a point that stands out does so for all that is made of it
-        drawn = replace(drawn, drawn="exact", measured=drawn.measured if stray else None)
-    fair = fairing.curve.drawn_as(drawn)
-    return Smoothing(curve, fair, fairing, supports)

@@ -79,6 +79,8 @@ class RodSpec(EqualByValue):
         What stiffness is made of, as in `optimal_rod`.
     widths : WidthRange, optional
         Widths of a plain strip that carries loads.
+    outline_widths : (float or None, float or None)
+        Requested width of the widest and of the narrowest place of the strip, mm, by which `smooth_curve` decides.
 
     Raises
     ------
@@ -98,6 +100,7 @@ class RodSpec(EqualByValue):
     smooth: float | None = None
     section: BoundedLaw | None = None
     widths: WidthRange | None = None
+    outline_widths: tuple[float | None, float | None] = (None, None)
 
     def __post_init__(self) -> None:
         require_curve(self.curve)
@@ -143,7 +146,13 @@ class RodSpec(EqualByValue):
     @cached_property
     def smoothing(self) -> Smoothing:
         """The drawn curve and the one that is bent instead."""
-        return smooth_curve(self.curve, self.smooth, supports=self.supports)
+        return smooth_curve(
+            self.curve,
+            self.smooth,
+            supports=self.supports,
+            natural_curvature=self.natural_curvature,
+            widths=self.outline_widths,
+        )
 
     @cached_property
     def check(self) -> EquilibriumCheck:

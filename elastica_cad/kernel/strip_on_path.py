@@ -213,7 +213,8 @@ def _made(spec: "StripSpec") -> tuple[Strip, float]:
     from elastica_cad.forming.nearest.nearest_record import NearestRod
 
     found = spec.rod_spec.solve()
-    return spec.make(found), found.deviation if isinstance(found, NearestRod) else 0.0
+    changed = found.deviation if isinstance(found, NearestRod) else 0.0
+    return spec.make(found), changed + spec.rod_spec.smoothing.moved
 
 
 def _warn_of(strip: Strip) -> None:

@@ -34,6 +34,9 @@ OVAL: Points = [(0, 0), (80, 0), (160, 120), (0, 360), (-160, 120), (-80, 0), (0
 TALL: Points = [(0, 0), (10, 90), (140, 90), (150, 0)]
 HINGED: Points = [(0, 0), (25, 30), (50, 60), (100, 60), (125, 30), (150, 0)]
 """Not curved at its ends, as hinges need it."""
+PEN: Points = [(0, 0), (0, 60), (40, 100), (100, 100), (150, 100), (200, 70), (200, 0)]
+PEN_KNOTS = (0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0)
+"""Two pieces of a pen tool, whose curvature jumps: the outline of the strip would step."""
 
 CARD = Sheet.named("card-200gsm")
 
@@ -50,9 +53,12 @@ class Request:
     sheet: str = "card-200gsm"
     thickness: float | None = None
     degree: int | None = None
+    knots: tuple[float, ...] | None = None
 
     @property
     def curve(self) -> PlaneCurve:
+        if self.knots is not None:
+            return PlaneCurve(self.knots, self.points, self.degree)
         return PlaneCurve.spline(self.points, degree=self.degree or len(self.points) - 1)
 
     @property
@@ -296,6 +302,12 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         {"MaxWidth": 20.0, **NEAREST_IN_FREECAD, "CurvatureLimit": 0.02, "LeastLength": 200.0, "MostLength": 220.0,
          "KeepSymmetry": "mirror", "KeepTangents": True},
         TALL,
+    ),
+    "a pen curve, smoothed": Request(
+        {"max_width": 20.0}, "--max-width 20", "max_width = 20", {"MaxWidth": 20.0}, PEN, degree=3, knots=PEN_KNOTS
+    ),
+    "a cubic whose curvature is continuous": Request(
+        {"max_width": 20.0}, "--max-width 20", "max_width = 20", {"MaxWidth": 20.0}, ARCH, degree=3
     ),
 }  # fmt: skip
 

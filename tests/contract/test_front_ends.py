@@ -1,6 +1,6 @@
-"""One strip asked for at five front ends: the same cuts as in Python, or the same refusal.
+"""One strip asked for at six front ends: the same cuts as in Python, or the same refusal.
 
-FreeCAD, the sixth, has a process of its own: tests/freecad/test_contract.py asks it for the rows of the same table.
+FreeCAD, the seventh, has a process of its own: tests/freecad/test_contract.py asks it for the same rows.
 """
 
 import shlex
@@ -8,7 +8,9 @@ from pathlib import Path
 
 import build123d as bd
 import cadquery as cq
+import numpy as np
 import pytest
+import tomlkit
 from click.testing import CliRunner
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
 from OCP.Geom import Geom_BSplineCurve
@@ -24,6 +26,7 @@ from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.web.answers import asked_spec
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS
 from tests.contract.table import REFUSED, REQUESTS
@@ -44,14 +47,28 @@ def command_line(asked, folder):
 def design_file(asked, folder):
     """`elastica model` of a design with the keys."""
     path = folder / "design.toml"
-    path.write_text(
-        f"schema = 1\nsheet = '{asked.sheet}'\n[[strips]]\nlabel = 'S1'\n{asked.keys}\n"
-        f"curve = {{ spline = {[list(point) for point in asked.points]}, degree = {asked.curve.degree} }}\n"
-    )
+    path.write_text(design_text(asked))
     done = CliRunner().invoke(
         elastica, ["model", str(path), *QUICK, "--no-effects", "-o", str(folder / "out")]
     )
     return made_by(done, folder)
+
+
+def design_text(asked):
+    knots = "" if asked.knots is None else f", knots = {list(asked.knots)}"
+    points = [list(point) for point in asked.points]
+    return (
+        f"schema = 1\nsheet = '{asked.sheet}'\n[[strips]]\nlabel = 'S1'\n{asked.keys}\n"
+        f"curve = {{ spline = {points}, degree = {asked.curve.degree}{knots} }}\n"
+    )
+
+
+def studio_page(asked, _):
+    """The request of the page for the design that it shows."""
+    try:
+        return asked_spec(tomlkit.parse(design_text(asked)).unwrap()).make()
+    except ElasticaError as problem:
+        return str(problem)
 
 
 def made_by(done, folder):
@@ -89,6 +106,7 @@ def cadquery_workplane(asked, _):
 FRONT_ENDS = {
     "command line": command_line,
     "design file": design_file,
+    "studio page": studio_page,
     "build123d object": build123d_object,
     "build123d builder": build123d_builder,
     "CadQuery function": cadquery_function,
@@ -111,14 +129,14 @@ def edge(asked):
     points = [there.point(point).tolist() for point in asked.points]
     if len(points) == curve.degree + 1:
         return bd.Edge.make_bezier(*points)
-    spans = len(points) - curve.degree
+    values, multiplicities = np.unique(curve.knots, return_counts=True)
     poles = TColgp_Array1OfPnt(1, len(points))
-    knots, counts = TColStd_Array1OfReal(1, spans + 1), TColStd_Array1OfInteger(1, spans + 1)
+    knots, counts = TColStd_Array1OfReal(1, values.size), TColStd_Array1OfInteger(1, values.size)
     for number, point in enumerate(points, start=1):
         poles.SetValue(number, gp_Pnt(*point))
-    for number in range(1, spans + 2):
-        knots.SetValue(number, (number - 1) / spans)
-        counts.SetValue(number, curve.degree + 1 if number in (1, spans + 1) else 1)
+    for number, (value, count) in enumerate(zip(values, multiplicities, strict=True), start=1):
+        knots.SetValue(number, float(value))
+        counts.SetValue(number, int(count))
     return bd.Edge(BRepBuilderAPI_MakeEdge(Geom_BSplineCurve(poles, knots, counts, curve.degree)).Edge())
 
 

@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -69,10 +70,10 @@ def sketch(document: Any) -> Any:
 
 @pytest.fixture
 def drawn(document: Any) -> Callable[..., Any]:
-    """`drawn(points, degree, weights)`: a sketch with one spline."""
+    """`drawn(points, degree, weights, knots)`: a sketch with one spline."""
 
-    def make(points: Any, degree: int = 4, weights: Any = None) -> Any:
-        return draw(document, points, degree, weights)
+    def make(points: Any, degree: int = 4, weights: Any = None, knots: Any = None) -> Any:
+        return draw(document, points, degree, weights, knots)
 
     return make
 
@@ -90,18 +91,20 @@ def move_pole() -> Callable[[Any, int, tuple[float, float]], None]:
     return move
 
 
-def draw(document: Any, points: Any, degree: int = 4, weights: Any = None) -> Any:
+def draw(document: Any, points: Any, degree: int = 4, weights: Any = None, knots: Any = None) -> Any:
     sketch = document.addObject("Sketcher::SketchObject", "Sketch")
-    sketch.addGeometry(_spline(points, degree, weights), False)
+    sketch.addGeometry(_spline(points, degree, weights, knots), False)
     document.recompute()
     return sketch
 
 
-def _spline(points: Any, degree: int = 4, weights: Any = None) -> Any:
+def _spline(points: Any, degree: int = 4, weights: Any = None, knots: Any = None) -> Any:
+    """A clamped spline of Part; its knots are uniform by default."""
     curve = Part.BSplineCurve()
     spans = len(points) - degree
-    knots = [i / spans for i in range(spans + 1)]
-    counts = [degree + 1, *[1] * (spans - 1), degree + 1]
+    uniform = [0.0] * degree + [i / spans for i in range(spans + 1)] + [1.0] * degree
+    knots, counts = np.unique(uniform if knots is None else knots, return_counts=True)
+    knots, counts = knots.tolist(), counts.tolist()
     poles = [App.Vector(*p, 0) for p in points]
     curve.buildFromPolesMultsKnots(poles, counts, knots, False, degree, weights or [1.0] * len(poles))
     return curve

@@ -35,7 +35,7 @@ def asked_in(document, sketch, asked):
 def assert_same_answer(asked, document, drawn):
     expected, made = (
         answers.in_python(asked),
-        asked_in(document, drawn(asked.points, asked.curve.degree), asked),
+        asked_in(document, drawn(asked.points, asked.curve.degree, knots=asked.knots), asked),
     )
     if isinstance(expected, ElasticaError):
         assert "Invalid" in made.State

@@ -1,38 +1,45 @@
-"""The sketcher draws splines of degree 3, whose curvature has kinks at the knots: strips have none."""
+"""A sketched spline is smoothed by its continuity: strip, overlay and check show the same curve."""
 
 import FreeCAD as App
 import numpy as np
 import Part
+import pytest
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.features.strip_request import spec_of
+from freecad.elastica_wb.live.curve_picture import curve_picture
 
 WAVY = [(0, 0), (40, 90), (110, 130), (190, 150), (260, 120), (310, 60), (330, -20)]
+PEN = [(0, 0), (30, 60), (80, 70), (120, 40), (160, 10), (200, 10), (240, 60)]
+"""Two Bezier pieces; where they meet the bending is reversed by a jump of the curvature."""
+PIECES = (0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2)
 
 
-def sharpest_kink(made):
-    """Largest change of the slope of the width from one of 2001 stations to the next, away from the ends."""
-    s = np.linspace(0, made.width.length, 2001)
-    return np.abs(np.diff(np.gradient(made.width(s), s)))[20:-20].max()
-
-
-def test_no_kink_in_a_strip_of_a_drawn_spline(document, drawn):
-    cubic = strip.create(document, drawn(WAVY, 3))
+@pytest.mark.parametrize("degree", [3, 4])
+def test_a_spline_of_continuous_curvature_is_followed_exactly(document, drawn, degree):
+    made = strip.create(document, drawn(WAVY, degree))
     document.recompute()
-    assert cubic.State == ["Up-to-date"], cubic.Reasons
-    curve = drawn_curve(cubic.Curve)
-    as_drawn = spec_of(cubic, curve).changed(smooth=0.0).make()
-    assert sharpest_kink(strip.strip_of(cubic)) < 0.1 * sharpest_kink(as_drawn)
-    assert 0 < cubic.Deviation.Value <= 0.1
-    assert [reason.partition(":")[0] for reason in cubic.Reasons] == [
-        "A spline of degree 3 would give the strip kinks"
-    ]
+    assert made.State == ["Up-to-date"], made.Reasons
+    assert made.Deviation.Value == 0
+    curve = drawn_curve(made.Curve).curve
+    assert np.array_equal(strip.strip_of(made).rod.curve.control_points, curve.control_points)
 
 
-def test_what_has_no_kinks_is_followed_exactly(document, drawn):
-    quartic = strip.create(document, drawn(WAVY, 4))
+def test_overlay_and_strip_follow_the_smoothed_curve(document, drawn):
+    made = strip.create(document, drawn(PEN, 3, knots=PIECES))
     document.recompute()
-    assert (quartic.Deviation.Value, quartic.Reasons) == (0, [])
+    assert made.State == ["Up-to-date"], made.Reasons
+    assert 0 < made.Deviation.Value <= 0.1
+    assert any(reason.startswith("The curvature jumped") for reason in made.Reasons)
+    source = drawn_curve(made.Curve)
+    spec, rod = spec_of(made, source), strip.strip_of(made).rod
+    picture = curve_picture(source.curve, spec)
+    assert picture.realizable
+    (dot,) = picture.on_line
+    (s,) = rod.curve.inflections
+    assert dot == pytest.approx(rod.curve.at(s).position[0], abs=1e-6)
+    as_drawn = curve_picture(source.curve, spec.changed(smooth=0.0))
+    assert not as_drawn.realizable
 
 
 def test_arcs_and_lines_are_followed_exactly(document):

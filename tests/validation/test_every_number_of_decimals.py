@@ -14,7 +14,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
@@ -183,9 +182,7 @@ def sound():
     for name, points in CURVES.items():
         pieces = (len(points) - 1) // 3
         knots = np.repeat(np.arange(pieces + 1.0), [4, *[3] * (pieces - 1), 4])
-        found[name] = verdict(
-            PlaneCurve(knots, np.array(points) * (1.0, -1.0), 3, provenance=Provenance(drawn="pen"))
-        )
+        found[name] = verdict(PlaneCurve(knots, np.array(points) * (1.0, -1.0), 3))
     return found
 
 

@@ -125,9 +125,8 @@ def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
 
 smooth_option = click.option(
     "--smooth", type=LENGTH, metavar="MM",
-    help="Make the curve fair (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
-    "0.1 or 5e-4 of the length, or what whole numbers leave open, for pen curves whose curvature jumps, "
-    "0 for all others]",
+    help="Smooth the curve (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
+    "0.1 or 5e-4 of the length where the width would step, 0 for all others]",
 )  # fmt: skip
 """How far a curve may be moved to become fair."""
 

@@ -290,7 +290,6 @@ def curve_from_run(
     sources = [edge.source for edge in run if edge.source is not None]
     drawn = replace(
         shown or Provenance(),
-        drawn="pen" if all(edge.source is not None and edge.is_pen_drawn for edge in run) else "exact",
         rounding=max((source.rounding for source in sources), default=0.0),
         name=sources[0].name if sources else "",
         layer=sources[0].layer if sources else "",

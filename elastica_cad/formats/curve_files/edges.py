@@ -180,17 +180,6 @@ class Edge:
             self.source,
         )
 
-    @property
-    def is_pen_drawn(self) -> bool:
-        """Tell whether the edge is made of polynomial pieces of degree 2 or 3 that share tangents but not
-        curvature.
-        """
-        if self.weights is not None or self.degree not in (2, 3):
-            return False
-        first, last = self.knots[self.degree], self.knots[-self.degree - 1]
-        _, counts = knot_runs(self.knots[(self.knots > first) & (self.knots < last)])
-        return bool(np.all(counts >= self.degree - 1))
-
     def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":
         """Return the edge with every point p moved to matrix @ p + offset; the matrix may drop a dimension."""
         points = self.points @ np.asarray(matrix, dtype=float).T + np.asarray(offset, dtype=float)

@@ -1,6 +1,6 @@
 """Drawings as SVG files in mm."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.formats.drawing_files.drawing_style import (
+    EXACT,
     LayerChoice,
     check_curve_style,
     shape_paths,
@@ -21,7 +22,12 @@ from elastica_cad.geometry.paths.segments import Arc, Line, Segment
 _LETTERS = {2: "Q", 3: "C"}
 
 
-def path_data(path: Path, origin: FloatArray) -> str:
+_DECIMALS, _EXACT_DECIMALS = 6, 12
+"""Decimals of mm in a drawing for a machine, and of a curve that is read again: its curvature, and so the width of
+its strip, depends on second differences of its coordinates."""
+
+
+def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
     """Return the d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
 
     Parameters
@@ -29,6 +35,8 @@ def path_data(path: Path, origin: FloatArray) -> str:
     path : Path
     origin : (2,) array
         The upper left corner of the sheet, mm; y runs downward there.
+    decimals : int
+        Decimals of its coordinates.
 
     Examples
     --------
@@ -38,32 +46,32 @@ def path_data(path: Path, origin: FloatArray) -> str:
     # the closing line is drawn by Z
     closing = path.closed and isinstance(path.segments[-1], Line)
     drawn = path.segments[:-1] if closing else path.segments
-    strokes = [f"M{_place(path.start, origin)}", *(_stroke(segment, origin) for segment in drawn)]
+
+    def place(point: FloatArray) -> str:
+        return f"{_format_length(point[0] - origin[0], decimals)},{_format_length(origin[1] - point[1], decimals)}"
+
+    strokes = [f"M{place(path.start)}", *(_stroke(segment, place) for segment in drawn)]
     return "".join([*strokes, "Z" if path.closed else ""])
 
 
-def _format_length(value: float) -> str:
-    """A length to 1e-6 mm, as short as it goes."""
-    short = f"{value:.6f}".rstrip("0").rstrip(".")
+def _format_length(value: float, decimals: int = _DECIMALS) -> str:
+    """A length, as short as it goes."""
+    short = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
     return "0" if short == "-0" else short
 
 
-def _place(point: FloatArray, origin: FloatArray) -> str:
-    return f"{_format_length(point[0] - origin[0])},{_format_length(origin[1] - point[1])}"
-
-
-def _stroke(segment: Segment, origin: FloatArray) -> str:
+def _stroke(segment: Segment, place: Callable[[FloatArray], str]) -> str:
     if isinstance(segment, Line):
-        return f"L{_place(segment.end, origin)}"
+        return f"L{place(segment.end)}"
     if isinstance(segment, Arc):
         radius, turns = _format_length(segment.radius), "0" if segment.sweep > 0 else "1"
         # more than half a turn in two parts: a whole turn has no ends, and nearly one is badly conditioned
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
         ends = segment.at(np.array([0.5, 1.0] if long else [1.0]))
-        return "".join(f"A{radius} {radius} 0 0 {turns} {_place(end, origin)}" for end in ends)
+        return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
     letter = _LETTERS[segment.curve.degree]
     pieces = [piece[1:, :2] / piece[1:, 2:] for _, _, piece in segment.curve.bezier_pieces()]
-    return "".join(letter + " ".join(_place(point, origin) for point in piece) for piece in pieces)
+    return "".join(letter + " ".join(map(place, piece)) for piece in pieces)
 
 
 _MARGIN_MM = 1.0
@@ -115,6 +123,7 @@ def encode_svg(
     (left, low), (right, high) = drawing.bounds
     width, height = _format_length(right - left + 2 * _MARGIN_MM), _format_length(high - low + 2 * _MARGIN_MM)
     shaped = shape_paths([item.path for item in drawing.strokes], curves, tolerance, rational=False)
+    decimals = _EXACT_DECIMALS if curves == EXACT else _DECIMALS
     corner = np.array([left - _MARGIN_MM, high + _MARGIN_MM])
     rows = [
         '<?xml version="1.0" encoding="UTF-8"?>',
@@ -135,7 +144,7 @@ def encode_svg(
             f'<g id="{key}" inkscape:groupmode="layer" inkscape:label="{label}" '
             f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'
         )
-        rows.extend(f'<path d="{path_data(path, corner)}"/>' for path in paths)
+        rows.extend(f'<path d="{path_data(path, corner, decimals)}"/>' for path in paths)
         rows.append("</g>")
     rows.append("</svg>\n")
     return "\n".join(rows).encode()

@@ -30,7 +30,7 @@ from elastica_cad.refusals import Length
 DEGREE = 4  # whose curvature and its slope are continuous at simple knots
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
-"""Largest distance by which a pen curve is moved by default: in mm, and as a share of its length."""
+"""Largest distance by which a curve is smoothed by default: in mm, and as a fraction of its length."""
 
 _EACH = 5  # sites in a span
 _FEWEST, _MOST = 24, 768  # spans
@@ -61,38 +61,25 @@ class Fairing:
     tolerance: float
 
 
-def has_rough_curvature(curve: PlaneCurve) -> bool:
-    """Does the curvature jump, or its slope at an inflection, somewhere inside a curve without corners?
+def may_step(curve: PlaneCurve) -> bool:
+    """Return True if the curvature jumps, or its slope at an inflection: the width of a strip may step there.
 
-    Of a curve that was drawn by poles the slope may jump nowhere: the width of the strip would have a kink there.
+    A curve with corners or straight pieces is no candidate for smoothing: the corners are refused, and the straight
+    pieces are meant to be straight.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
-    by_poles = curve.provenance is not None and curve.provenance.drawn == "poles"
-    if any(b.continuity <= 1 + by_poles for b in breaks):
+    rough = [b for b in breaks if b.continuity <= 2]
+    if not rough or curve.has_corners or any(zero.kind == "flat" for zero in curve.curvature_zeros):
+        return False
+    if any(b.continuity <= 1 for b in rough):
         return True
-    kinks = np.array([b.t for b in breaks if b.continuity == 2])
-    zeros = [z.t for z in curve.curvature_zeros if z.kind in ("crossing", "touch")]
+    zeros = np.array([z.t for z in curve.curvature_zeros])
     near = 1e-9 * np.ptp(np.array(curve.domain))
-    return any(np.abs(kinks - t).min(initial=np.inf) <= near for t in zeros)
-
-
-def choose_tolerance(curve: PlaneCurve) -> float:
-    """How far a curve may be moved to make it fair unless told, mm; 0: not at all.
-
-    Only curves of a pen tool, as readers of files record it, whose curvature jumps, and splines of low degree that
-    were drawn by poles: by 0.1 mm or 5e-4 of the length, whichever is less, and no less than its coordinates were
-    rounded by. Curves with straight pieces are left alone: those are meant to be straight.
-    """
-    drawn = curve.provenance
-    if drawn is None or drawn.drawn == "exact" or curve.has_corners:
-        return 0.0
-    if any(zero.kind == "flat" for zero in curve.curvature_zeros) or not has_rough_curvature(curve):
-        return 0.0
-    return max(usual_tolerance(curve), min(drawn.rounding, 4 * USUAL_SHARE * curve.length))
+    return any(np.abs(zeros - b.t).min(initial=np.inf) <= near for b in rough)
 
 
 def usual_tolerance(curve: PlaneCurve) -> float:
-    """Largest distance in mm by which a pen curve with exact numbers may be moved."""
+    """Largest distance in mm by which a curve is smoothed by default."""
     return min(USUAL, USUAL_SHARE * curve.length)
 
 
@@ -352,7 +339,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
     """The `smooth`, mm, of one figure, with which `round_corners` takes out all corners; None if it is no detail.
 
-    It is at least what curves of a pen tool are made fair with, at most a thousandth of the length.
+    It is at least the usual smoothing distance, at most a thousandth of the length.
 
     Examples
     --------

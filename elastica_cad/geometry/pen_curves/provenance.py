@@ -1,7 +1,6 @@
 """Where a drawn curve's numbers come from: how exact they are, and where the drawing program shows them."""
 
 from dataclasses import dataclass, replace
-from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -10,10 +9,6 @@ from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 from elastica_cad.refusals import Point, note
 
-Drawn: TypeAlias = Literal["pen", "poles", "exact"]
-"""How a curve was drawn: with Bezier pieces of a pen tool, by the poles of a spline of low degree, or with exact
-digits."""
-
 
 @dataclass(frozen=True, eq=False)
 class Provenance:
@@ -21,10 +16,6 @@ class Provenance:
 
     Parameters
     ----------
-    drawn : str
-        "pen": polynomial Bezier pieces, which a strip may leave a little to become fair; "poles": a spline of a
-        sketch, which it may leave to become fair in the slope of its curvature too; "exact": arcs, conics, splines,
-        which are followed to the last digit.
     rounding : float
         How far a coordinate may be from what was drawn by the number of its digits alone, mm; 0: not at all.
     healed : float
@@ -43,7 +34,6 @@ class Provenance:
         The points that the whole curve was fitted to, where they waver.
     """
 
-    drawn: Drawn = "exact"
     rounding: float = 0.0
     healed: float = 0.0
     undecided: tuple[Turn, ...] = ()

@@ -222,6 +222,8 @@ SHARP_SHARE = 5.0
 """The same from which on the edge has a sharp point that everybody sees: of a strip a fifteenth as wide as long it
 turns by 10 degrees."""
 
+TINY = float(np.finfo(float).tiny)
+
 _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
 
@@ -490,14 +492,18 @@ def _warn_of_widths(
 
 def _is_seen(curve: PlaneCurve, place: Break, share: float = KINK_SHARE) -> bool:
     """Whether the curvature, or its slope by this share, jumps by so much that it can be seen in the width."""
+    jump, kink = curvature_jump(curve, place)
+    return jump > STEP_SHARE or kink > share
+
+
+def curvature_jump(curve: PlaneCurve, place: Break) -> tuple[float, float]:
+    """Return the jumps of the curvature and of its slope times the length, as fractions of the curvature."""
     before = np.array(curve.domain[1] if place.t == curve.domain[0] else place.t)  # of a closed one's start
     after = np.array(place.t)
     kappa = float(curve.curvature_at(before, left=True)), float(curve.curvature_at(after))
     slope = float(curve.curvature_slope_at(before, left=True)), float(curve.curvature_slope_at(after))
-    size = max(map(abs, kappa))
-    jump = abs(kappa[1] - kappa[0])
-    kink = abs(slope[1] - slope[0]) * curve.length
-    return jump > STEP_SHARE * size or kink > share * size
+    size = max(*map(abs, kappa), TINY)
+    return abs(kappa[1] - kappa[0]) / size, abs(slope[1] - slope[0]) * curve.length / size
 
 
 def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 
 """The curve that a feature follows: found in a sketch or an object, with the plane it lies in."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD as App
@@ -16,14 +16,10 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
 """Poles that a hand can still drag; more are hidden, as FreeCAD 1.1's solver moves curves of so many circles."""
-
-FAIR_DEGREE = 4
-"""The least whose curvature has a slope that is continuous; the sketcher draws splines of degree 3."""
 
 SKETCH = "Sketcher::SketchObject"
 LINK = "App::Link"
@@ -77,8 +73,7 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
     curve, frame = plane_curve(drawn)
     if abs(frame.z_axis[2] - 1) > 1e-12:
         raise InputError("{sketch} is not plane", sketch=sketch.Label)
-    by_poles = all(isinstance(g, Part.BSplineCurve) for g in drawn) and curve.degree < FAIR_DEGREE
-    return curve.drawn_as(replace(curve.provenance or Provenance(), drawn="poles")) if by_poles else curve
+    return curve
 
 
 def is_blank(sketch: Any) -> bool:

@@ -14,12 +14,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import nodal_curvature
 from elastica_cad.mechanics.material.section_limits import STRAIN_SLACK
-from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 from elastica_cad.refusals import Length
 
@@ -68,30 +65,25 @@ class Picture:
 
 def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
     """Return the overlay of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
-    samples = curve.sample(TEETH)
-    comb, strained = _combs(samples, spec, scale or comb_scale(curve))
+    scale = scale or comb_scale(curve)
     try:
-        bent = (
-            StraightEnds.of(curve, spec.supports, spec.natural_curvature).bent
-            if spec.straight_ends
-            else curve
-        )
-        if spec.gravity_in_plane is None:
-            check = check_equilibrium(bent, spec.supports, spec.natural_curvature)
-        else:
-            check = examine_curvature(bent, spec.supports, spec.natural_curvature)
+        rod_spec = spec.changed(curve=curve).rod_spec
+        smoothing, check = rod_spec.smoothing, rod_spec.check
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
-        return Picture(cannot, False, comb, strained)
+        return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
+    shown = smoothing.curve if smoothing.moved else curve  # with its straight ends
+    samples = shown.sample(TEETH)
+    comb, strained = _combs(samples, spec, scale)
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
     good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
     bad = [s for s in places if s not in good]
     met = [*check.crossings, *check.touches]
     named = [*good, *bad, *met]
-    marks = _at(bent, named)
+    marks = _at(check.curve, named)
     on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
     return Picture(
-        answer=quick_answer(curve, samples, spec, check),
+        answer=quick_answer(shown, samples, spec, check),
         realizable=None if spec.gravity_in_plane is not None and check.realizable else check.realizable,
         comb=comb,
         strained=strained,

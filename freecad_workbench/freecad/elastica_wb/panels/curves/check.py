@@ -16,9 +16,6 @@ from freecad.elastica_wb.solving.strip_cache import solve_strip
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.forming.straight_ends import StraightEnds
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.refusals import sentences
 
 
@@ -34,16 +31,15 @@ class CheckPanel(Panel):
         self.check = None
         try:
             curve = drawn_curve((source, edges)).curve
-            ends = StraightEnds.of(curve, Supports())
-            self.check = check_equilibrium(ends.bent)
+            sheet = sheet_called(preferences.default_sheet())
+            spec = StripSpec(curve, sheet, max_width=preferences.get("MaxWidth"))
+            self.check = spec.rod_spec.check
         except FAILURES as error:
             self.tell(str(explained(error)))
             return
-        words = [str(self.check), *([ends.told] if ends else [])]
+        words = [str(self.check), *filter(None, [spec.tabs_told]), *spec.rod_spec.smoothing.notes]
         if self.check.realizable:
-            sheet = sheet_called(preferences.default_sheet())
             try:
-                spec = StripSpec(curve, sheet, max_width=preferences.get("MaxWidth"))
                 answer = strip_answer(solve_strip(spec))
                 # in balance it could be bent, but for what the sheet bears
                 words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
