@@ -15,11 +15,11 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import FitWarning, write_curves
 from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
 from elastica_cad.formats.file_access.write_files import write_together
+from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 NO_MAP = "No such map makes a curve that can be bent of one that cannot: redraw it."
 
@@ -123,12 +123,13 @@ def _verdict(curve: PlaneCurve) -> dict[str, Any]:
         require_bendable(curve)
     except InputError as problem:
         return measured | {"reasons": (str(problem),)}
-    check = check_equilibrium(curve)
+    spec = RodSpec(curve)
+    check = spec.check
     return measured | {
         "inflections": check.inflections,
         "realizable": check.realizable,
         "reasons": check.reasons,
-        "ratio": optimal_rod(curve, check=check).ratio if check.realizable else None,
+        "ratio": optimal_rod(spec.smoothing.curve, check=check).ratio if check.realizable else None,
     }
 
 

@@ -162,6 +162,7 @@ def test_files_that_cannot_be_written(tmp_path):
         ec.write_curves([], tmp_path / "a.dxf")
     with pytest.raises(InputError, match=r"end its name with \.dxf, \.svg, \.json"):
         ec.write_curves([WAVE], tmp_path / "a.step")
-    ec.write_curves([WAVE], tmp_path / "a.svg")
+    with pytest.warns(UserWarning, match="a.svg holds curve 1 within"):
+        ec.write_curves([WAVE], tmp_path / "a.svg")
     with pytest.raises(InputError, match="exists already"):
         ec.write_curves([WAVE], tmp_path / "a.svg")
