@@ -10,6 +10,15 @@
 1.57
 """
 
+import sys
+
+if (
+    sys.argv[:1] == ["-m"]
+    and not sys.flags.safe_path
+    and {"elastica_cad", "-melastica_cad"} & {*sys.orig_argv}
+):
+    del sys.path[0]  # the working folder, which `python -m elastica_cad` puts before all other folders
+
 from elastica_cad._exports import exports
 
 __getattr__, __dir__, __all__ = exports(__file__, __name__)

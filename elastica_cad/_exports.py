@@ -1,10 +1,23 @@
 """Front doors: what a package exports stands in its `__init__.pyi` and is imported when it is first used."""
 
 import ast
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import Any
+
+
+@contextmanager
+def installed_modules() -> Iterator[None]:
+    """Import no module of the working folder in the block; a notebook has that folder in `sys.path` as ""."""
+    paths = sys.path.copy()
+    sys.path[:] = filter(None, paths)
+    try:
+        yield
+    finally:
+        sys.path[:] = paths
 
 
 def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
@@ -27,6 +40,7 @@ def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[],
                 raise AttributeError(f"{package}.{name} is now called {RENAMED[name]}")
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         home = homes[name]
-        return import_module(f"{home}.{name}") if home == package else getattr(import_module(home), name)
+        with installed_modules():
+            return import_module(f"{home}.{name}") if home == package else getattr(import_module(home), name)
 
     return get, lambda: names, names

@@ -6,6 +6,7 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
+from elastica_cad._exports import installed_modules
 from elastica_cad.errors import MissingDependencyError, how_to_install
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -24,6 +25,7 @@ MODULES = (
 """Files of the page, those before that others import."""
 
 
+@installed_modules()
 def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
     """The studio as a widget of a notebook (Jupyter, with anywidget): draw a curve, and go on with what was drawn.
 
@@ -86,6 +88,7 @@ def _widget() -> type["AnyWidget"]:
             super().__init__(**values)
             self.on_msg(self._answer)
 
+        @installed_modules()
         def _answer(self, _: Any, question: Mapping[str, Any], __: Any) -> None:
             kind, content = reply(json.dumps(question).encode())
             head, _, file = content.partition(b"\n") if kind == b"file" else (content, b"", b"")

@@ -113,7 +113,3 @@ def main() -> None:
         kind, content = reply(line)
         out.write(b"%s %d\n" % (kind, len(content)) + content)
         out.flush()
-
-
-if __name__ == "__main__":
-    main()

@@ -4,6 +4,7 @@ import asyncio
 import sys
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
 WORKERS = 2
@@ -12,6 +13,16 @@ LONGEST_S = {"file": 180.0, "model": 60.0, "nearest": 60.0, "sheets": 60.0, "ben
 """How long a question may take; all others `USUAL_S`."""
 
 USUAL_S = 15.0
+
+PACKAGES = Path(__file__).parents[2]
+"""Folder of this package, which in a checkout is not among Python's folders."""
+
+WORKER = """
+import sys
+sys.path.append({folder!r})
+from elastica_cad.web.worker import main
+main()
+"""
 
 Send = Callable[[bytes, bytes], Awaitable[None]]
 """Takes kind and content of an answer."""
@@ -78,9 +89,10 @@ async def _nobody(_: bytes, __: bytes) -> None:
 
 
 async def _started() -> asyncio.subprocess.Process:
+    """Start a worker, with -P because `python` would search the working folder for modules first."""
     pipe = asyncio.subprocess.PIPE
     return await asyncio.create_subprocess_exec(
-        sys.executable, "-m", "elastica_cad.web.worker", stdin=pipe, stdout=pipe
+        sys.executable, "-P", "-c", WORKER.format(folder=str(PACKAGES)), stdin=pipe, stdout=pipe
     )
 
 
