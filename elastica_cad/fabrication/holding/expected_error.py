@@ -41,12 +41,17 @@ OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
 one that is perforated or laminated; and of such a one in a sheet with grain, whose holes and borders are computed
 as those of a sheet without, in proportion to what sqrt(E / G) has more."""
 
+OPEN_WIDE = 2e-3
+"""Of the length, times (width / length)^2 and E / G over that of an even sheet: sections of a wide strip of varying
+width do not stay straight across."""
+
 
 def open_deviation(
     length: float,
     sheet: Sheet,
     parts: Mapping[str, float],
     *,
+    width: float = 0.0,
     approximated: bool = False,
     crowded: bool = False,
 ) -> float:
@@ -61,18 +66,22 @@ def open_deviation(
     sheet : Sheet
     parts : mapping of str to float
         What each cause does to the strip before widths make up for it, mm.
+    width : float
+        Of the widest place of a part that is cut, mm.
     approximated : bool
         Does the drawing only come near to the stiffness, as holes and backings do?
     crowded : bool
         Do slots lie so near to each other that what they do together is not known?
     """
     nu = sheet.poisson_ratio
+    shear = even_shear_ratio(nu) / sheet.shear_ratio
     own = sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
     own += parts.get("slots", 0.0) * crowded
     if approximated:
-        grained = OPEN_GRAINED * max(0.0, (even_shear_ratio(nu) / sheet.shear_ratio) ** 0.5 - 1)
+        grained = OPEN_GRAINED * max(0.0, shear**0.5 - 1)
         own += (OPEN_BUILT + grained) * length
-    return float(np.linalg.norm([OPEN_PLAIN * length, OPEN_CURLED * (nu / 0.3) ** 2 * length, own]))
+    every = [OPEN_PLAIN, OPEN_CURLED * (nu / 0.3) ** 2, OPEN_WIDE * shear * (width / length) ** 2]
+    return float(np.linalg.norm([*(length * np.array(every)), own]))
 
 
 @dataclass(frozen=True)

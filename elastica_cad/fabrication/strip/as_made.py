@@ -513,6 +513,7 @@ class StripAsMade:
                 rod.length,
                 self.layout.sheet,
                 parts,
+                width=0.0 if self._cut_breadth is None else float(self._cut_breadth.max()),
                 approximated=self.approximated,
                 crowded=bool(self.crowded),
             ),
