@@ -30,7 +30,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import PairKit, write_pair
 from elastica_cad.mechanics.material.section_limits import judge_strain
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.refusals import note
+from elastica_cad.refusals import Length, note
 
 FILE = click.Path(path_type=Path)
 
@@ -129,11 +129,11 @@ def _tell(kit: PairKit) -> None:
     )
     first, second = (100 * one for one in part.strain)
     way = part.travel
-    worst = max(*part.strain, float(way.strain.max()))
+    worst = max(*part.strain, part.travel_strain)
     inside = "within" if judge_strain(part.sheet, worst).allowed else "beyond"
     say(
         f"largest strain {first:.2f} % in the first state, {second:.2f} % in the second, "
-        f"{100 * float(way.strain.max()):.2f} % on the way, "
+        f"{100 * part.travel_strain:.2f} % on the way, "
         f"{inside} the {100 * part.sheet.max_strain:.2f} % that {part.sheet.name} bears for long"
     )
     stays = [f"margin {one.margin:.3g} ({one.word})" for one in pair_.stability]
@@ -141,14 +141,19 @@ def _tell(kit: PairKit) -> None:
     say(f"first state {stays[0]}, second state {stays[1]}; sideways {side[0]} and {side[1]}")
     if pair_.bistable:
         at, _ = part.pushed
-        back = part.travel_back
-        returns = "" if back is None else note(", back at about {force:.2g} N", force=back.largest_force)
-        say(f"bistable: pushed at {at:.4g} mm it snaps at {part.force_text}{returns}")
-        if way.snap is not None:
-            work = note("about {work:.2g} N mm", work=way.work)
-            say(f"from {way.snap:.3g} mm of travel on it goes by itself; {work} were done by then")
+        if (back := part.travel_back) is None:
+            say(
+                f"not bistable: pushed at {at:.4g} mm to the second curve it is held there with {part.force_text}"
+            )
+        else:
+            returns = note(", back at about {force:.2g} N", force=back.largest_force)
+            say(f"bistable: pushed at {at:.4g} mm it snaps at {part.force_text}{returns}")
+            if way.snap is not None:
+                work = note("about {work:.2g} N mm", work=way.work)
+                say(f"from {way.snap:.3g} mm of travel on it goes by itself; {work} were done by then")
     else:
         say(f"two settings: its end is held with at most {part.force_text} on the way between them")
-    say(f"what the model leaves out: it stretches by {part.stretch:.2g} mm at most")
+    say(note("at rest up to {far} from the first curve, {far_2} from the second, because its forces stretch it",
+             far=Length(part.rest_deviations[0]), far_2=Length(part.rest_deviations[1])))  # fmt: skip
     for warning in kit.warnings:
         warn(f"Warning: {warning}.")

@@ -22,7 +22,7 @@ from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 from elastica_cad.geometry.polynomials.spline_fits import adaptive_spline
 from elastica_cad.geometry.polynomials.splines import spline_through
 from elastica_cad.mechanics.bending.bend_forward import bend_path
-from elastica_cad.mechanics.bending.pushed_rod import PushPath, push_path
+from elastica_cad.mechanics.bending.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.mechanics.material.section_limits import judge_strain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -45,14 +45,16 @@ APART = 3.0
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
 SHAPES = 8  # of a travel, at which the part may not touch itself
+STATES = ("first", "second")
 FAR_SHARE = 0.05
 """Of the largest way of a point from one state to the other: one that goes less far is no place to push at."""
 
-REACHED_SHARE = 0.02
-"""Of the length: a travel that ends so near to a state ends in it."""
+REST_SHARE = 1e-3
+"""Distance from the drawn state, as a fraction of the length, beyond which there is a warning about a rest shape.
+Two rest shapes that are nearer to each other are one."""
 
 SPARE = 0.98
-"""Of the strain on the way: its shapes hang on the thickness a little, for the part stretches."""
+"""Fraction of the strain limit that is used, because a part that stretches moves otherwise if it is thicker."""
 
 OFF_MM = 0.1
 """By which the part may be thicker or thinner in its plane than drawn: what careful cutting or printing leaves."""
@@ -123,8 +125,8 @@ class FlexureTravel:
 
     @property
     def largest_force(self) -> float:
-        """N; of a push before it has to be held back."""
-        return float(self.force.max())
+        """Largest force up to the snap, or of the whole travel if the part does not snap, N."""
+        return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,8 +163,9 @@ class Flexure:
     Notes
     -----
     With t the depth and E the sheet's modulus h(s) = (12 B K / (E t))^(1/3). A state is strained by
-    |kappa - kappa_0| h / 2 times Winkler's factor of curved beams on the inner side. The fillets lie partly within
-    the free length, so that the ends give as much as if they were clamped where they are drawn.
+    |kappa - kappa_0| h / 2 times Winkler's factor of curved beams on the inner side, and by its axial force. In the
+    fillets at the roots the strain is larger by a notch factor. The fillets lie partly within the free length, so
+    that the ends give as much as if they were clamped where they are drawn.
 
     Examples
     --------
@@ -212,26 +215,33 @@ class Flexure:
         """Least thickness in the plane, mm."""
         if self.least_thickness is not None:
             return self.least_thickness
-        from scipy.optimize import brentq
-
         if self.pair.check.any_stiffness:
             raise InputError("both curves have the same shape, so nothing is bent: say how thick the part shall be "
                              "(least_thickness, --least-thickness)")  # fmt: skip
-        most = self.sheet.max_strain
-        high = 2 * most / float(self._bends.max())  # the factor of curved beams only lowers it
-
-        def excess(scale: float) -> float:
-            return float(self._strains(self._bends, scale).max()) - most
-
-        scale = high if excess(high) <= 0 else float(brentq(excess, high / 3, high, xtol=1e-9 * high))
+        states, most = self.pair.states, self.sheet.max_strain
+        scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
         try:
+            rests = [rest_shape(rod, thickness=scale) for rod in self.rods]
+            shapes = [self._nodal(rest) for rest in rests]
             if self.pair.bistable:
-                bends, spare = self._nodal(self._push(self.pair.first, scale)), SPARE
+                starts = self.rods if self._are_apart(*rests) else self.rods[:1]
+                shapes += [self._nodal(self._push(start, scale)) for start in starts]
             else:
-                bends, spare = self._bends_of(self._led_rods), 1.0
+                shapes.append((self._bends_of(self._led_rods), scale**2 * self._pull_of(self._led_rods)))
         except NotConvergedError:
             return scale  # which `warnings` tells
-        return scale * min(1.0, spare * most / float(self._strains(bends, scale).max()))
+        bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
+        return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
+
+    def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
+        """The least thickness, mm, at which shapes (k, n) of the part are strained by `most`."""
+        from scipy.optimize import brentq
+
+        def excess(scale: float) -> float:
+            return float(self._strains(bends, pull * scale**2, scale).max()) - most
+
+        high = 2 * most / float(np.abs(bends).max())  # the other causes of strain only lower it
+        return high if excess(high) <= 0 else float(brentq(excess, high / 20, high, xtol=1e-9 * high))
 
     @property
     def thickness_range(self) -> tuple[float, float]:
@@ -248,38 +258,67 @@ class Flexure:
         """Least B, N mm2."""
         return self.sheet.youngs_modulus * self.sheet.thickness * self.scale**3 / 12
 
-    def _strains(self, bends: FloatArray, scale: float) -> FloatArray:
-        """Largest strain (..., n) of sections bent by (..., n), 1/mm, at the rod's nodes."""
-        rod = self.pair.first
-        h = scale * rod.stiffness ** (1 / 3)
-        return np.asarray(np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature)))
+    def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
+        """Largest strain (..., n) at the rod's nodes, of bends (1/mm) and axial strains (..., n).
 
-    @cached_property
-    def _bends(self) -> FloatArray:
-        """Largest |kappa - kappa_0| (n,) of both states, 1/mm."""
-        return np.asarray(np.abs(self._bends_of(self.pair.states)).max(axis=0))
+        The ends, which lie within the fillets, have the strain of the fillets.
+        """
+        s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
+        bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
+        strains = bent + np.abs(stretch)
+        for end in (0, -1):
+            inside = np.abs(s - s[end]) <= self.fillet - _overhang(float(h[end]), self.fillet)
+            root = np.flatnonzero(inside)[-1 - end]
+            bending, axial = root_factors(max(self.fillet, SHARP_MM) / float(h[root]))
+            worst = bending * bent[..., root] + axial * np.abs(stretch[..., root])
+            strains[..., inside] = worst[..., None]
+        return np.asarray(strains)
 
     def _bends_of(self, rods: Iterable[Rod]) -> FloatArray:
         """kappa - kappa_0 (k, n), 1/mm, of shapes of the part."""
         return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
+    def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
+        """Axial strain (k, n) that the forces of shapes of the part cause, over the square of `scale`, 1/mm2."""
+        along = [
+            (rod.force * np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])).sum(axis=1) for rod in rods
+        ]
+        return np.asarray(along / self.pair.first.stiffness ** (1 / 3) / 12)
+
     @cached_property
     def strain(self) -> tuple[float, float]:
-        """Largest strain of both states."""
-        first, second = self._strains(self._bends_of(self.pair.states), self.scale).max(axis=1)
-        return float(first), float(second)
+        """Largest strain of both states, at rest."""
+        first, second = (float(self._strains(*self._nodal(rest), self.scale).max()) for rest in self.rests)
+        return first, second
 
     @property
     def stretch(self) -> float:
-        """By how much the forces of the states lengthen or shorten the part at most, mm; no design takes it in."""
-        rod = self.pair.first
-        h = self.scale * rod.stiffness ** (1 / 3)
-        soft = 12 / (self.scale**3) * h
-        strained = [
-            (one.force * np.column_stack([np.cos(one.angle), np.sin(one.angle)])).sum(axis=1) / soft
-            for one in self.pair.states
-        ]
-        return max(abs(float(rod.node_lengths @ strain)) for strain in strained)
+        """By how much the forces of the drawn states lengthen or shorten the part at most, mm."""
+        strain = self.scale**2 * self._pull_of(self.pair.states)
+        return float(np.abs(strain @ self.pair.first.node_lengths).max())
+
+    @cached_property
+    def rests(self) -> tuple[RestShape, RestShape]:
+        """The shapes in which the part, which stretches, rests if it is let go in each state."""
+        first, second = (rest_shape(rod, thickness=self.scale) for rod in self.rods)
+        return first, second
+
+    @property
+    def rest_deviations(self) -> tuple[float, float]:
+        """Largest distance of each rest shape from the drawn state, mm."""
+        first, second = (
+            _distance(rest.position, np.column_stack([np.interp(rest.s, rod.s, x) for x in rod.position.T]))
+            for rest, rod in zip(self.rests, self.rods, strict=True)
+        )
+        return first, second
+
+    @property
+    def bistable(self) -> bool:
+        """Whether the part has two rest shapes in the same clamps."""
+        return self.pair.bistable and self._are_apart(*self.rests)
+
+    def _are_apart(self, first: RestShape, second: RestShape) -> bool:
+        return _distance(first.position, second.position) > REST_SHARE * self.pair.length
 
     @cached_property
     def sideways(self) -> tuple[SidewaysStability, SidewaysStability]:
@@ -362,12 +401,8 @@ class Flexure:
         The fillet thickens the part towards the pad. It bends as a piece of the strip of the length `give`, so it
         begins that far within the free length. What the pad's own root adds is that of a half-plane.
         """
-        h, r = float(self.thickness_at(np.array([require_number(s, "the arc length", "mm")]))[0]), self.fillet
-        x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
-        wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
-        give = float(w @ (h / wide) ** 3) if r else 0.0
-        root = h + 2 * r
-        return r - give - HALF_PLANE * root * (h / root) ** 3
+        s = require_number(s, "the arc length", "mm")
+        return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
 
     @cached_property
     def pad_width(self) -> float:
@@ -476,17 +511,25 @@ class Flexure:
         """From the first state to the second: pushed where it is bistable, else its end led."""
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
 
-    @property
+    @cached_property
     def force_range(self) -> tuple[float, float]:
         """Least and largest that `travel.largest_force` may turn out, N.
 
-        Where the part is off by `OFF_MM` in its plane, of a sheet at the ends of its ranges: F ~ E t h^3.
+        Where the part is off by `OFF_MM` in its plane, of a sheet at the ends of its ranges. A part that does not
+        snap at one of these thicknesses has no force there.
         """
-        h = sum(self.thickness_range) / 2
-        off = (1 + np.array([-OFF_MM, OFF_MM]) / h) ** 3
+        forces = [self.travel.largest_force]
+        for off in (-OFF_MM, OFF_MM):
+            fraction = 1 + 2 * off / sum(self.thickness_range)
+            force = forces[0] / self.bending_stiffness
+            if self.bistable:
+                path = self._push_finely(self.pair.first, fraction * self.scale)
+                force = 0.0 if path.snap is None else path.largest_force
+            forces.append(fraction**3 * self.bending_stiffness * force)
+        ends = np.array([min(forces), max(forces)])
         for name in ("youngs_modulus", "thickness"):
-            off = off * self.sheet.range_of(name) / getattr(self.sheet, name)
-        low, high = off * self.travel.largest_force
+            ends = ends * self.sheet.range_of(name) / getattr(self.sheet, name)
+        low, high = ends
         return float(low), float(high)
 
     @property
@@ -505,28 +548,43 @@ class Flexure:
     @cached_property
     def travel_back(self) -> FlexureTravel | None:
         """From the second state to the first, of a bistable part."""
-        return self._pushed(*self.rods[::-1]) if self.pair.bistable else None
+        return self._pushed(*self.rods[::-1]) if self.bistable else None
+
+    @property
+    def travel_strain(self) -> float:
+        """Largest strain on the way from state to state, and back if the part is bistable."""
+        return max(float(way.strain.max()) for way in (self.travel, self.travel_back) if way is not None)
 
     def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
-        path, B = self._push(start, self.scale), self.bending_stiffness
-        place = np.column_stack([np.interp(path.s, goal.s, column) for column in goal.position.T])
-        astray = float(np.hypot(*(path.position[-1] - place).T).max())
+        path, B = self._push_finely(start, self.scale), self.bending_stiffness
+        rest = rest_shape(goal, thickness=self.scale)
+        place = np.column_stack([np.interp(path.s, rest.s, column) for column in rest.position.T])
+        reached = _distance(path.released, place) <= REST_SHARE * start.length
         return FlexureTravel(
             path.travel, B * path.force, B * path.energy, path.position,
-            self._strains(self._nodal(path), self.scale).max(axis=1), path.snap, B * path.barrier,
-            astray <= REACHED_SHARE * start.length,
+            self._strains(*self._nodal(path), self.scale).max(axis=1), path.snap, B * path.barrier,
+            self.bistable and reached,
         )  # fmt: skip
 
-    def _push(self, start: Rod, scale: float) -> PushPath:
-        """Along the straight way of the pushed point, as far as it is in the other state."""
+    def _push(self, start: Rod, scale: float, *snap: float) -> PushPath:
+        """Along the straight way of the pushed point to the other state, in finer steps up to a snap (mm)."""
         at, way = self.pushed
         way = way if start is self.rods[0] else -way
-        travel = np.linspace(0.0, float(np.hypot(*way)), TRAVEL_STEPS + 1)
-        return push_path(start, at, way, travel, thickness=scale)
+        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*way)))]
+        return push_path(start, at, way, np.unique(travel), thickness=scale)
 
-    def _nodal(self, path: PushPath) -> FloatArray:
-        """kappa - kappa_0 (k, n), 1/mm, at the rod's nodes."""
-        return np.array([np.interp(self.pair.first.s, path.s, bend) for bend in path.bend])
+    def _push_finely(self, start: Rod, scale: float) -> PushPath:
+        path = self._push(start, scale)
+        return path if path.snap is None else self._push(start, scale, path.snap)
+
+    def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
+        """kappa - kappa_0, 1/mm, and axial strain (..., n) at the rod's nodes."""
+        s = self.pair.first.s
+        bend, stretch = (
+            np.apply_along_axis(lambda row: np.interp(s, shape.s, row), -1, values)
+            for values in (shape.bend, shape.stretch)
+        )
+        return bend, stretch
 
     @cached_property
     def _led_rods(self) -> Sequence[Rod]:
@@ -548,13 +606,13 @@ class Flexure:
     def _led(self) -> FlexureTravel:
         first, second = self.rods
         rods, B = self._led_rods, self.bending_stiffness
-        astray = float(np.hypot(*(rods[-1].position - second.position).T).max())
         energy = B * np.array([rod.bending_energy for rod in rods])
         force = B * np.array([np.hypot(*rod.force[-1]) for rod in rods])
+        strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
         return FlexureTravel(
             np.linspace(0.0, 1.0, len(rods)), force, energy, np.array([rod.position for rod in rods]),
-            self._strains(self._bends_of(rods), self.scale).max(axis=1), None, float(energy[-1] - energy[0]),
-            astray <= REACHED_SHARE * first.length,
+            strains.max(axis=1), None, float(energy[-1] - energy[0]),
+            _distance(rods[-1].position, second.position) <= REST_SHARE * first.length,
         )  # fmt: skip
 
     # --- whether it can be made
@@ -587,13 +645,16 @@ class Flexure:
 
     def _gap_on_the_way(self, way: FlexureTravel) -> float:
         """The same of some of the shapes between the states, mm."""
-        s = np.linspace(0.0, self.pair.length, way.position.shape[1])
-        gaps = []
-        for place in way.position[:: max(1, len(way.position) // SHAPES)]:
-            along = np.gradient(place, s, axis=0)
-            angle = np.unwrap(np.arctan2(along[:, 1], along[:, 0]))
-            gaps.append(self._gap(CentreLine(s, angle, place[0])))
+        shapes = way.position[:: max(1, len(way.position) // SHAPES)]
+        gaps = [self._gap(self.line_through(shape)) for shape in shapes]
         return min(gaps)
+
+    def line_through(self, positions: FloatArray) -> "CentreLine":
+        """Centre line through nodes (n, 2) of a shape of `travel` or `rests`, mm."""
+        steps = np.append(0.0, np.cumsum(np.hypot(*np.diff(positions, axis=0).T)))
+        s = steps * self.pair.length / steps[-1]
+        along = np.gradient(positions, s, axis=0, edge_order=2)
+        return CentreLine(s, np.unwrap(np.arctan2(along[:, 1], along[:, 0])), positions[0])
 
     def _faults(self) -> Iterable[InputError]:
         """What keeps it from being made and used."""
@@ -633,12 +694,10 @@ class Flexure:
             found.append(note("strained by {worst:.2g} %, {percent} % of what {sheet} bears for long: {outcome}",
                               severity="warning", worst=100 * worst, percent=verdict.percent, sheet=self.sheet.name,
                               outcome=verdict.outcome))  # fmt: skip
-        for name, stays, side in zip(("first", "second"), self.pair.stability, self.sideways, strict=True):
-            if not stays.stable:
-                found.append(note("the {name} state will not stay: it is in balance, and snaps into another shape",
-                                  severity="warning", name=name))  # fmt: skip
+        for name, side in zip(STATES, self.sideways, strict=True):
             if side.needs_guiding:
                 found.append(note("the {name} state: {side}", severity="warning", name=name, side=str(side)))
+        found += self.rest_warnings
         try:
             way = self.travel
         except NotConvergedError as error:
@@ -646,7 +705,7 @@ class Flexure:
                 note("no way from state to state was found: {error}", severity="warning", error=str(error))
             )
         else:
-            most = float(way.strain.max())
+            most = self.travel_strain
             if not judge_strain(self.sheet, most).allowed and most > worst:
                 found.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
                                   "bears {limit:.2g} % for long", severity="warning", most=100 * most,
@@ -654,9 +713,29 @@ class Flexure:
             if (gap := self._gap_on_the_way(way)) < LEAST_GAP_MM:
                 found.append(note("on the way from state to state the part comes within {gap} of itself",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
-            if not way.reached:
+            if not way.reached and self.bistable == self.pair.bistable:
                 found.append(note("the way taken does not end in the second state: push it at another "
                                   "place, or lead it by hand", severity="warning"))  # fmt: skip
+        return tuple(found)
+
+    @property
+    def rest_warnings(self) -> tuple[Refusal, ...]:
+        """Messages about rest shapes that do not exist or are far from the drawn states."""
+        if self.pair.bistable and not self.bistable:
+            return (note("the part is not bistable: its forces stretch it, and it rests near one curve only, the "
+                         "{name}; make it thinner (least_thickness, --least-thickness), or bend the curves more",
+                         severity="warning", name=STATES[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
+        found = []
+        for name, far, stays in zip(STATES, self.rest_deviations, self.pair.stability, strict=True):
+            if not stays.stable:
+                found.append(note("the {name} state will not stay: it is in balance, and snaps into another shape, "
+                                  "up to {far} away", severity="warning", name=name, far=Length(far)))  # fmt: skip
+            elif far > REST_SHARE * self.pair.length:
+                found.append(note("the part rests up to {far} from the {name} curve, {percent:.2g} % of its "
+                                  "length, because its forces stretch it; make it thinner (least_thickness, "
+                                  "--least-thickness), or bend the curves more",
+                                  severity="warning", far=Length(far), name=name,
+                                  percent=100 * far / self.pair.length))  # fmt: skip
         return tuple(found)
 
     def as_dict(self) -> dict[str, Any]:
@@ -666,7 +745,7 @@ class Flexure:
         report = {
             "sheet": self.sheet.name,
             "length_mm": pair.length,
-            "bistable": pair.bistable,
+            "bistable": self.bistable,
             "free": pair.free,
             "ratio": pair.ratio,
             "depth_mm": self.sheet.thickness,
@@ -674,12 +753,13 @@ class Flexure:
             "largest_thickness_mm": high,
             "bending_stiffness_N_mm2": self.bending_stiffness,
             "strain": list(self.strain),
-            "strain_on_the_way": float(way.strain.max()),
+            "strain_on_the_way": self.travel_strain,
             "max_strain": self.sheet.max_strain,
             "margin": [one.margin for one in pair.stability],
             "stable": [one.stable for one in pair.stability],
             "sideways": [one.word for one in self.sideways],
             "stretch_mm": self.stretch,
+            "rest_deviation_mm": list(self.rest_deviations),
             "largest_force_N": way.largest_force,
             "largest_force_range_N": list(self.force_range),
             "snap_travel_mm": way.snap,
@@ -696,8 +776,45 @@ class Flexure:
         return report
 
 
+def _overhang(h: float, r: float) -> float:
+    """`Flexure.overhang` of a part h thick at its root with a fillet of radius r, mm."""
+    x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
+    wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
+    give = float(w @ (h / wide) ** 3) if r else 0.0
+    root = h + 2 * r
+    return r - give - HALF_PLANE * root * (h / root) ** 3
+
+
+def _distance(positions: FloatArray, others: FloatArray) -> float:
+    return float(np.hypot(*(positions - others).T).max())
+
+
 HALF_PLANE = 0.44
 """Thicknesses of the strip by which the root of a half-plane gives as much: O'Donnell, J. Appl. Mech. 27 (1960)."""
+
+
+SHARP_MM = 0.1
+"""Radius of a root without a fillet, mm: half the width of a laser's cut."""
+
+
+def root_factors(radius: float) -> tuple[float, float]:
+    """Return the notch factors of a fillet beside a wide pad, of bending and of tension.
+
+    Fitted within 1 % to plane finite elements of a strip that ends in a pad at least three times as wide, for radii
+    of 0.05 to 2.5 times the thickness. Beside narrower pads the factors are too large. Whole parts agree with
+    elements (`tests/validation/test_pushed_parts.py`).
+
+    Parameters
+    ----------
+    radius : float
+        Over the thickness where the fillet begins.
+
+    Examples
+    --------
+    >>> [round(factor, 2) for factor in root_factors(0.5)]
+    [1.27, 1.51]
+    """
+    return 1 + 1 / (4.9 * radius + 1.8 * radius**0.5), 1 + 1 / (3.5 * radius + 0.2)
 
 
 def curved_beam_factor(share: FloatArray) -> FloatArray:

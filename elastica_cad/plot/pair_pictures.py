@@ -16,12 +16,12 @@ PUSHED_SHARE = 0.3  # of the way from state to state: the arrow
 
 
 def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
-    """Draw a two-state part flat, in both states with the holder's holes, and the push between them.
+    """Draw a two-state part flat, at rest in both states with the holder's holes, and the push between them.
 
     Both curves as they were drawn are dashed, where they are given.
     """
     chord = CHORD_SHARE * part.pair.length
-    lines = part.states
+    lines = [part.line_through(rest.position) for rest in part.rests]
     drawn = [
         part.outline.points(chord),
         np.concatenate([part.outline_along(one).points(chord) for one in lines]),
@@ -58,7 +58,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         bent.annotate("push", tip, (6, 0), textcoords="offset points", fontsize=8)
     corner = (0.99, bent.get_position().y1)
     figure.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=corner, ncols=3)
-    _even(bent, f"both states, strained by {100 * max(part.strain):.2f} % at most")
+    _even(bent, f"both states at rest, strained by {100 * max(part.strain):.2f} % at most")
     push.plot(way.travel, way.force, color=FIRST, lw=1.2)
     push.axhline(0, color=INK, lw=0.5)
     if way.snap is not None:
@@ -67,7 +67,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     push.set_xlabel(label, fontsize=8)
     push.set_ylabel("N", fontsize=8)
     push.tick_params(labelsize=7)
-    push.set_title(f"force, at most {part.force_text}", fontsize=9, loc="left")
+    upto = "force" if way.snap is None else "force up to the snap"
+    push.set_title(f"{upto}, at most {part.force_text}", fontsize=9, loc="left")
     return figure
 
 

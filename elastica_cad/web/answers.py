@@ -416,7 +416,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
         "states": places,
         "flat": _flat((part.drawing(), part.holder())),
         "text": str(pair.check),
-        "warnings": [note(one.meaning) for one in pair.stability if not one.stable],
+        "warnings": list(part.rest_warnings),
         "length": round(pair.length, 2),
         "widths": [round(width, 3) for width in part.thickness_range],
         "ratio": round(pair.ratio, 3),

@@ -10,11 +10,12 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.refusals import Length
 
-EDGES = 240
+EDGES = 480
 """Of the discrete rod (paper, section 7.1): its error, (1 / EDGES)^2 of turns of some radians, is a drawing's."""
 
-STIFF = 400.0
-"""Length over thickness of a rod of which none is known: it stretches by next to nothing."""
+STIFF, STIFFEST = 400.0, 1000.0
+"""Length over thickness: of a rod whose thickness is not known, and the largest that is used. A thinner rod hardly
+stretches, and rounding errors would exceed its forces."""
 
 MOST_ITERATIONS = 2000
 CALM = 1e-8
@@ -23,14 +24,36 @@ CALM = 1e-8
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
 """Of the largest stiffness of a node: added where the energy is no valley or a step would raise it."""
 
-NOISE = 2e-13
-"""Of the stiffness of an edge against stretching: what rounding leaves of the forces."""
+NOISE = 4e-15
+"""Rounding error of the forces, over the stiffness of an edge times the length over the shortest edge."""
 
 ROUNDING = 1e-11
 """Of the energy: a step that promises less is taken whatever the sum of so many terms says."""
 
 KICK = 1e-4
 """Of the length: off a ridge, in a lopsided bow that no symmetry of the rod undoes."""
+
+
+@dataclass(frozen=True, eq=False)
+class RestShape:
+    """A clamped rod at rest, stretched by its own forces.
+
+    Attributes
+    ----------
+    s : (n,) array
+        Arc lengths of the nodes, mm.
+    position : (n, 2) array
+        Nodes, mm.
+    bend : (n,) array
+        kappa - kappa_0 at the nodes, 1/mm.
+    stretch : (n,) array
+        Axial strain at the nodes.
+    """
+
+    s: FloatArray
+    position: FloatArray
+    bend: FloatArray
+    stretch: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +72,10 @@ class PushPath:
         Nodes, mm.
     bend : (k, n) array
         kappa - kappa_0 at the nodes, 1/mm.
+    stretch : (k, n) array
+        Axial strain at the nodes.
+    released : (n, 2) array
+        Nodes, mm, at rest after the push is taken away at the last step.
     s : (n,) array
         Arc lengths of the nodes, mm.
     at : float
@@ -61,14 +88,16 @@ class PushPath:
     energy: FloatArray
     position: FloatArray
     bend: FloatArray
+    stretch: FloatArray
+    released: FloatArray
     s: FloatArray
     at: float
     direction: FloatArray
 
     @property
     def largest_force(self) -> float:
-        """The largest push, 1/mm2."""
-        return float(self.force.max())
+        """The largest push up to the snap, or of the whole travel if the rod does not snap, 1/mm2."""
+        return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
 
     @property
     def snap(self) -> float | None:
@@ -121,9 +150,7 @@ def push_path(
     >>> abs(path.force[0]) < 1e-4 < path.largest_force, path.snap is not None
     (True, True)
     """
-    if not (rod.supports.clamped and rod.gravity is None and rod.bending_law is None):
-        raise InputError("a pushed rod is clamped at both ends, without weight and of Hooke's law")
-    if not 0 < at < rod.length:
+    if not 0 < at < _require_plain(rod).length:
         raise InputError("the rod is {length} long: push it between its ends, not at {at}",
                          length=Length(rod.length), at=Length(at))  # fmt: skip
     away = pair(direction, "the direction of the push")
@@ -133,23 +160,57 @@ def push_path(
         )
     away = away / np.hypot(*away)
     frame = np.array([away, [-away[1], away[0]]])
-    chain = _Chain.of(rod, at, frame, rod.length / STIFF if thickness is None else thickness)
+    chain = _Chain.of(rod, at, frame, thickness)
     x = chain.settled(chain.start)
     free = x[chain.pushed, 0]
     steps = numbers(travel, "travel")
     found = []
     for u in steps:
         x = chain.settled(chain.led(x, free + u - x[chain.pushed, 0]), held=True)
-        found.append((chain.gradient(x)[chain.pushed, 0], chain.energy(x), x @ frame, chain.bends(x)))
-    force, energy, position, bend = (np.array(column) for column in zip(*found, strict=True))
-    return PushPath(steps, force, energy, position, bend, chain.s, at, away)
+        push = chain.gradient(x)[chain.pushed, 0]
+        found.append((push, chain.energy(x), chain.placed(x), chain.bends(x), chain.stretch(x)))
+    force, energy, position, bend, stretch = (np.array(column) for column in zip(*found, strict=True))
+    released = chain.placed(chain.settled(x))
+    return PushPath(steps, force, energy, position, bend, stretch, released, chain.s, at, away)
+
+
+def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
+    """Return the rest shape that a clamped rod, which stretches, takes if it is let go in its own shape.
+
+    Parameters
+    ----------
+    rod, thickness
+        As of `push_path`.
+
+    Raises
+    ------
+    NotConvergedError
+        The rod finds no rest.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending.bend_forward import bend
+    >>> arch = bend(Rod.straight(100.0), end=(95.0, 0.0))
+    >>> float(rest_shape(arch, thickness=1.0).stretch.max()) < 0
+    True
+    """
+    chain = _Chain.of(_require_plain(rod), rod.length / 2, np.eye(2), thickness)
+    x = chain.settled(chain.start)
+    return RestShape(chain.s, chain.placed(x), chain.bends(x), chain.stretch(x))
+
+
+def _require_plain(rod: Rod) -> Rod:
+    if not (rod.supports.clamped and rod.gravity is None and rod.bending_law is None):
+        raise InputError("a pushed rod is clamped at both ends, without weight and of Hooke's law")
+    return rod
 
 
 @dataclass(frozen=True, eq=False)
 class _Chain:
-    """Nodes (n + 1, 2) in a frame whose x axis is the push, with edges that stretch and turns that bend."""
+    """Nodes (n + 1, 2), from the first on, in a frame whose x axis is the push; edges stretch and turns bend."""
 
     s: FloatArray
+    edge: FloatArray
     stiffness: FloatArray
     natural: FloatArray
     weight: FloatArray
@@ -157,20 +218,28 @@ class _Chain:
     clamps: FloatArray
     start: FloatArray
     pushed: int
+    frame: FloatArray
+    origin: FloatArray
 
     @classmethod
-    def of(cls, rod: Rod, at: float, frame: FloatArray, thickness: float) -> "_Chain":
-        s = np.linspace(0.0, rod.length, EDGES + 1)
-        weight = np.full(s.size, s[1])
-        weight[[0, -1]] = s[1] / 2
-        middle = (s[1:] + s[:-1]) / 2
+    def of(cls, rod: Rod, at: float, frame: FloatArray, thickness: float | None) -> "_Chain":
+        pushed = int(np.clip(round(EDGES * at / rod.length), 1, EDGES - 1))
+        s = np.append(
+            np.linspace(0.0, at, pushed, endpoint=False), np.linspace(at, rod.length, EDGES - pushed + 1)
+        )
+        edge, h = np.diff(s), max(thickness or rod.length / STIFF, rod.length / STIFFEST)
         ends = np.column_stack([np.cos(rod.angle[[0, -1]]), np.sin(rod.angle[[0, -1]])])
-        start = np.column_stack([np.interp(s, rod.s, column) for column in rod.position.T])
+        start = np.column_stack([np.interp(s, rod.s, x) for x in (rod.position - rod.position[0]).T])
         return cls(
-            s=s, stiffness=np.asarray(rod.profile(s)), natural=rod.rest_at(s), weight=weight,
-            axial=12 / thickness**2 * np.asarray(rod.profile(middle)) ** (1 / 3), clamps=ends @ frame.T,
-            start=start @ frame.T, pushed=int(np.clip(round(at / s[1]), 1, EDGES - 1)),
+            s=s, edge=edge, stiffness=np.asarray(rod.profile(s)), natural=rod.rest_at(s),
+            weight=(np.append(edge, 0.0) + np.append(0.0, edge)) / 2,
+            axial=12 / h**2 * np.asarray(rod.profile(s[:-1] + edge / 2)) ** (1 / 3), clamps=ends @ frame.T,
+            start=start @ frame.T, pushed=pushed, frame=frame, origin=rod.position[0],
         )  # fmt: skip
+
+    def placed(self, x: FloatArray) -> FloatArray:
+        """Nodes (n + 1, 2) where the rod is drawn, mm."""
+        return np.asarray(self.origin + x @ self.frame)
 
     def _edges(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Lengths (n,), directions (n, 2) and turns (n + 1,) at the nodes."""
@@ -185,12 +254,16 @@ class _Chain:
         """kappa - kappa_0 (n + 1,)."""
         return np.asarray(self._edges(x)[2] / self.weight - self.natural)
 
+    def stretch(self, x: FloatArray) -> FloatArray:
+        """Axial strain (n + 1,)."""
+        strain = self._edges(x)[0] / self.edge - 1
+        return np.asarray((np.append(strain, strain[-1]) + np.append(strain[0], strain)) / 2)
+
     def energy(self, x: FloatArray) -> float:
         """Of bending and stretching."""
         r, _, turn = self._edges(x)
-        h = self.s[1]
         bent = self.stiffness * self.weight @ (turn / self.weight - self.natural) ** 2
-        return float(bent + self.axial * h @ (r / h - 1) ** 2) / 2
+        return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
 
     def gradient(self, x: FloatArray) -> FloatArray:
         """Forces (n + 1, 2) that hold the nodes."""
@@ -201,7 +274,7 @@ class _Chain:
         r, t, turn = self._edges(x)
         moment = self.stiffness * (turn / self.weight - self.natural)
         normal = np.column_stack([-t[:, 1], t[:, 0]])
-        pull = self.axial * (r / self.s[1] - 1)
+        pull = self.axial * (r / self.edge - 1)
         return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
 
     def _band(self, x: FloatArray) -> FloatArray:
@@ -213,13 +286,13 @@ class _Chain:
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])
         moment = self.stiffness * (turn / self.weight - self.natural)
-        shear, pull = moment[:-1] - moment[1:], self.axial * (r / self.s[1] - 1)
+        shear, pull = moment[:-1] - moment[1:], self.axial * (r / self.edge - 1)
         K, a = self.stiffness / self.weight, n / r[:, None]
 
         def outer(scale: FloatArray, one: FloatArray, other: FloatArray) -> FloatArray:
             return np.asarray(scale[:, None, None] * one[:, :, None] * other[:, None, :])
 
-        A = outer(self.axial / self.s[1], t, t) + outer(pull / r, n, n) + outer(K[:-1] + K[1:], a, a)
+        A = outer(self.axial / self.edge, t, t) + outer(pull / r, n, n) + outer(K[:-1] + K[1:], a, a)
         A -= outer(shear / r**2, n, t) + outer(shear / r**2, t, n)
         C = -outer(K[1:-1], a[:-1], a[1:])
         blocks = [A[:-1] + A[1:] - C - C.transpose(0, 2, 1), C[:-1] + C[1:] - A[1:-1], -C[1:-1]]
@@ -264,13 +337,15 @@ class _Chain:
     def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
         """The nodes of least energy from given ones on, the pushed coordinate staying where it is `held`."""
         damping, here, kicked = 0.0, self.energy(x), False
+        shortest = self.edge.min()
+        noise = NOISE * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
         for _ in range(MOST_ITERATIONS):
             band, slope = self._band(x), self.gradient(x)[1:-1]
             if held:
                 band = self._holding(band)
                 slope[self.pushed - 1, 0] = 0.0
             pulls = max(float(np.abs(self._edge_forces(x)).max()), self.s[-1] ** -2)
-            if np.abs(slope).max() <= max(CALM * pulls, NOISE * self.axial.max()):
+            if np.abs(slope).max() <= max(CALM * pulls, noise):
                 if damping == 0.0 or _solved(band, slope.ravel()) is not None:
                     return x
                 if kicked:

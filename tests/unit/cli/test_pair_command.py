@@ -48,7 +48,7 @@ def test_a_design_file_asks_for_the_same(made, tmp_path):
     """What a laser takes is told, where no kerf makes up for it."""
     said = typed(EXAMPLES / "clip.toml", "-o", tmp_path)
     assert said.exit_code == 0, said.output
-    assert "a laser's cut of 0.2 mm leaves 0.7 mm of 0.9 mm where it is thinnest, and 47 %" in said.stderr
+    assert "a laser's cut of 0.2 mm leaves 0.751 mm of 0.951 mm where it is thinnest, and 49 %" in said.stderr
     reports = [json.loads((folder / "clip.json").read_text()) for folder in (made[0], tmp_path)]
     assert reports[0]["least_thickness_mm"] == pytest.approx(reports[1]["least_thickness_mm"], rel=1e-9)
 
@@ -69,6 +69,26 @@ def test_a_curve_that_was_changed_much_is_told(tmp_path):
     assert max(report["moved_mm"]) > 0.03 * 151.6  # the diagonal of the box of the larger one
 
 
+def test_a_part_without_a_second_rest_is_not_called_bistable(tmp_path):
+    design = """schema = 1
+[pair]
+first = { spline = [[0, 0], [27, 0], [53, 6], [105, 6], [123, 0], [150, 0]], degree = 4 }
+second = { spline = [[0, 0], [27, 0], [53, -5], [105, -5], [123, 0], [150, 0]], degree = 4 }
+sheet = "pom-3"
+least_thickness = 2.8
+"""
+    (tmp_path / "low.toml").write_text(design)
+    said = typed(tmp_path / "low.toml", "--kerf", "0.2", "-o", tmp_path / "out")
+    assert said.exit_code == 0, said.output
+    assert "not bistable: pushed at" in said.stdout
+    assert "snaps" not in said.stdout
+    assert "it rests near one curve only" in said.stderr
+    report = json.loads((tmp_path / "out" / "low.json").read_text())
+    assert (report["bistable"], report["reaches_second_state"]) == (False, False)
+    assert max(report["rest_deviation_mm"]) > 3
+    assert "largest_force_back_N" not in report
+
+
 MEETING = """<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="160mm" viewBox="0 0 200 160">
 <path d="M20,20 C60,20 110,30 130,110"/><path d="M20,20 C70,10 120,40 100,120"/></svg>"""
 
@@ -82,7 +102,7 @@ def test_curves_that_meet_in_their_drawing_begin_where_they_meet(tmp_path):
     said = typed(tmp_path / "finger.svg", "--sheet", "pom-3", "-o", tmp_path / "out", "--json")
     assert said.exit_code == 0, said.output
     report = json.loads(said.stdout)["pair"]
-    assert report["largest_thickness_mm"] > 6
+    assert report["largest_thickness_mm"] > 5
     assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"] * (1 + 1e-9)
 
 

@@ -1,10 +1,12 @@
 """Parts with two states: thickness, strain, outline, holder, the push from state to state, and what is refused."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, StrainError
-from elastica_cad.fabrication.flexure import Flexure, Pad, curved_beam_factor
+from elastica_cad.fabrication.flexure import Flexure, Pad, curved_beam_factor, root_factors
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import distances
@@ -27,6 +29,12 @@ def arch(rise: float, width: float = 150.0) -> PlaneCurve:
 def clip() -> Flexure:
     """A bistable part."""
     return FlexureSpec(arch(24), arch(-20), POM, label="CLIP").make()
+
+
+@pytest.fixture(scope="module")
+def low() -> Flexure:
+    """A shallow, thick part, bistable too."""
+    return FlexureSpec(arch(8), arch(-6.5), POM, least_thickness=1.72).make()
 
 
 @pytest.fixture(scope="module")
@@ -70,6 +78,15 @@ def test_curved_beams_are_strained_more_inside():
     moment = np.sum(strain * y) * (y[1] - y[0])
     straight = moment / (h**3 / 12) * h / 2
     assert np.abs(strain[0]) / straight == pytest.approx(curved_beam_factor(np.array([h / R]))[0], rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("radius", "bending", "tension"),
+    [(0.05, 2.522, 3.68), (0.1, 1.955, 2.814), (0.2, 1.574, 2.107), (0.5, 1.270, 1.521), (1, 1.138, 1.268)],
+)
+def test_notch_factors_of_a_root_are_those_of_finite_elements(radius, bending, tension):
+    """Of triangles of six nodes, ten sides to the radius, in plane stress."""
+    assert root_factors(radius) == pytest.approx((bending, tension), rel=0.012)
 
 
 def test_the_outline_is_one_closed_chain_of_splines_arcs_and_lines(clip):
@@ -132,6 +149,63 @@ def test_a_pushed_arch_gives_as_half_of_it_led_does():
     assert pushed.force[1] == pytest.approx(2 * abs(led.force[-1][1]), rel=0.02)
 
 
+def test_the_push_is_the_same_wherever_the_rod_is_drawn(low):
+    first, _ = low.rods
+    far = replace(first, position=first.position + np.array([3e3, -2e3]))
+    pushed = [push_path(rod, 61.7, (0, -1), [0.0, 1.0, 2.0], thickness=1.7) for rod in (first, far)]
+    assert pushed[1].force == pytest.approx(pushed[0].force, rel=1e-6, abs=1e-9)
+    assert np.abs(pushed[1].position - pushed[0].position - [3e3, -2e3]).max() < 1e-6
+    assert 61.7 in pushed[0].s
+
+
+def test_the_largest_force_is_that_before_the_snap(low):
+    """Beyond its rest a shallow part is pushed against its clamps."""
+    for way in (low.travel, low.travel_back):
+        before = way.travel <= way.snap
+        assert way.force.max() > 2 * way.largest_force
+        assert way.largest_force == way.force[before].max()
+        assert (way.force[1:][before[1:]] > 0).all()
+    low_force, high_force = low.force_range
+    assert low_force < low.travel.largest_force < high_force < 1.5 * low.travel.largest_force
+    report = low.as_dict()
+    assert report["largest_force_N"] == low.travel.largest_force
+    assert report["largest_force_range_N"] == [low_force, high_force]
+
+
+def test_the_range_of_the_force_is_that_of_parts_of_other_thickness():
+    """A thicker part of the same shallow curves snaps at less."""
+    part = FlexureSpec(arch(5), arch(-4), POM, least_thickness=2.0).make()
+    others = [
+        Flexure(part.pair, POM, least_thickness=2.0 * (1 + off / np.mean(part.thickness_range)))
+        for off in (-0.1, 0.1)
+    ]
+    thin, thick = (other.travel.largest_force for other in others)
+    softest, stiffest = np.array(POM.youngs_modulus_range) / POM.youngs_modulus
+    assert thick < part.travel.largest_force < thin
+    assert part.force_range == pytest.approx((thick * softest, thin * stiffest), rel=1e-6)
+
+
+def test_shapes_at_rest_are_reported_and_warned_of(low, clip):
+    assert [round(far, 1) for far in low.rest_deviations] == [0.6, 0.5]
+    assert [str(one).split(",")[0] for one in low.rest_warnings] == [
+        f"the part rests up to {far:.3g} mm from the {name} curve"
+        for far, name in zip(low.rest_deviations, ("first", "second"), strict=True)
+    ]
+    assert low.as_dict()["rest_deviation_mm"] == list(low.rest_deviations)
+    assert clip.rest_warnings == ()
+    assert max(clip.rest_deviations) < 1e-3 * clip.pair.length
+
+
+def test_a_part_that_stretches_out_of_its_second_state_is_not_bistable():
+    part = FlexureSpec(arch(6), arch(-5), POM, least_thickness=2.8).make()
+    assert part.pair.bistable
+    assert not part.bistable
+    assert part.travel_back is None
+    assert not part.travel.reached
+    assert part.travel.largest_force == part.travel.force.max()
+    assert [str(one)[:28] for one in part.warnings if "rests" in str(one)] == ["the part is not bistable: it"]
+
+
 def test_settings_are_led_from_one_to_the_other(stand):
     assert not stand.pair.bistable
     assert stand.travel.reached
@@ -158,7 +232,8 @@ def test_a_part_too_thin_says_how_large_it_would_have_to_be():
 def test_a_part_that_nothing_bends_asks_how_thick_it_shall_be():
     with pytest.raises(InputError, match="say how thick"):
         FlexureSpec(arch(24), arch(24), POM).make()
-    assert FlexureSpec(arch(24), arch(24), POM, least_thickness=2.0).make().strain == (0, 0)
+    unbent = FlexureSpec(arch(24), arch(24), POM, least_thickness=2.0).make()
+    assert max(unbent.strain) < 1e-6
 
 
 def test_a_part_that_breaks_is_refused():
