@@ -1,12 +1,14 @@
 """Strips as sketch and part objects: flat, bent, in place, with sliding ends and with the blocks that hold them."""
 
 from collections.abc import Iterable, Sequence
+from copy import copy
 from dataclasses import replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypeAlias, Unpack
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack
 
 import build123d as bd
 
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.fabrication.strip.outline import StripEnd
@@ -30,8 +32,8 @@ if TYPE_CHECKING:
 
 
 def make_solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
-    """The bodies of records, one by one."""
-    return [bd.Solid(occt.make_solid(record)) for record in records]
+    """The solids of one body, the sheets of a strip or a single block."""
+    return [bd.Solid(solid) for solid in occt.make_sheets(records)]
 
 
 def add_joints(shape: Any, record: BodyRecord | PrismSolid) -> None:
@@ -46,6 +48,11 @@ def _read_frame(location: bd.Location) -> Frame:
     return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
 
 
+def _numbered(name: str, number: int) -> str:
+    """The name of a joint on one of several copies."""
+    return name if number == 1 else f"{name}:{number}"
+
+
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
 
@@ -57,8 +64,48 @@ class _Made(StripBody):
     """The strip behind a shape; copies of the shape share it. Its properties make the other bodies."""
 
     def _start(self) -> Frame | None:
+        if self._parts:
+            raise InputError(
+                "This body holds {count} copies of a strip. Take one of them, such as body.copies[0].",
+                count=len(self._parts),
+            )
         joints: dict[str, bd.Joint] = getattr(self, "joints", {})
         return _read_frame(joints["start"].location) if "start" in joints else None
+
+    @property
+    def _parts(self) -> list[bd.Compound]:
+        """The parts that several `Locations` made of the body; none of them where it was made once."""
+        body: Any = self
+        return [part for part in body if isinstance(part, bd.Compound)]
+
+    @property
+    def copies(self) -> "bd.ShapeList[Self]":
+        """The bodies that several `Locations` made, each with its own joints; itself where it was made once."""
+        body: Any = self
+        parts = self._parts
+        found = bd.ShapeList([] if parts else [self])
+        names = [name for name in body.joints if _numbered(name, 2) in body.joints]
+        for number, part in enumerate(parts, start=1):
+            one = copy(body)
+            one.wrapped, one.joints = part.wrapped, {}
+            for name in names:
+                bd.RigidJoint(name, one, body.joints[_numbered(name, number)].location)
+            found.append(one)
+        return found
+
+    def _publish_to_context(self, object_scope: Any) -> None:
+        """As in build123d; where several `Locations` make copies, each has joints, numbered from the second on."""
+        body: Any = self
+        bd.BaseObject._publish_to_context(body, object_scope)
+        occt.lock(body.wrapped)
+        parts = self._parts
+        if not parts:
+            return
+        places = {name: joint.relative_location for name, joint in body.joints.items()}
+        body.joints = {}
+        for number, part in enumerate(parts, start=1):
+            for name, place in places.items():
+                bd.RigidJoint(_numbered(name, number), body, part.location * place)
 
     @property
     def flat(self) -> "FlatStrip":
@@ -113,6 +160,7 @@ class _Made(StripBody):
         """A shape mirrored, or made anew where it goes: joints are made there too, strips of images turned over."""
         body: Any = self
         image = bd.Shape._apply_transform(body, transformation)
+        occt.lock(image.wrapped)
         if transformation.IsNegative():
             image._made = self._made.mirrored()
         image.joints = {}
@@ -411,7 +459,7 @@ class EndFixture(_Made, bd.BasePartObject):
         solid = bd.Solid(occt.make_solid(block.solid))
         add_joints(solid, block.solid)
         super().__init__(solid, rotation, align, mode)
-        self._made = made
+        _dress(self, made)
         self.label, self.color = block.label, bd.Color(*FIXTURE_COLOR)
 
 
@@ -422,16 +470,13 @@ class PlacedStrip(_Made, bd.Part):
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
     """The sheets of a strip with the joints of its base."""
     solids = make_solids(records)
-    if len(solids) == 1:
-        body: bd.Solid | bd.Part = solids[0]
-    else:
-        shared = occt.with_shared_faces([solid.wrapped for solid in solids])
-        body = bd.Part(bd.Compound([bd.Solid(solid) for solid in shared]).wrapped)
+    body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
     add_joints(body, records[0])
     return body
 
 
 def _dress(shape: Any, made: MadeStrip) -> None:
+    occt.lock(shape.wrapped)
     shape._made = made
     shape.label = made.strip.label or "strip"
     shape.color = bd.Color(*sheet_color(made.strip.sheet))

@@ -268,4 +268,5 @@ def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
     add_joints(child, part.solids[0])
     child.label, child.color = part.name, bd.Color(*part.colors[0])
     child.location = bd.Location(occt.make_location(part.frame))
+    occt.lock(child.wrapped)
     return child

@@ -206,7 +206,7 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
 
 def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
     """A body, of a strip its sheets: the base is the one that knows its strip."""
-    base, *glued_on = (cq.Solid(occt.make_solid(record)) for record in part.solids)
+    base, *glued_on = map(cq.Solid, occt.make_sheets(part.solids))
     if part.strip is not None:
         home = part.solids[0].joints["start"]
         made = MadeStrip(part.strip, Frame(), home=home)

@@ -272,6 +272,10 @@ class StripFace(_Made, cq.Face):
 
 
 class _Jointed(_Made):
+    def __init__(self, obj: Any) -> None:
+        super().__init__(obj)
+        occt.lock(self.wrapped)
+
     @property
     def joints(self) -> Mapping[str, cq.Location]:
         """Places to join other parts to.
@@ -300,7 +304,23 @@ class StripSolid(_Ended, cq.Solid):
     """A strip, flat or bent; `strip`, `rod`, `check`, `warnings` tell about it."""
 
 
-class StripCompound(_Ended, cq.Compound):
+class Sheets(cq.Compound):
+    """Sheets that booleans take as one argument.
+
+    A plain compound passes each solid as an argument of its own, and OpenCASCADE then intersects the sheets too.
+    """
+
+    def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
+        found: cq.Shape = super()._bool_op((self,) if args is self else args, *others)
+        return Sheets(found.wrapped) if isinstance(found, cq.Compound) else found
+
+    def fuse(self, *toFuse: cq.Shape, **options: Any) -> cq.Compound:
+        """As `Compound.fuse`."""
+        fuse = cq.Shape.fuse if toFuse else cq.Compound.fuse
+        return fuse(self, *toFuse, **options)
+
+
+class StripCompound(_Ended, Sheets):
     """The sheets of a laminated strip, flat or bent; otherwise as `StripSolid`."""
 
 
@@ -414,13 +434,12 @@ def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> Mad
 
 def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> StripSolid | StripCompound:
     """The body of a strip, of several sheets a compound, which knows its strip."""
-    solids = [occt.make_solid(record) for record in records]
+    solids = occt.make_sheets(records)
     shape: StripSolid | StripCompound
     if len(solids) == 1:
         shape = StripSolid(solids[0])
     else:
-        shared = [cq.Solid(solid) for solid in occt.with_shared_faces(solids)]
-        shape = StripCompound(cq.Compound.makeCompound(shared).wrapped)
+        shape = StripCompound(cq.Compound.makeCompound(map(cq.Solid, solids)).wrapped)
     if isinstance(records[0], BentSolid):
         made = replace(made, home=records[0].joints["start"])
     return dress(shape, records[0].joints, made)

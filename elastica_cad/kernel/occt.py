@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.boundary_records import Boundary
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid, glued
 from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
@@ -42,7 +42,22 @@ def _read(brep: BinaryBrep) -> Shape:
 
 
 def make_solid(record: BodyRecord | PrismSolid) -> Shape:
-    """Make a TopoDS_Solid of a record."""
+    """Make a locked TopoDS_Solid of a record."""
+    return lock(_solid_of(record))
+
+
+def lock(shape: Shape) -> Shape:
+    """Lock a body, so that booleans leave it unchanged: OpenCASCADE then copies what it has to change."""
+    shape.Locked(True)
+    return shape
+
+
+def make_sheets(records: Sequence[BodyRecord | PrismSolid]) -> list[Shape]:
+    """Make the solids of one body, the sheets of a strip or a single block."""
+    return list(map(make_solid, glued(records)))
+
+
+def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
     k = kernel()
     if isinstance(record, PrismSolid):
         first, *rest = (make_solid(prism) for prism in record.added)
@@ -53,29 +68,6 @@ def make_solid(record: BodyRecord | PrismSolid) -> Shape:
         face = make_face(record.outline, record.holes, record.frame)
         return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
     return make_boundary(record.boundary)
-
-
-def with_shared_faces(solids: Sequence[Shape]) -> list[Shape]:
-    """Solids that touch, with the faces in common where they do; each stays a solid of its own.
-
-    Boolean operations of OpenCASCADE take for granted that the solids of one shape meet in common faces: cuts of
-    two sheets that merely lie on each other lose one of them.
-    """
-    k = kernel()
-    builder = k.BOPAlgo_Builder()
-    for solid in solids:
-        builder.AddArgument(solid)
-    builder.SetGlue(k.BOPAlgo_GlueEnum.BOPAlgo_GlueShift)
-    builder.SetRunParallel(True)
-    builder.Perform()
-    if builder.HasErrors():
-        raise InputError("OpenCASCADE could not join the faces in which the sheets of a strip touch")
-    return [image for solid in solids for image in _images(builder, solid)]
-
-
-def _images(builder: Any, solid: Shape) -> list[Shape]:
-    """What became of a solid: itself where nothing touches it."""
-    return list(builder.Modified(solid)) or [solid]
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:

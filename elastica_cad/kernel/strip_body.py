@@ -16,7 +16,7 @@ from elastica_cad.fabrication.solids.flat_pattern import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, bent_sheets
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import make_face, make_solid
+from elastica_cad.kernel.occt import make_face, make_sheets
 from elastica_cad.kernel.ocp_import import Shape
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad
@@ -266,8 +266,7 @@ class StripBody:
 
         names = bent_names(self.strip.label or "strip", self.strip)
         records = BentSolid.layers(self.strip, self.frame)
-        for record, name, sheet in zip(records, names, bent_sheets(self.strip), strict=True):
-            yield make_solid(record), name, sheet
+        yield from zip(make_sheets(records), names, bent_sheets(self.strip), strict=True)
 
     def _require_backing(self) -> None:
         if len(self.strip.layers) == 1:

@@ -151,17 +151,19 @@ def make_fixture_on(
     end: StripEnd = "start",
     floor: Any = None,
     engrave: str | None = None,
+    workplane: Any = None,
     **asked: Any,
 ) -> "tuple[MadeStrip, EndFixture]":
     """The block that holds an end of the strip that `make_strip_on` makes, and that strip.
 
-    `floor` is a plane of any library, `asked` as `FixtureOptions`; errors as of `EndFixture` and `make_strip_on`.
+    `floor` and `workplane` are planes of any library, `asked` as `FixtureOptions`; errors as of `EndFixture` and
+    `make_strip_on`.
     """
     from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 
     sizes = {name: asked.pop(name) for name in FIXTURE_SIZES if name in asked}
     _refuse_unknown(asked, FIXTURE_SIZES)
-    made = make_strip_on(path, sheet, **asked)
+    made = make_strip_on(path, sheet, workplane=workplane, **asked)
     ground = None if floor is None else _frame_of(floor)
     engrave = None if engrave is None else str(engrave)
     return made, EndFixture.of(made.strip, end, made.frame, floor=ground, engrave=engrave, **sizes)

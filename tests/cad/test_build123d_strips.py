@@ -6,7 +6,14 @@ import build123d as bd
 import numpy as np
 import pytest
 
-from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip, section_strips
+from elastica_cad.build123d import (
+    BentStrip,
+    EndFixture,
+    FlatStrip,
+    StripOutline,
+    elastic_strip,
+    section_strips,
+)
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.outline import Hole, Tab
 
@@ -149,6 +156,39 @@ class TestBuilderMode:
         box, one = part.part.bounding_box(), bent.bounding_box()
         assert pytest.approx(one.size.Z + 90, abs=1e-4) == box.size.Z
         assert pytest.approx(one.max.Z + 90, abs=1e-4) == box.max.Z
+
+    @pytest.mark.parametrize("kind", [BentStrip, FlatStrip, EndFixture])
+    def test_each_copy_has_its_joints(self, edge, kind):
+        places = bd.Location((0, 200, 7)), bd.Location((30, -90, 0), (0, 0, 40))
+        options = {**OPTIONS, "engrave": "", "rotation": (0, 0, 25)}
+        alone = kind(edge, SHEET, **options)
+        with bd.BuildPart(), bd.Locations(*places):
+            made = kind(edge, SHEET, **options)
+        moved = bd.Pos(1, 2, 3) * made
+        for body, before in ((made, bd.Location()), (moved, bd.Pos(1, 2, 3))):
+            assert len(body.copies) == len(body.solids()) == 2
+            for number, copied in enumerate(body.copies):
+                single = before * places[number] * alone
+                assert [*copied.center()] == pytest.approx([*single.center()], abs=1e-6)
+                assert set(copied.joints) == set(alone.joints)
+                for name, joint in single.joints.items():
+                    shared = body.joints[f"{name}:2" if number else name]
+                    assert place(copied.joints[name].location) == pytest.approx(
+                        place(joint.location), abs=1e-6
+                    )
+                    assert place(shared.location) == pytest.approx(place(joint.location), abs=1e-6)
+        assert [one.label for one in alone.copies] == [alone.label]
+
+    def test_copies_are_bent_one_by_one(self, edge):
+        with bd.BuildPart(), bd.Locations((0, 200, 0), (0, 400, 0)):
+            made = BentStrip(edge, SHEET, **OPTIONS)
+        second = made.copies[1]
+        assert place(second.bent(end=(130, 0)).joints["end"].location) == pytest.approx(
+            [130, 400, 0], abs=1e-6
+        )
+        for refused in (made.bent, lambda: made.frame, lambda: made.fixture("end"), lambda: made.placed):
+            with pytest.raises(InputError, match=r"holds 2 copies of a strip. Take one of them"):
+                refused()
 
     def test_private_mode(self, edge):
         with bd.BuildPart() as part:

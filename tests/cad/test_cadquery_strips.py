@@ -4,7 +4,15 @@ import cadquery as cq
 import numpy as np
 import pytest
 
-from elastica_cad.cadquery import StripSolid, StripWarning, bent_strip, flat_strip, register, strip_outline
+from elastica_cad.cadquery import (
+    StripSolid,
+    StripWarning,
+    bent_strip,
+    end_fixture,
+    flat_strip,
+    register,
+    strip_outline,
+)
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.outline import Hole, Tab
 
@@ -86,6 +94,14 @@ class TestWorkplane:
         assert work.val().isValid()
         assert work.faces(tag="end").size() == 1
         assert work.val().strip.label == "A1"
+
+    @pytest.mark.parametrize("plane", ["XY", "XZ"])
+    def test_fixture_of_what_is_drawn_on_a_plane(self, plane):
+        drawn = cq.Workplane(plane, origin=(0, 7, 0)).spline(POINTS)
+        options = {**OPTIONS, "engrave": ""}
+        block, held = end_fixture(drawn, SHEET, end="end", **options), bent_strip(drawn, SHEET, **OPTIONS)
+        assert place(block.joints["tab"]) == pytest.approx(place(held.joints["end"]), abs=1e-9)
+        assert block.Volume() == pytest.approx(held.fixture("end", engrave="").Volume(), rel=1e-9)
 
     def test_flat_lies_on_the_workplane(self):
         work = cq.Workplane("XZ", origin=(0, 7, 0)).spline(POINTS).elasticStrip(SHEET, form="flat", **OPTIONS)

@@ -58,6 +58,9 @@ def turned(frame: Frame, way: int) -> Frame:
     return frame if way == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
 
 
+GLUE_MM = 5e-4
+"""Gap between the sheets of one body, mm: kernels lose parts of solids that touch, and misjudge one of 1e-4 mm."""
+
 JOINT_GAP_MM = 0.01
 """Gap between the ends of a closed strip, mm: far above the tolerance of kernels."""
 
@@ -403,6 +406,26 @@ class BentSolid:
         if not made.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
         return made
+
+
+def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | PrismSolid, ...]":
+    """Return the sheets of a strip for one body, each `GLUE_MM` farther from the base than the sheet before it.
+
+    Booleans of OpenCASCADE expect that solids of one shape share faces or do not touch. A shared face cannot be
+    computed reliably, because the side of the backing touches the side of the base where both are equally wide.
+    """
+    return tuple(_lifted(record, number * GLUE_MM) for number, record in enumerate(records))
+
+
+def _lifted(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
+    """Return a sheet `gap` mm farther from the curve, or above the plane on which it lies."""
+    if not gap or isinstance(record, PrismSolid):
+        return record
+    if isinstance(record, BentSolid):
+        low, high = record.heights
+        away = float(np.copysign(gap, low + high))
+        return replace(record, heights=(low + away, high + away))
+    return replace(record, frame=record.frame.shifted(z=gap))
 
 
 def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:

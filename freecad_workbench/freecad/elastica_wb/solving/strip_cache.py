@@ -17,7 +17,7 @@ from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError, NotMetError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, glued
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.nearest.editable_curve import coarse_curve
@@ -197,7 +197,7 @@ def bent_shape(strip: Strip) -> Part.Shape:
 
 @remembered
 def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
-    layers = BentSolid.layers(strip)
+    layers = glued(BentSolid.layers(strip))
     for layer in layers:
         if not isinstance(layer, FlatSolid):
             _ = layer.boundary
@@ -209,7 +209,7 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     """Return one layer of the strip as cut, lying on the xy plane."""
     records = FlatSolid.layers(strip)
     if strip.layout.stack is not None:
-        return Part.Compound([make_solid(record) for record in records])
+        return Part.Compound([make_solid(record) for record in glued(records)])
     record = records[layer]
     return make_solid(replace(record, frame=Frame()) if layer else record)
 
