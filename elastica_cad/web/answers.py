@@ -42,7 +42,14 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 from elastica_cad.refusals import Refusal, note
-from elastica_cad.web.saved_design import OF_MODELS, curve_table, open_design
+from elastica_cad.web.saved_design import (
+    OF_MODELS,
+    compose_design,
+    curve_table,
+    drawable,
+    file_mark,
+    open_design,
+)
 
 Record = dict[str, Any]
 
@@ -59,6 +66,9 @@ DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
 """Files that the page offers, besides the design."""
 
 FILE_KEYS = ("file", "mesh", "sheets_file")
+CURVE_KEYS = ("curve", "first", "second")
+
+CHANGED = "{name} was changed since this page read it"
 
 BENT_STEPS, PRESSED_STEPS = 32, 12
 """Shapes from the design to flat, and from the design on as its ends are pressed together."""
@@ -81,8 +91,14 @@ class Download:
     content: bytes
 
 
-def answer(request: Mapping[str, Any]) -> Record | Download:
-    """The answer to one question; what is refused is a record too, under "refused".
+def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record | Download:
+    """Return the answer to one question; a refusal is a record too, under "refused".
+
+    Parameters
+    ----------
+    request : mapping
+    saved : Path, optional
+        The design file of the studio.
 
     Raises
     ------
@@ -96,6 +112,8 @@ def answer(request: Mapping[str, Any]) -> Record | Download:
     if design is not None and not isinstance(design, Mapping):
         raise InputError("the design is no table of keys and values")
     try:
+        if asked in OF_THE_FILE:
+            return asked(request, saved)
         _refuse_files(design)
         if asked not in WITH_FILES:
             return asked(request)
@@ -118,7 +136,7 @@ def _refuse_files(value: object, key: str = "") -> None:
     elif isinstance(value, list):
         for one in value:
             _refuse_files(one, key)
-    elif isinstance(value, str) and (key in (*FILE_KEYS, "curve") or ".toml" in value):
+    elif isinstance(value, str) and (key in (*FILE_KEYS, *CURVE_KEYS) or ".toml" in value):
         raise InputError("the page opens no file by its name: drop {given!r} on the drawing", given=value)
 
 
@@ -496,8 +514,9 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     path = folder / f"dropped{FilePath(name).suffix.lower()}"
     path.write_text(text, encoding="utf-8", newline="")
     if path.suffix == ".toml":
-        _refuse_files(parse_design(path))
-        return {"design": open_design(path)}
+        tables = parse_design(path)
+        _refuse_files(tables)
+        return {"design": drawable(tables, path, _no_file)}
     curves = read_curves(path)
     drawn = [one for one in curves.file if not one.problem]
     return {
@@ -509,11 +528,30 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     }
 
 
+def _open(_: Mapping[str, Any], saved: FilePath | None) -> Record:
+    """The design file as it is now, and its mark."""
+    mark = file_mark(saved)
+    return {"mark": mark, "design": open_design(saved) if saved and mark else None}
+
+
+def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
+    """The text of the design file, which the server writes; or the changed file, if the page has not seen it."""
+    before, mark = "", file_mark(saved)
+    if saved is not None and not request.get("copy"):
+        if request.get("mark") != mark:
+            return _open(request, saved) | refused(InputError(CHANGED, name=saved.name))
+        before = saved.read_text(encoding="utf-8-sig") if mark else ""
+    try:
+        return {"text": compose_design(request["design"], before), "mark": mark}
+    except (TypeError, ValueError) as problem:
+        raise InputError("this design cannot be written: its values are of the wrong kind") from problem
+
+
 def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
     """One file, or all of a model in a zip."""
     kind = request.get("kind")
     if kind not in DOWNLOADS:
-        raise InputError("{kind!r} is no file that is made here", kind=kind)
+        raise InputError("{file!r} is not a file that is made here", file=kind)
     name = (
         "".join(c if c.isalnum() or c in "-_" else "-" for c in str(request["design"].get("name", "")))
         or "strip"
@@ -525,7 +563,7 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
             return Download(f"{name}.zip", _zipped(folder))
         path = folder / name / f"{name}.{kind}"
         if path not in written:
-            raise InputError("a part with two states has no {kind} file here", kind=kind)
+            raise InputError("a part with two states has no {file} file here", file=kind)
         return Download(path.name, path.read_bytes())
     design = _design(request)
     if kind == "kit":
@@ -575,8 +613,13 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "edit": _edit,
     "read": _read,
     "file": _file,
+    "open": _open,
+    "save": _save,
 }
 """What the page may ask."""
 
 WITH_FILES = (_read, _file)
 """They are given a folder of their own, and read from nowhere else."""
+
+OF_THE_FILE = (_open, _save)
+"""They are given the design file of the studio."""

@@ -1,6 +1,7 @@
 """The one design file that the studio reads and saves, as tables that the page can draw in."""
 
 from collections.abc import Mapping
+from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.design_file import design_of, parse_design
 from elastica_cad.formats.design_files.pair_table import pair_of
-from elastica_cad.formats.file_access.source_file import read_below
+from elastica_cad.formats.design_files.records import CurveReader
+from elastica_cad.formats.file_access.source_file import read_below, require_file
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 Tables = dict[str, Any]
@@ -31,7 +33,21 @@ def open_design(path: Path) -> Tables:
     InputError
         As `read_design`; or strips along sections of a mesh, which are not drawn.
     """
-    return _drawable(parse_design(path), path)
+    with read_below(path.parent, Path()):
+        return drawable(parse_design(path), path, read_curves)
+
+
+def file_mark(path: Path | None) -> str:
+    """Return the digest of a file's contents, which changes with them; empty without a file.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read.
+    """
+    if path is None or not path.exists():
+        return ""
+    return sha256(require_file(path).read_bytes()).hexdigest()
 
 
 def start_designs() -> dict[str, Tables]:
@@ -40,26 +56,32 @@ def start_designs() -> dict[str, Tables]:
     return {name: parse_design(folder / f"{name}.toml") for name in STARTS}
 
 
-def _drawable(tables: Tables, path: Path) -> Tables:
-    with read_below(path.parent, Path()):
-        if "pair" in tables:
-            spec = pair_of(tables, path, read_curves)
-            for state, curve in (("first", spec.first), ("second", spec.second)):
-                if not _is_drawn(tables["pair"][state]):
-                    tables["pair"][state] = curve_table(curve)
-            return tables
-        design_of(tables, path, read_curves)
-        for k, strip in enumerate(tables.get("strips", [])):
-            if "sections" in strip:
-                raise InputError(
-                    "{path}: strips along sections of a mesh are not drawn: `elastica model` makes them",
-                    path=path,
-                )
-            if "count" in strip or _is_drawn(strip["curve"]):
-                continue
-            alone = {key: value for key, value in tables.items() if key not in OF_MODELS}
-            (entry,) = design_of(alone | {"strips": [strip]}, path, read_curves).entries
-            tables["strips"][k] = strip | {"curve": curve_table(entry.curve)}
+def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
+    """Return the tables of a design at `path` with its curves as splines; `read_curves` reads curve files.
+
+    Raises
+    ------
+    InputError
+        As `open_design`.
+    """
+    if "pair" in tables:
+        spec = pair_of(tables, path, read_curves)
+        for state, curve in (("first", spec.first), ("second", spec.second)):
+            if not _is_drawn(tables["pair"][state]):
+                tables["pair"][state] = curve_table(curve)
+        return tables
+    design_of(tables, path, read_curves)
+    for k, strip in enumerate(tables.get("strips", [])):
+        if "sections" in strip:
+            raise InputError(
+                "{path}: strips along sections of a mesh are not drawn: `elastica model` makes them",
+                path=path,
+            )
+        if "count" in strip or _is_drawn(strip["curve"]):
+            continue
+        alone = {key: value for key, value in tables.items() if key not in OF_MODELS}
+        (entry,) = design_of(alone | {"strips": [strip]}, path, read_curves).entries
+        tables["strips"][k] = strip | {"curve": curve_table(entry.curve)}
     return tables
 
 

@@ -3,6 +3,7 @@
 import asyncio
 import hmac
 import json
+import os
 import secrets
 import socket
 from collections.abc import AsyncIterator, Mapping
@@ -24,11 +25,12 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.formats.file_access.source_file import mark_file
 from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.refusals import Refusal
-from elastica_cad.web.saved_design import compose_design, open_design, start_designs
+from elastica_cad.web.answers import CHANGED
+from elastica_cad.web.saved_design import file_mark, open_design, start_designs
 from elastica_cad.web.vocabulary import page_words
+from elastica_cad.web.worker import head_of, read_question
 from elastica_cad.web.workers import Workers
 
 HOST = "127.0.0.1"
@@ -120,10 +122,16 @@ class Studio:
 
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
         self.path = path
-        self._design = None if path is None or not path.exists() else open_design(path)
-        self._mark = None if path is None else mark_file(path)
-        self._words = page_words() | {"starts": start_designs(), "version": _version()}
-        self._workers = Workers(_refused)
+        if path is not None and path.exists():
+            open_design(path)  # refused here, it is refused in the terminal
+        file = None if path is None else path.name
+        self._hello = page_words() | {
+            "do": "hello",
+            "starts": start_designs(),
+            "version": _version(),
+            "file": file,
+        }
+        self._workers = Workers(_refused, path)
         self._pages = count(1)
         page = Path(str(files("elastica_cad.web").joinpath("page")))
         routes = [
@@ -147,8 +155,11 @@ class Studio:
         async def send(kind: bytes, content: bytes) -> None:
             await (talk.send_text(content.decode()) if kind == b"text" else talk.send_bytes(content))
 
+        async def greet(_: bytes, opened: bytes) -> None:
+            await send(b"text", json.dumps({"design": None} | json.loads(opened) | self._hello).encode())
+
         try:
-            await send(b"text", json.dumps({"do": "hello", **self._hello()}).encode())
+            self._workers.ask(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
         except (WebSocketDisconnect, KeyError):  # gone; or bytes, which no page of ours sends
@@ -159,41 +170,34 @@ class Studio:
 
     async def _take(self, page: int, text: str, send: Any) -> None:
         try:
-            request = json.loads(text)
-        except (ValueError, RecursionError):
-            request = None
-        if not isinstance(request, dict):
-            await send(b"text", _refused({}, "this is no question of the page: load it again"))
-        elif request.get("do") == "save":
-            await send(b"text", self._save(request))
-        else:
-            self._workers.ask(page, request, json.dumps(request).encode(), send)
+            request = read_question(text)
+        except InputError as problem:
+            await send(b"text", _refused({}, problem.refusal))
+            return
+        path = self.path
 
-    def _hello(self) -> dict[str, Any]:
-        """What the page needs to know before it asks."""
-        return self._words | {"design": self._design, "file": None if self.path is None else self.path.name}
+        async def written(kind: bytes, content: bytes) -> None:
+            await send(kind, content if path is None else _written(path, content))
 
-    def _save(self, request: Mapping[str, Any]) -> bytes:
-        """Write the design to its file, or answer with its text where there is none."""
-        head = _head(request)
-        try:
-            design = request.get("design")
-            if not isinstance(design, dict):
-                raise InputError("the design is no table of keys and values")
-            if self.path is None or request.get("copy"):
-                return json.dumps(head | {"text": compose_design(design)}).encode()
-            if mark_file(self.path) != self._mark:
-                raise InputError(
-                    "{name} was changed by another program: load the page again", name=self.path.name
-                )
-            before = self.path.read_text(encoding="utf-8-sig") if self.path.exists() else ""
-            write_atomically(self.path, compose_design(design, before).encode(), force=True)
-            self._design, self._mark = design, mark_file(self.path)
-            return json.dumps(head | {"saved": self.path.name}).encode()
-        except ElasticaError as problem:
-            return json.dumps(head | {"refused": problem.refusal.record}).encode()
-        except (TypeError, ValueError):
-            return _refused(head, "this design cannot be written: its values are of the wrong kind")
+        saves = request.get("do") == "save" and not request.get("copy")
+        line = text.replace("\n", " ").encode()  # a line feed of JSON is a space, and ends a worker's line
+        self._workers.ask(page, request, line, written if saves else send)
+
+
+def _written(path: Path, content: bytes) -> bytes:
+    """Write the text that a worker composed, unless the file has changed since; return the answer to the page."""
+    answer = json.loads(content)
+    if "refused" in answer:
+        return content
+    text, mark = answer.pop("text"), answer.pop("mark")
+    try:
+        if file_mark(path) != mark:
+            raise InputError(CHANGED, name=path.name)
+        write_atomically(path, text.encode(), force=True)
+        answer |= {"saved": path.name, "mark": file_mark(path)}
+    except ElasticaError as problem:
+        answer |= {"refused": problem.refusal.record}
+    return json.dumps(answer).encode()
 
 
 def _first(index: Path) -> Any:
@@ -204,12 +208,7 @@ def _first(index: Path) -> Any:
 
 
 def _refused(request: Mapping[str, Any], text: str) -> bytes:
-    return json.dumps(_head(request) | {"refused": Refusal("input", text).record}).encode()
-
-
-def _head(request: Mapping[str, Any]) -> dict[str, Any]:
-    """What tells the page to which of its questions an answer belongs."""
-    return {name: request[name] for name in ("id", "do", "kind") if name in request}
+    return json.dumps(head_of(request) | {"refused": Refusal("input", text).record}).encode()
 
 
 def _version() -> str:
@@ -228,6 +227,8 @@ def bound_socket(port: int) -> socket.socket:
         The port is taken.
     """
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    if os.name == "posix":  # else connections that ended lately hold the port for a minute
+        bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind((HOST, port))
         bound.listen()  # a browser that is quicker than the server waits

@@ -9,10 +9,11 @@ import sys
 import traceback
 from collections.abc import Mapping
 from contextlib import suppress
-from functools import cache
+from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.refusals import Refusal, Wording
 from elastica_cad.web.answers import Download, answer
 from elastica_cad.words import Translated
@@ -33,12 +34,48 @@ CHINESE_NAMES = ("最大宽度", "最小宽度", "车间", "忽略限制", "初�
 """Names of fields in catalogues, and in the page."""
 
 
-def reply(line: bytes) -> tuple[bytes, bytes]:
-    """Return kind and content of the answer to one request; every error becomes a sentence."""
-    request: Any = None
+def read_question(text: str | bytes) -> dict[str, Any]:
+    """Return a question of the page from its JSON.
+
+    Raises
+    ------
+    InputError
+        No JSON, or not the question of a page.
+    """
     try:
-        request = json.loads(line)
-        found = answer(request)
+        question = json.loads(text, parse_constant=_refuse_constant)
+    except (ValueError, RecursionError):
+        question = None
+    kinds = {"do": str, "id": int, "kind": str, "language": str}
+    if not isinstance(question, dict) or not all(
+        isinstance(question.get(name, kind()), kind) for name, kind in kinds.items()
+    ):
+        raise InputError("this is no question of the page: load it again")
+    return question
+
+
+def _refuse_constant(name: str) -> None:
+    raise ValueError(name)  # NaN and Infinity, which are no JSON
+
+
+def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the keys by which the page assigns an answer to its question."""
+    return {name: question[name] for name in ("id", "do", "kind") if name in question}
+
+
+def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
+    """Return kind and content of the answer to one request; every error becomes a sentence.
+
+    Parameters
+    ----------
+    line : bytes
+    saved : Path, optional
+        The design file of the studio.
+    """
+    request: dict[str, Any] = {}
+    try:
+        request = read_question(line)
+        found = answer(request, saved)
     except ElasticaError as problem:
         found = _refused(problem.refusal)
     except MemoryError:
@@ -48,9 +85,7 @@ def reply(line: bytes) -> tuple[bytes, bytes]:
     ):  # a page that is of another version, or nonsense: the next question is answered all the same
         traceback.print_exc()
         found = _refused("this design cannot be read: its values are of the wrong kind")
-    known = request if isinstance(request, dict) else {}
-    words = wording_of(str(known.get("language", "en")))
-    head = {name: known[name] for name in ("id", "do", "kind") if name in known}
+    words, head = wording_of(request.get("language", "en")), head_of(request)
     if isinstance(found, Download):
         return b"file", json.dumps(head | {"name": found.name}).encode() + b"\n" + found.content
     return b"text", json.dumps(head | _worded(found, words), allow_nan=False).encode()
@@ -71,7 +106,7 @@ class _PageWords(Translated):
         return said
 
 
-@cache
+@lru_cache(maxsize=8)
 def wording_of(language: str) -> Wording:
     """How the page speaks a language: "de", "zh", or else English."""
     match language:
@@ -105,11 +140,12 @@ def _limit_memory() -> None:
 
 
 def main() -> None:
-    """Read requests line by line and answer them until the input ends."""
+    """Read requests line by line and answer them until the input ends; the argument is the design file."""
     _limit_memory()
+    saved = Path(sys.argv[1]) if sys.argv[1:] else None
     out = sys.stdout.buffer
     sys.stdout = sys.stderr  # what a library prints is no answer
     for line in sys.stdin.buffer:
-        kind, content = reply(line)
+        kind, content = reply(line, saved)
         out.write(b"%s %d\n" % (kind, len(content)) + content)
         out.flush()

@@ -31,8 +31,8 @@ Send = Callable[[bytes, bytes], Awaitable[None]]
 class Workers:
     """Two worker processes, and a queue that answers pages in the order of their first requests."""
 
-    def __init__(self, refused: Callable[[dict[str, Any], str], bytes]) -> None:
-        self._refused = refused
+    def __init__(self, refused: Callable[[dict[str, Any], str], bytes], saved: Path | None) -> None:
+        self._refused, self._saved = refused, saved
         self._waiting: dict[tuple[int, str], tuple[dict[str, Any], bytes, Send]] = {}
         self._arrived = asyncio.Semaphore(0)
         self._tasks: list[asyncio.Task[None]] = []
@@ -63,7 +63,7 @@ class Workers:
         process = None
         try:
             while True:
-                process = process or await _started()
+                process = process or await _started(self._saved)
                 await self._arrived.acquire()
                 request, line, send = self._waiting.pop(next(iter(self._waiting)))
                 if not line:
@@ -88,11 +88,18 @@ async def _nobody(_: bytes, __: bytes) -> None:
     """Take an answer that nobody waits for."""
 
 
-async def _started() -> asyncio.subprocess.Process:
+async def _started(saved: Path | None) -> asyncio.subprocess.Process:
     """Start a worker, with -P because `python` would search the working folder for modules first."""
+    command = [
+        sys.executable,
+        "-P",
+        "-c",
+        WORKER.format(folder=str(PACKAGES)),
+        *([str(saved)] if saved else []),
+    ]
     pipe = asyncio.subprocess.PIPE
-    return await asyncio.create_subprocess_exec(
-        sys.executable, "-P", "-c", WORKER.format(folder=str(PACKAGES)), stdin=pipe, stdout=pipe
+    return await asyncio.create_subprocess_exec(  # in a session where Ctrl-C does not reach it: the server ends it
+        *command, stdin=pipe, stdout=pipe, start_new_session=True
     )
 
 

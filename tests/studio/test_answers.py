@@ -159,9 +159,23 @@ def test_no_file_is_opened_by_its_name(do, keys, tmp_path, monkeypatch):
     assert told["refused"]["text"].startswith("the page opens no file")
 
 
-def test_a_dropped_design_opens_no_file_either():
-    told = answer({"do": "read", "name": "a.toml", "text": 'schema = 1\n[[strips]]\ncurve = "/etc/passwd"\n'})
+@pytest.mark.parametrize(
+    "text",
+    [
+        '[[strips]]\ncurve = "arch.json"',
+        '[pair]\nsheet = "pom-2"\nfirst = "arch.json"\nsecond = "arch.json"',
+        '[pair]\nsheet = "pom-2"\nfirst = { file = "arch.json" }\nsecond = { file = "arch.json" }',
+    ],
+)
+def test_a_dropped_design_opens_no_file_either(text, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    ec.write_curves([ec.PlaneCurve.spline(ARCH)], "arch.json")
+    told = answer({"do": "read", "name": "a.toml", "text": f"schema = 1\n{text}\n"})
     assert told["refused"]["text"].startswith("the page opens no file")
+
+
+def test_a_kind_of_file_that_is_not_made_is_named():
+    assert asked("file", kind="../dxf")["refused"]["message"].startswith("'../dxf' is not a file")
 
 
 def test_the_cutting_file_is_that_of_the_command_line(tmp_path, capsys):

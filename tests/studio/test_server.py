@@ -4,13 +4,17 @@ import http.client
 import json
 import os
 import random
+import signal
 import socket
+import subprocess
+import sys
 import time
 
 import pytest
 from websockets.exceptions import InvalidStatus
 
-from tests.studio.conftest import ARCH, design, running
+from elastica_cad.web.saved_design import compose_design
+from tests.studio.conftest import ARCH, Server, design, running
 
 
 def fetched(server, path, **headers):
@@ -103,12 +107,77 @@ def test_only_the_named_design_is_read_and_saved(tmp_path):
     with running(path, cwd=tmp_path) as server, server.page() as page:
         opened = page.hello["design"]
         opened["max_width"] = 25
-        assert page.ask("save", design=opened, path="/tmp/other.toml")["saved"] == "arch.toml"
+        saved = page.ask("save", design=opened, mark=page.hello["mark"], path="/tmp/other.toml")
+        assert saved["saved"] == "arch.toml"
         assert "# mine" in path.read_text()
         assert "max_width = 25" in path.read_text()
-        path.write_text(path.read_text() + "# by another program\n")
-        assert "refused" in page.ask("save", design=opened | {"max_width": 30})
+        by_hand = path.read_text().replace("= 25", "= 27  # by hand")
+        path.write_text(by_hand)
+        mine = opened | {"max_width": 30}
+        for stale in (saved["mark"], page.hello["mark"], None, "", 7, []):
+            changed = page.ask("save", design=mine, mark=stale)
+            assert changed["refused"]["text"] == "{name} was changed since this page read it"
+            assert changed["design"]["max_width"] == 27
+            assert path.read_text() == by_hand
+        with server.page() as other:  # the file is read at each hello
+            assert other.hello["design"]["max_width"] == 27
+            assert other.hello["mark"] == changed["mark"]
+        path.write_text(by_hand + "[[")  # and where nobody can read it, nothing is written
+        assert "is no TOML file" in page.ask("save", design=mine, mark=changed["mark"])["refused"]["text"]
+        with server.page() as other:
+            assert other.hello["design"] is None
+            assert "is no TOML file" in other.hello["refused"]["text"]
+        path.unlink()
+        assert page.ask("save", design=mine, mark=changed["mark"])["design"] is None
+        assert page.ask("save", design=mine, mark="")["saved"] == "arch.toml"
+        assert "max_width = 30" in path.read_text()
         assert [one.name for one in tmp_path.iterdir()] == ["arch.toml"]
+
+
+@pytest.mark.campaign
+def test_pages_that_save_at_once_write_one_design_each_on_the_mark_of_the_other(tmp_path):
+    path = tmp_path / "arch.toml"
+    path.write_text(compose_design(design(max_width=20)))
+    with running(path, cwd=tmp_path) as server, server.page() as one, server.page() as other:
+        for page in (one, other):
+            page.talk.send(
+                json.dumps({"do": "save", "design": design(max_width=30), "mark": page.hello["mark"]})
+            )
+        answers = [page.answer() for page in (one, other)]
+    assert ["saved" in answer for answer in answers].count(True) == 1
+
+
+@pytest.mark.campaign
+def test_saving_many_points_does_not_hold_up_another_page(tmp_path):
+    path = tmp_path / "arch.toml"
+    path.write_text(compose_design(design()))
+    many = [[k / 7, k % 13 / 3] for k in range(3000)]
+    with running(path, cwd=tmp_path) as server, server.page() as one, server.page() as other:
+        other.ask("edit", design=design(), remove=3)  # both workers are there
+        one.talk.send(json.dumps({"do": "save", "design": design(many), "mark": one.hello["mark"]}))
+        began = time.monotonic()
+        assert fetched(server, "/studio.js", Cookie=server.cookie)[0] == 200
+        assert "curve" in other.ask("edit", design=design(), remove=3)
+        waited = time.monotonic() - began
+        assert "saved" in one.answer()
+        assert waited < time.monotonic() - began
+
+
+@pytest.mark.campaign
+def test_after_an_interrupt_the_port_is_free_and_nothing_is_printed():
+    command = [sys.executable, "-m", "elastica_cad", "studio", "--no-browser", "--port"]
+    port = "0"
+    for _ in range(2):
+        process = subprocess.Popen(
+            [*command, port], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+        )
+        server = Server(process)
+        with server.page() as page:
+            page.ask("edit", design=design(), remove=3)
+            port = str(server.port)
+            os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to all processes of the command
+            said = process.communicate(timeout=20)[1]
+        assert (process.returncode, said) == (0, "")
 
 
 BOMB = (
@@ -179,9 +248,19 @@ def test_nonsense_is_answered_and_the_next_question_too(server):
             "{" * 5000,
             '{"do": {}}',
             '{"do": "strip", "design": 3}',
+            '{"do": "strip", "id": NaN}',
+            '{"do": "strip", "id": 1e999}',
+            '{"do": "strip", "id": ' + 300 * "[" + 300 * "]" + "}",
+            '{"do": "strip", "design": ' + 900 * "[" + 900 * "]" + "}",
+            '{"do": "strip", "design": {"curve": ' + 900 * "[" + 900 * "]" + "}}",
+            '{"do": "save", "design": {"a": [null, {"b": null}]}}',
+            '{"do": "strip", "kind": {}}',
+            '{"do": "strip", "language": []}',
         ):
             page.talk.send(text)
-            assert "refused" in page.answer()
+            message = page.answer()["refused"]["message"]
+            assert "memory" not in message  # which a page is told of a worker that has ended
+            assert "{" not in message
         assert "refused" not in page.ask("strip", design=design())
     with server.page() as page:
         page.talk.send(b"\x00\xff")  # ends that page, not the server

@@ -52,7 +52,7 @@ export class Channel extends Questions {
       if (answer.do !== "hello") this.take(answer, content);
       else {
         this.greeted(answer);
-        this.onstate(true);
+        this.onstate(true, answer);
       }
     };
     this.socket.onclose = () => {

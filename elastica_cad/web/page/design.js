@@ -92,11 +92,27 @@ export async function unpacked(text) {
       if (json.length > LARGEST) return null;
     }
     const design = JSON.parse(json);
-    return Array.isArray(design?.strips) || design?.revolution ? design : null;
+    return isDesign(design) ? design : null;
   } catch {
     return null; // no design, or a part of one
   }
 }
+
+// Tables where the page reads tables and lists where it reads lists; the core checks the rest.
+function isDesign(design) {
+  const isTable = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
+  const isCurve = (curve) => !isTable(curve) || curve.spline === undefined || (Array.isArray(curve.spline) && curve.spline.every(Array.isArray));
+  const tables = (key, isRight) => design[key] === undefined || (Array.isArray(design[key]) && design[key].every((one) => isTable(one) && isRight(one)));
+  return isTable(design) && (design.strips || design.revolution || design.pair) && tables("strips", (strip) => isCurve(strip.curve))
+    && tables("patterns", ({ rotate }) => rotate === undefined || isTable(rotate))
+    && ["revolution", "pair", "rings", "base", "fixtures", "stand"].every((key) => design[key] === undefined || isTable(design[key]))
+    && (!design.pair || (isCurve(design.pair.first) && isCurve(design.pair.second)));
+}
+
+const sorted = (_, value) => (value && typeof value === "object" && !Array.isArray(value) ? Object.fromEntries(Object.entries(value).sort()) : value);
+
+// Equal designs, in whatever order their keys are written.
+export const same = (one, other) => JSON.stringify(one, sorted) === JSON.stringify(other, sorted);
 
 // A key of a strip may stand in its own table or, for all strips, at the top.
 export function tableOf(design, strip, key) {

@@ -7,5 +7,5 @@ history.replaceState(null, "", location.pathname + location.hash); // the token 
 
 const channel = new Channel(`ws://${location.host}/talk`);
 const hello = await channel.opened;
-const linked = await unpacked(location.hash.slice(1));
-mount(document.getElementById("studio"), channel, hello, { linked, address: true });
+const text = location.hash.slice(1), linked = await unpacked(text);
+mount(document.getElementById("studio"), channel, hello, { linked, unread: Boolean(text && !linked), address: true });

@@ -1,5 +1,5 @@
 // The studio: one design, the drawing of it, and everything that the server says about it.
-import { EMPTY, History, packed, tableOf } from "./design.js";
+import { EMPTY, History, packed, same, tableOf } from "./design.js";
 import { Drawing } from "./drawing.js";
 import { showFlat } from "./flat.js";
 import { Form, html } from "./forms.js";
@@ -16,11 +16,16 @@ const SPACE_MS = 30, SLOW_SPACE_MS = 300; // between two pictures of the bent st
 const FURTHEST = 1.4; // of the slider that bends: as far as the server presses the ends together
 const REST_MS = 250; // after the last change, until the whole model is made
 
-export function mount(root, channel, hello, { linked = null, address = false, kept = "elastica-studio", onchange = () => {} } = {}) {
+export function mount(root, channel, hello, { linked = null, unread = false, address = false, kept = "elastica-studio", onchange = () => {} } = {}) {
   const history = History.kept(kept, linked ?? hello.design) ?? new History(kept, EMPTY);
   const chosen = localStored("elastica-language") ?? navigator.language.slice(0, 2);
+  const other = linked && hello.design && !same(linked, hello.design);
+  if (other) history.replace(hello.design); // the file comes first; the address is one step back
   const studio = new Studio(root, channel, hello, history, { address, onchange });
   studio.build(LANGUAGES[chosen] ? chosen : "en");
+  if (other) studio.offer(linked);
+  if (unread) studio.tell(studio.t("The address of this page holds no design that can be read."));
+  if (hello.refused) studio.ask({ do: "open" }); // which says in the language of the page why the file was not read
   return studio;
 }
 
@@ -33,10 +38,10 @@ function localStored(key, value) {
 
 class Studio {
   constructor(root, channel, hello, history, { address, onchange }) {
-    Object.assign(this, { root, hello, history, address, onchange, strip: 0, shown: 0, answer: null, frames: null });
+    Object.assign(this, { root, hello, history, address, onchange, mark: hello.mark, strip: 0, shown: 0, answer: null, frames: null });
     this.channel = { ask: (question) => channel.ask({ ...question, language: this.language }) };
     history.listeners.push(() => this.changed());
-    channel.onstate = (alive) => this.alive(alive);
+    channel.onstate = (alive, hello) => this.alive(alive, hello);
     root.classList.add("elastica-studio");
     root.addEventListener("keydown", (event) => {
       if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches("input")) return;
@@ -187,7 +192,7 @@ class Studio {
 
   points(design = this.design) {
     const points = this.curve(design)?.spline;
-    return Array.isArray(points) && points.every((point) => point.every(Number.isFinite)) ? points : [];
+    return Array.isArray(points) && points.every((point) => point.length === 2 && point.every(Number.isFinite)) ? points : [];
   }
 
   edit(change, step = true) {
@@ -287,7 +292,7 @@ class Studio {
     const { t, answer } = this, assembly = answer || this.design.revolution ? this.assembly : null, refused = answer?.refused ?? assembly?.refused;
     const warnings = refused ? [] : [...(answer?.warnings ?? []), ...(assembly?.warnings ?? [])];
     const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
-    const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state] ?? (this.design.revolution ? "" : "Draw at least three points");
+    const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
     const texts = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
       : title ? [t("Click on the drawing to set the first points of a curve, or start from an example.")] : [];
     const said = [title, ...texts].join();
@@ -335,15 +340,68 @@ class Studio {
     const answer = await this.channel.ask(question);
     if (answer) this.tell(answer.refused?.message ?? "");
     this.say.classList.toggle("no", Boolean(answer?.refused));
+    if (answer?.refused && answer.mark !== undefined) this.differs(answer);
+    if (this.lost) this.alive(false);
     return answer?.refused ? null : answer;
   }
 
-  alive(alive) {
+  alive(alive, hello) {
     if (!this.t) return;
+    this.lost = !alive;
     if (alive) {
+      if (hello.file !== this.hello.file) { // another server, at the address of the last one
+        this.hello = hello;
+        this.build(this.language);
+      }
       this.tell("");
       this.changed();
-    } else this.tell(this.t("The server has ended. Your design stays in this page and its address: run elastica studio again."));
+      if (hello.refused) this.ask({ do: "open" });
+      else if (hello.file && hello.mark !== this.mark) this.differs(hello);
+      return;
+    }
+    this.assembly = null;
+    this.paint(null);
+    this.tell(this.t("The server has ended. Your design stays in this page and its address: run elastica studio again."));
+  }
+
+  // The file is not as this page read it last: the user chooses, and nothing is lost.
+  differs({ mark, design }) {
+    if (same(design, this.design)) {
+      this.mark = mark;
+      this.tell(`${this.t("Saved")}: ${this.hello.file}`);
+      return;
+    }
+    const { t } = this, choice = (name, text, act) => html("p", {}, html("button", { type: "button", "data-choice": name, onclick: () => {
+      this.dialog.close();
+      act();
+    } }, t(name)), ` ${t(text)}`);
+    const take = () => {
+      this.mark = mark;
+      this.tell("");
+      this.history.replace(design);
+      this.drawing.fit();
+    };
+    const changed = `${this.hello.file}: ${t("The file was changed since this page read it.")}`;
+    this.tell(changed);
+    this.ask1(changed,
+      choice("Keep mine", "This page's design is written into the file.", () => {
+        this.mark = mark;
+        this.save();
+      }),
+      ...(design ? [choice("Take the file's", "It is shown here, and Undo brings this page's design back.", take),
+        choice("Keep both", "This page's design is downloaded, then the file's is shown.", async () => { if (await this.download("design")) take(); })] : []));
+  }
+
+  // The address holds another design than the file, which is shown.
+  offer(design) {
+    const { t } = this, done = () => this.tell("");
+    this.tell(`${t("The address of this page holds another design than the file, which is shown.")} `,
+      html("button", { type: "button", class: "take", onclick: () => {
+        this.history.replace(design);
+        this.drawing.fit();
+        done();
+      } }, t("Take it")),
+      html("button", { type: "button", onclick: done }, t("Leave it")));
   }
 
   // ---- what is done by one click
@@ -448,20 +506,26 @@ class Studio {
     this.tell(this.t("Copied"));
   }
 
-  async save() {
-    const answer = await this.ask({ do: "save", design: this.design });
-    if (answer) this.tell(`${this.t("Saved")}: ${answer.saved}`);
+  // One after the other, each on the mark that the last one left.
+  save() {
+    this.saving = (this.saving ?? Promise.resolve()).then(async () => {
+      const answer = await this.ask({ do: "save", design: this.design, mark: this.mark });
+      if (!answer) return;
+      this.mark = answer.mark;
+      this.tell(`${this.t("Saved")}: ${answer.saved}`);
+    });
   }
 
   async download(kind) {
     const { design } = this;
     const answer = await this.ask(kind === "design" ? { do: "save", copy: true, design } : { do: "file", kind, design, strip: this.strip });
-    if (!answer) return;
+    if (!answer) return false;
     const link = html("a", { href: URL.createObjectURL(new Blob([answer.content ?? answer.text])), download: answer.name ?? `${design.name}.toml` });
     this.root.append(link);
     link.click();
     link.remove();
     setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
+    return true;
   }
 
   // A file that was dropped or chosen: curves for this strip, or a whole design.
