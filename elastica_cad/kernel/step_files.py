@@ -26,7 +26,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, list_things
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import check_size
-from elastica_cad.formats.curve_files.placed_curve import place_chain
+from elastica_cad.formats.curve_files.placed_curve import drawing_plane, place_chain
 from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -353,7 +353,7 @@ def read_step_drawing(file: Path, *, scale: float = 1.0) -> DrawnFile:
 
 
 def _scaled(chain: Sequence[Edge], scale: float) -> PlaneCurve:
-    curve, _ = place_chain(chain)
+    curve = place_chain(chain, drawing_plane(chain))
     check_size(scale * curve.control_points)
     return curve if scale == 1.0 else curve.transformed(np.diag([scale, scale, 1.0]))
 

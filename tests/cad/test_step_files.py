@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from build123d import Bezier, export_step
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
@@ -163,6 +164,14 @@ class TestBadInput:
         path.write_text(text)
         with pytest.raises(InputError, match=r"odd\.step.*STEP"):
             read_curves(path)
+
+    @pytest.mark.parametrize("noise", [0.0, 0.01])
+    def test_curves_of_upright_planes_are_seen_from_the_front(self, tmp_path, noise):
+        places = [(0, -noise, 0), (20, noise, 45), (70, 0, 20), (95, noise, 0)]
+        path = tmp_path / "upright.step"
+        export_step(Bezier(*places), path)
+        (curve,) = read_curves(path)
+        assert np.abs(curve.control_points - [(x, z) for x, _, z in places]).max() < 1e-4
 
     def test_only_solids(self, plain, tmp_path):
         path = tmp_path / "solid.step"

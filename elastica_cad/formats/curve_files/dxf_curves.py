@@ -37,7 +37,12 @@ DEEPEST_BLOCK = 20  # blocks within blocks: deeper ones are a slip or an attack
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """What ezdxf meets in entities that break off or are overwritten in places."""
 
+MODEL_SPACE = np.eye(4)  # placement of what is in no block
+
+FLAT_HELIX = 1e-6  # height of a HELIX over its radius, below which it is a flat spiral
+
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
+_UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
 _MOST_NUMBERS = 20_000  # whose digits are looked at
 _COUNTLESS = 10**9  # insertions: counting stops there
@@ -158,7 +163,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
     bad: list[InputError] = []
     good = 0
     hidden = _Hidden.of(document)
-    for entity, size, layer in _entities(document.modelspace(), 0, skipped, hidden):
+    for entity, placement, layer in _entities(document.modelspace(), 0, skipped, hidden):
         kind = entity.dxftype()
         try:
             run = _run(entity)
@@ -166,8 +171,10 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
                 skipped[kind] += 1
                 continue
             handle = str(entity.dxf.get("handle") or "")
-            source = Source(f"{kind} {handle}".rstrip(), layer, rounding * size, handle)
-            mapped = tuple(edge.mapped(scale * np.eye(3), np.zeros(3), source) for edge in run)
+            linear, offset = scale * placement[:3, :3], scale * placement[:3, 3]
+            digit = rounding * float(np.linalg.norm(placement[:3, :3], axis=0).max())
+            source = Source(f"{kind} {handle}".rstrip(), _readable(layer), digit, handle)
+            mapped = tuple(edge.mapped(linear, offset, source) for edge in run)
             for edge in mapped:
                 check_places(edge.points)
         except InputError as error:
@@ -186,6 +193,15 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
         raise bad[0]
 
 
+def _readable(name: str) -> str:
+    """Return a name whose bytes are not UTF-8, in the encoding of Western Windows."""
+    return (
+        name.encode("utf-8", "surrogateescape").decode("cp1252", "replace")
+        if _UNDECODED.search(name)
+        else name
+    )
+
+
 def _opened(path: Path) -> "Drawing":
     try:
         from ezdxf import recover
@@ -198,6 +214,9 @@ def _opened(path: Path) -> "Drawing":
             name=path.name,
             how_to_install=how_to_install("ezdxf"),
         ) from error
+    with path.open("rb") as opened:
+        if re.match(rb"AC10\d\d", opened.read(6)):
+            raise InputError("This is a DWG file, not a DXF file. Save the drawing as DXF.")
     # what ezdxf meets in a file cut short or overwritten in places
     damage = (
         DXFError,
@@ -292,12 +311,13 @@ def _entities(
     depth: int,
     skipped: Counter[str],
     hidden: _Hidden,
-    size: float = 1.0,
+    placement: FloatArray = MODEL_SPACE,
     outer: str = "0",
-) -> Iterator[tuple[Any, float, str]]:
-    """The entities of a layout with the scale they are shown at and their layer, those of blocks in their place.
+) -> Iterator[tuple[Any, FloatArray, str]]:
+    """Yield the entities of a layout and of its blocks with their placement (4, 4) and layer.
 
-    What lies on layer 0 of a block is on the layer that the block is inserted on. What is hidden is counted.
+    An entity on layer 0 of a block is on the layer of the insertion. Hidden entities are counted. Placements of
+    nested blocks are multiplied, because unequal scales and rotations make a shear that no insertion can state.
     """
     from ezdxf.lldxf.const import DXFError
 
@@ -307,16 +327,18 @@ def _entities(
         if hidden.hides(entity, layer):
             skipped[f"hidden on layer {layer}"] += 1
         elif entity.dxftype() != "INSERT":
-            yield entity, size, layer
+            if not (depth and entity.dxftype() == "ATTDEF"):
+                yield entity, placement, layer
         elif depth < DEEPEST_BLOCK:
             try:
-                stretch = max(abs(float(entity.dxf.get(f"{axis}scale", 1.0))) for axis in "xyz")
+                block = entity.block() or ()
                 copies = list(entity.multi_insert()) if entity.mcount > 1 else [entity]
-                shown = [part for copy in copies for part in copy.virtual_entities()]
+                placements = [np.array(list(copy.matrix44().rows())).T for copy in copies]
             except (*ODDITIES, DXFError):
                 skipped["INSERT that makes no sense"] += 1
                 continue
-            yield from _entities(shown, depth + 1, skipped, hidden, size * stretch, layer)
+            for inner in placements:
+                yield from _entities(block, depth + 1, skipped, hidden, placement @ inner, layer)
         else:
             raise InputError(
                 "blocks are nested more than {deepest_block} deep: explode them before export",
@@ -333,7 +355,7 @@ def _run(entity: Any) -> Run | None:
         return (_circle(entity, full=kind == "CIRCLE"),)
     if kind == "ELLIPSE":
         return (_ellipse(entity),)
-    if kind == "SPLINE":
+    if kind == "SPLINE" or (kind == "HELIX" and _is_flat(entity)):
         return (_spline(entity),)
     if kind == "LWPOLYLINE":
         rows = [(x, y, entity.dxf.elevation, bulge) for x, y, bulge in entity.get_points("xyb")]
@@ -380,11 +402,47 @@ def _spline(entity: Any) -> Edge:
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
     weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
     knots = np.array(entity.knots, dtype=float)
-    check_degree(int(entity.dxf.degree))
+    degree = int(entity.dxf.degree)
+    check_degree(degree)
     backwards = np.maximum.accumulate(knots) - knots
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
         knots = knots + backwards
-    return Edge(knots, points, entity.dxf.degree, weights)
+    if weights is not None and len(weights) != len(points):
+        return Edge(knots, points, degree, weights)  # refused there
+    poles = points if weights is None else np.column_stack([points, weights])
+    knots, poles = _without_doubled_poles(*_unwound(knots, poles, degree, entity.closed), degree)
+    return Edge(knots, poles[:, :3], degree, None if weights is None else poles[:, 3])
+
+
+def _is_flat(helix: Any) -> bool:
+    """Return True if all turns of a HELIX are in one plane."""
+    return bool(abs(helix.dxf.turns * helix.dxf.turn_height) <= FLAT_HELIX * abs(helix.dxf.radius))
+
+
+def _unwound(
+    knots: FloatArray, poles: FloatArray, degree: int, closed: bool
+) -> tuple[FloatArray, FloatArray]:
+    """Return full knots and control points of a periodic spline that states one period only, as OpenCASCADE does.
+
+    The first control points repeat behind the last ones. Other splines are returned unchanged.
+    """
+    count = len(poles)
+    first = int(np.count_nonzero(knots == knots[0])) if knots.size else 0
+    if not closed or first > degree or count < 2 or knots.size != count + first:
+        return knots, poles
+    turns, place = np.divmod(np.arange(count + 2 * degree + 1) - degree + first - 1, count)
+    return knots[place] + turns * np.ptp(knots), poles[np.arange(count + degree) % count]
+
+
+def _without_doubled_poles(
+    knots: FloatArray, poles: FloatArray, degree: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return the spline without inner knots of multiplicity degree + 1 whose two control points coincide."""
+    if knots.size != len(poles) + degree + 1:
+        return knots, poles
+    inner = range(degree + 1, len(poles))
+    doubled = [i for i in inner if knots[i] == knots[i + degree] and np.array_equal(poles[i - 1], poles[i])]
+    return np.delete(knots, doubled), np.delete(poles, doubled, axis=0)
 
 
 def _fitted(entity: Any, points: FloatArray) -> Edge:

@@ -14,26 +14,48 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.refusals import Length, Point, note
 
+NOISE_MM, NOISE_SHARE = (
+    0.05,
+    1e-3,
+)  # height of a drawing that is meant to be plane, and its fraction of the size
+HORIZONTAL = np.cos(np.radians(1.0))  # z of the unit normal of a plane that counts as horizontal
+
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
     """Return the run of edges (m, 3) in the coordinates of its own plane (m, 2).
 
-    In a plane z = const x and y are kept as drawn. Any other plane is looked at from the side from which its
-    horizontal direction runs towards positive x (or y), with y up: x along the plane's horizontal line, y
-    along its steepest line, both measured from the origin of space.
+    The axes are those of `drawing_plane`.
 
     Raises
     ------
     InputError
-        When the edges lie farther than `tolerance` mm off a common plane; it says how far.
+        The edges leave a common plane by more than `tolerance` mm and by more than the noise of a drawing.
     """
-    points = np.concatenate([edge.at(edge.stations()) for edge in run])
-    axes = _plane_axes(points, tolerance)
+    axes = drawing_plane(run, tolerance).axes[:2]
     return tuple(edge.mapped(axes, (0.0, 0.0)) for edge in run)
 
 
+def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
+    """Return the plane of a run of edges (m, 3) of a drawing, with its origin next to the origin of space.
+
+    In a plane within a degree of horizontal, x and y are those of the drawing. The other planes are seen from the
+    side from which their horizontal direction runs towards positive x (or y): x along the horizontal line of the
+    plane, y along its steepest line, upwards.
+
+    Raises
+    ------
+    InputError
+        The edges leave a common plane by more than `tolerance` mm and by more than the noise of a drawing.
+    """
+    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    noise = min(NOISE_MM, NOISE_SHARE * float(np.ptp(points, axis=0).max()))
+    x_axis, y_axis = _plane_axes(points, max(tolerance, noise))
+    normal = np.cross(x_axis, y_axis)
+    return Frame((points[0] @ normal) * normal, x_axis, y_axis)
+
+
 def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
-    """Horizontal and upward unit vectors (2, 3) of the plane through the points."""
+    """Return the x and y axes (2, 3) of the plane through the points, as `drawing_plane` describes."""
     if np.ptp(points[:, 2]) <= tolerance:
         return np.eye(2, 3)
     centred = points - points.mean(axis=0)
@@ -52,6 +74,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
             off=Length(off),
             ptp=Length(np.ptp(points[:, 2])),
         )
+    if abs(normal[2]) > HORIZONTAL:
+        x_axis = np.array([1.0, 0.0, 0.0]) - normal[0] * normal
+        x_axis = x_axis / np.linalg.norm(x_axis)
+        return np.array([x_axis, np.cross(np.sign(normal[2]) * normal, x_axis)])
     up = np.array([0.0, 0.0, 1.0])
     y_axis = up - (up @ normal) * normal
     y_axis = y_axis / np.linalg.norm(y_axis)
@@ -101,7 +127,9 @@ def placed_curve(
     if len(runs) > 1:
         raise InputError(_why_not_one(runs))
     turn = AS_DRAWN if turned is None else np.asarray(turned, dtype=float)
-    return place_chain(runs[0], plane, turn, holes[0])
+    run = runs[0]
+    frame = _side_of(run, turn) if plane is None else _within(run, plane)
+    return place_chain(run, frame, holes[0]), frame
 
 
 def edge_chains(edges: Sequence[Edge]) -> list[Run]:
@@ -109,13 +137,8 @@ def edge_chains(edges: Sequence[Edge]) -> list[Run]:
     return join_runs([(edge,) for edge in edges], JOIN)
 
 
-def place_chain(
-    run: Sequence[Edge],
-    plane: Frame | None = None,
-    turned: FloatArray = AS_DRAWN,
-    holes: Sequence[Run] = (),
-) -> tuple[PlaneCurve, Frame]:
-    """Return the curve of one chain of edges and its plane, as `placed_curve` does."""
+def place_chain(run: Sequence[Edge], frame: Frame, holes: Sequence[Run] = ()) -> PlaneCurve:
+    """Return the curve of one chain of edges in the coordinates of a frame; refuse corners."""
     # of a closed wire the last edge goes on in the first
     closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= JOIN
     for before, after in pairwise((*run, *run[:1]) if closed else run):
@@ -137,12 +160,11 @@ def place_chain(
                 y=y,
                 z=z,
             )
-    frame = _side_of(run, turned) if plane is None else _within(run, plane)
     across = frame.axes[:2]
     flat, *drilled = [
         tuple(edge.mapped(across, -across @ frame.origin) for edge in part) for part in (run, *holes)
     ]
-    return curve_from_run(flat, tolerance=JOIN, holes=drilled), frame
+    return curve_from_run(flat, tolerance=JOIN, holes=drilled)
 
 
 def _why_not_one(runs: Sequence[Run]) -> str:

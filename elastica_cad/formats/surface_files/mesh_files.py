@@ -1,6 +1,7 @@
 """Surfaces in files: points and sections of any, and triangle meshes (OBJ, STL, PLY) through trimesh."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TypeAlias
 
@@ -74,7 +75,8 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
     with name_source(path):
         try:
             with quiet_log("trimesh"), np.errstate(all="ignore"):
-                mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
+                source = _counted_from_the_start(path.read_bytes()) if suffix == ".obj" else path
+                mesh = load(source, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # parsers of trimesh raise errors of any kind
             raise InputError(
@@ -86,6 +88,35 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         if unit is None and not LIKELY_SIZES_MM[0] <= found.size <= LIKELY_SIZES_MM[1]:
             raise InputError(_asking(found.size))
         return found
+
+
+_OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}
+
+
+def _counted_from_the_start(data: bytes) -> BytesIO:
+    """Return the OBJ file with positive indices.
+
+    A negative index counts back from the line it is on. trimesh counts back from the end of the file.
+    """
+    counts = [0, 0, 0]
+    lines = []
+    for line in data.splitlines():
+        kind, *corners = line.split() or (b"",)
+        if kind in _OBJ_LISTS:
+            counts[_OBJ_LISTS[kind]] += 1
+        elif kind == b"f":
+            corners = [_positive(corner, counts) for corner in corners]
+        lines.append(b" ".join([kind, *corners]))
+    return BytesIO(b"\n".join(lines))
+
+
+def _positive(corner: bytes, counts: Sequence[int]) -> bytes:
+    """Return the indices v/vt/vn of a corner, positive ones."""
+    indices = corner.split(b"/")
+    return b"/".join(
+        b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
+        for index, count in zip(indices, counts, strict=False)
+    )
 
 
 def _asking(size: float) -> str:

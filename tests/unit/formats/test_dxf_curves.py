@@ -1,13 +1,14 @@
 import sys
+from functools import partial
 
 import ezdxf
 import numpy as np
 import pytest
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import BSpline, CubicSpline
 
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication.drawings.drawing import MARK, Drawing, LayeredPath
-from elastica_cad.files import read_curves
+from elastica_cad.files import read_curves, read_drawing
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line
@@ -337,6 +338,121 @@ def test_blocks_are_exploded_with_their_transforms(drawing):
     local = (spaced(curves[0]) - (0, 150)) / (10, 20)
     assert np.abs(np.hypot(*local.T) - 1).max() < 1e-9
     assert [c.bounds[0] for c in curves[1:]] == [pytest.approx((500, 0)), pytest.approx((500, 40))]
+
+
+@pytest.mark.parametrize(("turned", "scales"), [(45, (1, 3, 1)), (30, (2.5, -1, 1)), (-70, (1, 0.2, 0))])
+def test_turned_blocks_within_unequally_scaled_blocks_are_sheared(drawing, turned, scales):
+    def draw(space, document):
+        inner = document.blocks.new("inner", base_point=(5, 7))
+        spline = inner.add_spline()
+        spline.dxf.degree = 4
+        spline.control_points = [(*p, 0) for p in S_POINTS]
+        spline.knots = [0] * 5 + [1] * 5
+        outer = document.blocks.new("outer")
+        outer.add_blockref("inner", (3, 4), dxfattribs={"rotation": turned})
+        names = ("xscale", "yscale", "zscale")
+        space.add_blockref("outer", (10, 20), dxfattribs=dict(zip(names, scales, strict=True)))
+
+    (curve,) = drawing(draw)
+    cos, sin = np.cos(np.radians(turned)), np.sin(np.radians(turned))
+    placed = ((S_POINTS - (5, 7)) @ [(cos, sin), (-sin, cos)] + (3, 4)) * scales[:2] + (10, 20)
+    assert np.abs(curve.control_points - placed).max() < 1e-9
+
+
+@pytest.mark.parametrize(("angle", "axis"), [(0.5, 0), (0.9, 1), (-0.01, 1)])
+def test_planes_within_a_degree_of_horizontal_keep_x_and_y(drawing, angle, axis):
+    cos, sin = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    points = [(x, y * cos, y * sin) if axis == 0 else (x * cos, y, x * sin) for x, y in S_POINTS]
+
+    def draw(space, _):
+        spline = space.add_spline()
+        spline.dxf.degree = 4
+        spline.control_points = points
+        spline.knots = [0] * 5 + [1] * 5
+
+    (curve,) = drawing(draw)
+    assert np.abs(curve.control_points - S_POINTS).max() < 2e-4 * 120
+
+
+def test_heights_of_some_hundredths_are_noise(drawing):
+    def draw(space, _):
+        spline = space.add_spline()
+        spline.dxf.degree = 4
+        spline.control_points = [(x, y, 0.02 * (-1) ** i) for i, (x, y) in enumerate(S_POINTS)]
+        spline.knots = [0] * 5 + [1] * 5
+
+    (curve,) = drawing(draw)
+    assert np.array_equal(curve.control_points, S_POINTS)
+
+
+def test_inner_knots_of_full_multiplicity_join_where_the_control_points_coincide(drawing):
+    first = np.array([(0, 0), (20, 30), (40, 30), (60, 0)], dtype=float)
+    second = np.array([(60, 0), (75, -22.5), (100, -30), (130, -30)])
+
+    def draw(gap, space, _):
+        spline = space.add_spline()
+        spline.dxf.degree = 3
+        spline.control_points = [(*p, 0) for p in [*first, *(second + np.array([0, gap]))]]
+        spline.knots = [0] * 4 + [1] * 4 + [2] * 4
+
+    (curve,) = drawing(partial(draw, 0))
+    assert np.abs(curve.evaluate([0.5, 1, 1.5]) - [(30, 22.5), (60, 0), (89.375, -23.4375)]).max() < 1e-9
+    with pytest.raises(InputError, match="repeated 4 times"):
+        drawing(partial(draw, 1))
+
+
+@pytest.mark.parametrize("multiplicity", [1, 2])
+def test_periodic_splines_with_the_knots_of_one_period_close(drawing, multiplicity):
+    corners = np.array([(0, 0), (100, -20), (160, 50), (120, 90), (40, 120), (-10, 80)], dtype=float)
+    poles = corners[: 7 - multiplicity]
+    single = [*[0, 1, 2.5, 3, 4, 6][: len(poles) + 1 - multiplicity], 7.0]
+
+    def draw(space, _):
+        spline = space.add_spline()
+        spline.dxf.degree = 3
+        spline.control_points = [(*p, 0) for p in poles]
+        spline.knots = np.repeat(single, [multiplicity, *[1] * (len(single) - 2), multiplicity])
+        spline.closed = True
+
+    (curve,) = drawing(draw)
+    knots = np.repeat(single, [multiplicity, *[1] * (len(single) - 2), multiplicity])[:-multiplicity]
+    period = single[-1] - single[0]
+    around = np.concatenate([knots - period, knots, knots + period])
+    start = len(knots) + multiplicity - 1 - 3
+    other = BSpline(around[start : start + len(poles) + 7], np.vstack([poles, poles[:3]]), 3)
+    at = np.linspace(single[0], single[-1], 50)
+    places = curve.evaluate(np.linspace(*curve.domain, 50))
+    assert np.abs(places - other(at))[:-1].max() < 1e-9
+    assert np.linalg.norm(places[0] - places[-1]) < 1e-9
+
+
+@pytest.mark.parametrize("height", [0.0, 12.0])
+def test_a_flat_helix_is_read_as_its_spline(drawing, height):
+    def draw(space, _):
+        helix = space.add_helix(40, height / 2, 2)
+        if not height:
+            helix.control_points = [
+                (p[0] * (1 + i / 9), p[1] * (1 + i / 9), 0) for i, p in enumerate(helix.control_points)
+            ]
+        space.add_arc((500, 0), 50, 0, 90)
+
+    assert len(drawing(draw)) == (1 if height else 2)
+
+
+def test_a_drawing_of_autocad_is_named(tmp_path):
+    path = tmp_path / "renamed.dxf"
+    path.write_bytes(b"AC1027\0\0" + bytes(200))
+    with pytest.raises(InputError, match="DWG"):
+        read_curves(path)
+
+
+def test_names_of_layers_in_other_encodings_are_readable(tmp_path):
+    document = ezdxf.new("R2010", units=4)
+    document.modelspace().add_arc((0, 0), 50, 0, 90, dxfattribs={"layer": "Kantexx"})
+    path = tmp_path / "drawn.dxf"
+    document.saveas(path)
+    path.write_bytes(path.read_bytes().replace(b"Kantexx", "Kante\xfc".encode("cp1252")))
+    assert [one.layer for one in read_drawing(path).chosen(None, "Kante\xfc")] == ["Kante\xfc"]
 
 
 def test_upright_plane_is_read_with_z_up(drawing):

@@ -34,6 +34,17 @@ def test_three_formats(tmp_path, name, text, faces):
     assert np.ptp(mesh.vertices[:, 0]) in (90, 40)
 
 
+def test_negative_indices_count_back_from_their_line(tmp_path):
+    walls = [
+        "v 0 0 0\nv 30 0 0\nvt 0 0\nv 30 0 9\nv 0 0 9\nf -4/-1 -3/-1 -2/-1 -1/-1",
+        "v 0 50 0\nv 0 80 0\nv 0 80 9\nf -3 -2 -1",
+    ]
+    mesh = read_mesh(written(tmp_path, "walls.obj", "\n".join([*walls, "f 1 2 5"])), unit="mm")
+    triangles = np.sort(mesh.vertices[mesh.faces].mean(axis=1), axis=0)
+    assert len(mesh.faces) == 4
+    assert triangles[:, 1].tolist() == pytest.approx([0, 0, 50 / 3, 70])
+
+
 def test_a_broken_mesh_is_one_sentence_and_nothing_else(tmp_path, capfd):
     for size in (90, 130, 200):
         file = tmp_path / "a.stl"
