@@ -1,10 +1,13 @@
 """Walks through the studio in Chromium, by mouse and keyboard; the long ones are a campaign."""
 
+import base64
+import json
 import statistics
 import subprocess
 import sys
 import time
 import tomllib
+import zlib
 from math import sin
 from zipfile import ZipFile
 
@@ -260,3 +263,23 @@ def test_the_strip_follows_the_pointer(tmp_path, monkeypatch):
         times = sorted(studio.browser.execute_script("return painted"))
     median, late = statistics.median(times), times[int(0.95 * len(times))]
     print(f"\n{len(times)} moves: median {median:.0f} ms, 95 % {late:.0f} ms")
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(
+    ("linked", "message"),
+    [
+        ({"strips": [1]}, "no design that can be read"),
+        ({"strips": [{"curve": {"spline": [3]}}]}, "no design that can be read"),
+        ({"pair": {"first": {"spline": {}}}, "strips": {}}, "no design that can be read"),
+        ({"revolution": {"curve": {"spline": [[10, 0], [[], 40]]}}}, "It cannot be made"),
+        ({"max_width": [], "strips": [{"curve": {"spline": [["a"], [1], []]}}]}, "It cannot be made"),
+    ],
+)
+def test_a_link_of_wrong_types_is_answered_by_a_sentence(server, tmp_path, linked, message):
+    packed = zlib.compressobj(wbits=-15)
+    letters = base64.urlsafe_b64encode(packed.compress(json.dumps(linked).encode()) + packed.flush())
+    with chromium(tmp_path) as studio:
+        studio.open(f"{server.address}#{letters.decode().rstrip('=')}")
+        studio.until(lambda: message in studio.text(".told"))
+        assert studio.logged() == []

@@ -73,7 +73,7 @@ class Studio {
     this.dialog = html("dialog", { "aria-label": t("Start from") });
     this.bar = html("input", { type: "range", min: 0, max: FURTHEST, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
-    this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked, onchange: () => this.model() });
+    this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked ?? Boolean(this.design.revolution), onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
     this.which = html("div", {});
     const plane = document.createElementNS("http://www.w3.org/2000/svg", "svg");
@@ -233,7 +233,7 @@ class Studio {
   }
 
   async follow(design) {
-    if ((!design.strips?.length && !design.pair) || (this.curve(design)?.spline && this.points(design).length < 3)) {
+    if ((!design.strips?.length && !design.pair) || this.curve(design)?.spline?.length < 3) {
       this.paint(null);
       return;
     }
