@@ -11,7 +11,7 @@ from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.asking.settings import parsed_settings, set_option
 from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
-from elastica_cad.errors import Change, ElasticaError
+from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import Design, read_design
@@ -32,6 +32,12 @@ MOST_SAID = 6
     "--pictures/--no-pictures", default=True, help="Draw the model and the sheets (needs matplotlib)."
 )
 @click.option("--parts/--no-parts", default=True, help="Draw every part in files of its own, too.")
+@click.option(
+    "--zip",
+    "archives",
+    is_flag=True,
+    help="Pack two ZIP files, too: what is cut or printed, and what is looked at.",
+)
 @click.option(
     "--effects/--no-effects",
     default=True,
@@ -54,6 +60,7 @@ def model(
     step: bool,
     pictures: bool,
     parts: bool,
+    archives: bool,
     effects: bool,
     settings: tuple[str, ...],
     nearest: bool,
@@ -70,6 +77,8 @@ def model(
     """
     changes = parsed_settings(settings, DesignKeys)
     read = read_design(design, _read_told, read_surface, below=below, changes=changes)
+    if read.kit.cutting.service and not parts:
+        raise InputError("--no-parts leaves nothing to cut, since cut.for is service: leave it out")
     read = read.nearest() if nearest else read
     read = read.with_limits_ignored() if ignore_limits else read
     check_kit_folder(read.name, output, force=force)
@@ -78,7 +87,7 @@ def model(
     made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
     kit = kit_of(made, read.kit, entries=read.entries, effects=effects)
-    write_kit(kit, output, step=step, pictures=pictures, parts=parts, force=force,
+    write_kit(kit, output, step=step, pictures=pictures, parts=parts, archives=archives, force=force,
               done=lambda name, total: say_step(f"wrote {name}", next(files), total))  # fmt: skip
     _tell(kit, output, step=step, pictures=pictures)
 

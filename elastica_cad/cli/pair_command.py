@@ -23,7 +23,7 @@ from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.design_files.pair_table import read_pair
+from elastica_cad.formats.design_files.pair_table import cutting_of, read_cutting, read_pair
 from elastica_cad.formats.design_files.records import Reader
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -66,15 +66,14 @@ def pair(**chosen: Any) -> None:
     """
     path: Path = chosen["first"]
     settings = parsed_settings(chosen["settings"], PairKeys)
+    cut = settings.pop("cut", {}) | given_of(chosen, ["kerf"])
     if path.suffix == ".toml":
         if chosen["second"] is not None or chosen["sheet"] is not None:
             raise InputError("a design file names both curves and the sheet: give it alone")
-        spec = read_pair(path, read_curves, settings)
+        spec, cutting = read_pair(path, read_curves, settings), read_cutting(path, cut)
     else:
-        spec = _asked(chosen, settings)
+        spec, cutting = _asked(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
-    kerf = {None: DEFAULT_KERF_MM, "sheet": None}.get(chosen["kerf"], chosen["kerf"])
-    cutting = Cutting(kerf=kerf)
     cutting.options(Sheet.of(spec.sheet))  # refuses a kerf that is not known before all the work
     if matched := spec.matched:
         say(str(matched))

@@ -1,11 +1,10 @@
 """Everything that a model becomes: pieces, sheets, what holds it, and what is to be told of it."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 from elastica_cad._counts import and_more, counted
 from elastica_cad.errors import NotConvergedError
@@ -29,11 +28,10 @@ from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.strip_report import tell_blank
+from elastica_cad.kit.cutting_files import Writer
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.refusals import Length, note
-
-Writer: TypeAlias = Callable[[Path], object]
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,6 +122,7 @@ def kit_of(
     told += _tell_unheld(model, unheld)
     held, notes = _held(model, (*model.plates, *holders), unheld) if effects else ({}, ())
     told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
+    told += _tell_no_bar(spec)
     told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
     return Kit(
         model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=tuple(told)
@@ -218,6 +217,13 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
     return nest_pieces(
         pieces, sheet_size=nesting.sheet_size, margin=nesting.margin, kerf=spec.cutting.kerf, name=name
     )
+
+
+def _tell_no_bar(spec: KitSpec) -> list[str]:
+    """That a cutting service gets no reference bar."""
+    if spec.reference_bar is None or not spec.cutting.service:
+        return []
+    return [note("no reference bar is cut: it checks your own machine, and cut.for is service")]
 
 
 def _tell_unheld(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:

@@ -1,11 +1,12 @@
 """A kit written into one folder: all files together, or none."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 
@@ -22,13 +23,13 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct, file_word
-from elastica_cad.files import save, step_trouble
+from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec
 from elastica_cad.formats.file_access.write_files import check_folder, write_json, write_text, write_together
 from elastica_cad.formats.reports.model_report import compose_start_page
 from elastica_cad.geometry.paths.path import Path as ClosedPath
-from elastica_cad.kit.kit_contents import Kit, Writer, count_strips, kit_of
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.kit.cutting_files import Writer, cutting_files
+from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
 """Folders of a kit; the start page, lists and the report lie beside them."""
@@ -98,12 +99,15 @@ def write_kit(
     step: bool = True,
     pictures: bool = True,
     parts: bool = True,
+    archives: bool = False,
     force: bool = False,
     done: Callable[[str, int], None] | None = None,
 ) -> None:
     """Write all files of a kit; the assembly and the pictures where a CAD kernel and matplotlib are installed.
 
-    Without `parts` only the nested sheets are drawn, not every part once more in files of its own.
+    Without `parts` only the nested sheets are drawn, not every part once more in files of its own. For a cutting
+    service only the parts are drawn. With `archives` two ZIP files are written too: one of the drawings and blocks
+    that are made, each part in one drawing, and one of what is not for a machine.
     `done` is called with the name of each file that has been written, and how many there are in all.
 
     Raises
@@ -111,8 +115,11 @@ def write_kit(
     InputError
         Files that exist, without `force`.
     """
+    parts = parts or kit.spec.cutting.service
     step, pictures = step and not step_trouble(), pictures and find_spec("matplotlib") is not None
     _plan(kit, step=step, pictures=pictures, parts=parts)
+    if archives:
+        kit.files.update(_archives(kit))
     with write_together(folder, kit.files, force=force) as workshop:
         for name, (_, write) in kit.files.items():
             write(workshop / name)
@@ -220,7 +227,7 @@ def _lists(word: str) -> tuple[str, ...]:
 
 def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     """Say which files there will be, and how each is written."""
-    name, files = file_word(kit.model.name), kit.files
+    name, files, cutting = file_word(kit.model.name), kit.files, kit.spec.cutting
     listed = kit.cut_list.in_files(_homes(kit, parts=parts))
     table, text, report, page = _lists(name)
     if pictures:
@@ -233,22 +240,22 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
         files.update(_assemblies(kit, f"{MODEL}/{name}"))
     if pictures:
         files[f"{MODEL}/{name}.png"] = ("picture of the model", lambda path: _draw_model(kit, path))
-    for nest in kit.nests:
+    for nest in () if cutting.service else kit.nests:
         stem = f"{SHEETS}/{file_word(nest.name)}"
         if nest.sheet is not None:
-            _add_drawing(kit, stem, nest, nest.sheet, "nested sheet")
+            files |= _told("nested sheet", cutting_files(nest, stem, cutting, nest.sheet))
         if pictures:
             files[f"{stem}.png"] = ("picture of a sheet", _nest_picture(nest))
     for piece in kit.pieces if parts else ():
         stem = f"{PARTS}/{piece.file_stem}"
-        if any(file.casefold() == f"{stem}.svg".casefold() for file in files):
+        if any(file.casefold() == cutting.file_name(stem, "svg").casefold() for file in files):
             raise InputError(
                 "{name}: another part would be written to {file_stem}.svg too; choose labels that "
                 "differ in more than capitals and signs",
                 name=piece.name,
                 file_stem=piece.file_stem,
             )
-        _add_drawing(kit, stem, piece.drawing, piece.sheet, "part")
+        files |= _told("part", cutting_files(piece.drawing, stem, cutting, piece.sheet))
     if step:
         files.update(_blocks(kit))
     files[report] = ("report", lambda path: write_json(path, kit_report(kit)))
@@ -302,12 +309,11 @@ def _templates(kit: Kit) -> list[Piece]:
 
 def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:
     """The file that each piece is cut from: its own, or that of its sheet."""
+    named = kit.spec.cutting.file_name
     if parts:
-        return {piece.name: f"{PARTS}/{piece.file_stem}.{_suffix(kit)}" for piece in kit.pieces}
+        return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in kit.pieces}
     return {
-        piece: f"{SHEETS}/{file_word(nest.name)}.{_suffix(kit)}"
-        for nest in kit.nests
-        for piece in nest.pieces
+        piece: f"{SHEETS}/{named(file_word(nest.name), 'dxf')}" for nest in kit.nests for piece in nest.pieces
     }
 
 
@@ -323,7 +329,9 @@ def _start_page(kit: Kit) -> str:
             for nest in kit.nests
         ),
         *_block_lines(kit),
-        "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A.",
+        "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A."
+        if not kit.spec.cutting.service
+        else "Nothing is written on the parts: write the name of its file on each when they arrive.",
     ]
     files = {file: what for file, (what, _) in kit.files.items() if file != START_PAGE}
     return compose_start_page(kit.model.name, lines, kit_report(kit)["reports"], files)
@@ -345,18 +353,29 @@ def _block_lines(kit: Kit) -> list[str]:
     return [f"{blocks}: {files[0]}{f' to {files[-1]}' if count > 1 else ''}, foot down."]
 
 
-def _suffix(kit: Kit) -> str:
-    # R12 has no header for its unit, so the name says it
-    return "mm.dxf" if kit.spec.cutting.version == "R12" else "dxf"
+def _told(kind: str, files: dict[str, Writer]) -> dict[str, tuple[str, Writer]]:
+    """The files, each with what it is."""
+    return {name: (kind, write) for name, write in files.items()}
 
 
-def _add_drawing(kit: Kit, stem: str, drawing: Any, sheet: Sheet, what: str) -> None:
-    """The drawing as DXF and SVG."""
-    cutting = kit.spec.cutting
-    options = cutting.options(sheet)
-    dxf = f"{stem}.{_suffix(kit)}"
-    kit.files[dxf] = (what, lambda path: save(drawing, path, version=cutting.version, **options))
-    kit.files[f"{stem}.svg"] = (what, lambda path: save(drawing, path, **options))
+def _archives(kit: Kit) -> dict[str, tuple[str, Writer]]:
+    """What is cut or printed, each part in one drawing, and what is looked at."""
+    name, place = file_word(kit.model.name), PARTS if kit.spec.cutting.service else SHEETS
+    made = [file for file in kit.files if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
+    seen = [file for file in kit.files if not file.endswith((".dxf", ".stl"))]
+    return {
+        f"{name}-cut.zip": ("what is cut or printed", partial(_pack, made)),
+        f"{name}-look.zip": ("what is looked at", partial(_pack, seen)),
+    }
+
+
+def _pack(files: Sequence[str], path: Path) -> None:
+    """Write files that lie beside the archive into it, by their names and without the time."""
+    with ZipFile(path, "w") as archive:
+        for name in files:
+            entry = ZipInfo(name)
+            entry.external_attr = 0o644 << 16  # else nobody but root may read what Unix unpacks
+            archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
 
 def kit_report(kit: Kit) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Everything that a part with two states becomes: cutting files, bodies, picture and report."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.util import find_spec
@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.flexure import Flexure
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
-from elastica_cad.files import save, step_trouble
+from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.write_files import write_json, write_together
 from elastica_cad.forming.limits import FAR_SHARE
+from elastica_cad.kit.cutting_files import Writer, cutting_files
 from elastica_cad.refusals import Length, Refusal, note
 
 USUAL_KERF_MM = 0.2
@@ -46,16 +46,11 @@ class PairKit:
     pictures: bool = True
 
     @cached_property
-    def files(self) -> dict[str, Callable[[Path], object]]:
+    def files(self) -> dict[str, Writer]:
         """The function that writes each file, by its name, for all files that the installed packages can write."""
-        part, options = self.part, self.cutting.options(self.part.sheet)
-
-        def cut(drawing: Drawing) -> Callable[[Path], object]:
-            return lambda path: save(drawing, path, **options)
-
-        files: dict[str, Callable[[Path], object]] = {}
+        part, files = self.part, dict[str, Writer]()
         for name, drawing in ((self.name, part.drawing()), (f"{self.name}-holder", part.holder())):
-            files |= {f"{name}.{kind}": cut(drawing) for kind in ("dxf", "svg")}
+            files |= cutting_files(drawing, name, self.cutting, part.sheet)
         if self.step and not step_trouble():
             files |= {f"{self.name}.step": self._write_step, f"{self.name}.stl": self._write_stl}
         if self.pictures and find_spec("matplotlib"):

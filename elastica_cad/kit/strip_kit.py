@@ -22,6 +22,7 @@ from elastica_cad.formats.file_access.write_files import write_json, write_text,
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.kit.cutting_files import cutting_files
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
@@ -97,20 +98,20 @@ class StripKit:
     def writers(self) -> dict[str, tuple[str, Callable[[Path], object]]]:
         """The name of each file and what writes it, by its kind; "backing dxf" is of a layer that is glued on."""
         asked, strip, files = self.asked, self.strip, dict[str, tuple[str, Callable[[Path], object]]]()
-        pictures = asked.pictures and find_spec("matplotlib") is not None
-        version = asked.cutting.version
-        unit = "-mm" if version == "R12" else ""  # R12 has no header for its unit, so the name says it
-        for number, layer in enumerate(strip.layers):
-            kind, stem = f"{layer.name} ".lstrip(), layer.called(self.name)
-            files[f"{kind}dxf"] = f"{stem}{unit}.dxf", partial(self._write_pattern, number, version=version)
-            files[f"{kind}svg"] = f"{stem}.svg", partial(self._write_pattern, number)
+        drawable = find_spec("matplotlib") is not None
+        pictures, looked_at = asked.pictures and drawable, asked.cutting.service and drawable
+        for number, (layer, pattern) in enumerate(zip(strip.layers, self.patterns, strict=True)):
+            cut = cutting_files(pattern, pattern.name, asked.cutting, layer.sheet)
+            for place, (name, write) in enumerate(cut.items()):  # DXF and SVG of each part
+                words = (layer.name, str(1 + place // 2) if place > 1 else "", ("dxf", "svg")[place % 2])
+                files[" ".join(filter(None, words))] = name, write
             if number == 0:
                 files["json"] = f"{self.name}.json", lambda path: write_json(path, self.report)
         if not strip.is_closed:
-            files |= self._drawn("holding", holding_template, pdf=bool(asked.paper))
+            files |= self._drawn("holding", holding_template, pdf=bool(asked.paper) or looked_at)
         if strip.layout.size is not None:
             files["bench csv"] = f"{self.name}-bench.csv", lambda path: write_text(path, bench_csv(strip))
-            files |= self._drawn("side", bench_drawing, pdf=pictures)
+            files |= self._drawn("side", bench_drawing, pdf=pictures or looked_at)
         more = {
             "png": (pictures, self._draw_picture),
             "pdf": (asked.paper, self._draw_template),
@@ -125,9 +126,13 @@ class StripKit:
         self, name: str, made: Callable[[Strip], Drawing], *, pdf: bool
     ) -> dict[str, tuple[str, Callable[[Path], object]]]:
         """One of the drawings that are written beside the cut pattern, in each kind of file."""
-        kinds = ("dxf", "svg", *(("pdf",) if pdf else ()))
+        cutting = self.asked.cutting
+        kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return {
-            f"{name} {kind}": (f"{self.name}-{name}.{kind}", partial(self._write_drawing, made, kind))
+            f"{name} {kind}": (
+                cutting.file_name(f"{self.name}-{name}", kind),
+                partial(self._write_drawing, made, kind),
+            )
             for kind in kinds
         }
 
@@ -162,14 +167,6 @@ class StripKit:
             smoothing=self.spec.rod_spec.smoothing,
         )
         return report | ({"joints": self.joints} if any(self.joints) else {})
-
-    def _write_pattern(self, number: int, path: Path, **version: str) -> None:
-        save(
-            self.patterns[number],
-            path,
-            **version,
-            **self.asked.cutting.options(self.strip.layers[number].sheet),
-        )
 
     def _write_drawing(self, made: Callable[[Strip], Drawing], kind: str, path: Path) -> None:
         drawing = replace(made(self.strip), name=path.stem)

@@ -59,10 +59,11 @@ open({file!r} + ".freecad.json", "w").write(json.dumps(found))
 
 
 OPTIONS = {
-    "exact": [], "arc": ["--set", "cut.curves=arc"], "lines": ["--set", "cut.curves=polyline", *FINE],
+    "exact": [], "arc": ["--set", "cut.curves=arc"],
+    "bezier": ["--set", "cut.curves=bezier"], "lines": ["--set", "cut.curves=polyline", *FINE],
     "old": ["--set", "cut.version=R12", *FINE], "paper": ["--set", "files.paper=A3"],
 }  # fmt: skip
-"""How the command writes one strip: exact, as arcs, as lines, for old machines, with a paper template."""
+"""How the command writes one strip: exact, as arcs, Bezier curves or lines, for old machines, on paper."""
 
 VARIANT = pytest.mark.campaign
 """One file each way is opened in the everyday suite, the other variants in `make campaign-programs`."""
@@ -176,7 +177,7 @@ def distances(points, corners):
 
 
 @pytest.mark.parametrize(
-    "kind", ["exact", *(pytest.param(one, marks=VARIANT) for one in ("arc", "lines", "old"))]
+    "kind", ["exact", *(pytest.param(one, marks=VARIANT) for one in ("arc", "bezier", "lines", "old"))]
 )
 def test_librecad_prints_each_layer_at_full_size_in_closed_loops(cut, kind):
     folder, strip = cut

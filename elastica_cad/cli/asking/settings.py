@@ -80,6 +80,7 @@ class PairKeys:
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
+    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files")] = _CUTTING
 
 
 KEYS_OF: Mapping[str, Record] = {

@@ -1,4 +1,4 @@
-"""What the cutter is given: loops moved by half the kerf, and bridges that hold parts in their sheet."""
+"""Input of the cutter: loops moved by half the kerf, bridges that hold parts in their sheet, single parts."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -13,7 +13,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Draw
 from elastica_cad.geometry.curves.curve_derivatives import turn_between
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.path_intersections import polylines_cross
+from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.segments import Segment, Spline, place, trim_segment
 from elastica_cad.refusals import Length as Mm
 
@@ -180,6 +180,53 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
         else:
             found.append(item)
     return Drawing(drawing.name, tuple(found), drawing.texts)
+
+
+FLAT_MM = 0.02
+"""Flatness of outlines when the holes inside them are found."""
+
+
+def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
+    """Return a drawing for each closed outer cut, with the inner cuts inside it, without engraving and marks.
+
+    Cutting services cut every line, so nothing else may be in their files.
+
+    Parameters
+    ----------
+    drawing : Drawing
+
+    Raises
+    ------
+    InputError
+        A cut that is not closed.
+
+    Examples
+    --------
+    >>> plates = [Path.rectangle(40, 10), Path.rectangle(40, 10, corner=(0, 20))]
+    >>> hole = LayeredPath(CUT_INNER, Path.circle((20, 25), 3))
+    >>> parts = separate_parts(Drawing("plates", [*(LayeredPath(CUT_OUTER, one) for one in plates), hole]))
+    >>> [(part.name, len(part.paths)) for part in parts]
+    [('plates', 1), ('plates-2', 2)]
+    """
+    require_record(drawing, Drawing, "what is separated", "a Drawing")
+    cuts = drawing.only(CUT_INNER, CUT_OUTER).strokes
+    for item in cuts:
+        if not item.path.closed:
+            raise InputError(
+                "{name}: the cut from {start} is open, and a cutting service cuts closed outlines and holes "
+                "only; close it or leave it out",
+                name=drawing.name,
+                start=place(item.path.start),
+            )
+    holes = [item for item in cuts if item.layer == CUT_INNER]
+    outlines = [item for item in cuts if item.layer == CUT_OUTER]
+    parts = []
+    for number, outline in enumerate(outlines, start=1):
+        rim = outline.path.points(FLAT_MM)
+        inside = holes if len(outlines) == 1 else [one for one in holes if encloses(rim, one.path.start)]
+        name = drawing.name if number == 1 else f"{drawing.name}-{number}"
+        parts.append(Drawing(name, (*inside, outline)))
+    return tuple(parts)
 
 
 class _Loop:

@@ -115,6 +115,11 @@ class Drawing:
             _check_layer(layer)
         return tuple(item.path for item in self.paths if item.layer in layers)
 
+    def only(self, *layers: str) -> "Drawing":
+        """The drawing without paths and texts of other layers."""
+        texts = tuple(text for text in self.texts if text.layer in layers)
+        return Drawing(self.name, tuple(item for item in self.paths if item.layer in layers), texts)
+
     def transformed(self, matrix: ArrayLike) -> "Drawing":
         """The drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
         m = numbers(matrix, "the matrix that a drawing is moved by")

@@ -1,13 +1,14 @@
 """What goes with the strips of a model: sheets, cutting files, base, frame, fixtures, further pieces."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Asked, Field, declared
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs
+from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs, separate_parts
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.fabrication.placed_strip import strip_names
 from elastica_cad.fabrication.sheets.nesting import Nesting
@@ -23,10 +24,31 @@ if TYPE_CHECKING:
     from elastica_cad.fabrication.sheets.pieces import Piece
 
 
+def cutting_keys() -> dict[str, Field]:
+    """Return the fields of `Cutting` by their keys: Python reserves the word `for`."""
+    return {"for" if one.name == "recipient" else one.name: one for one in declared(Cutting)}
+
+
 @dataclass(frozen=True)
 class Cutting:
-    """How cutting files are written: `kerf` in mm, or None for each sheet's own; no `holding` tabs for None."""
+    """How cutting files are written.
 
+    `kerf` is in mm, or None for each sheet's own. `curves` of None are splines, and arcs for a service. Without
+    `holding` there are no holding tabs.
+    """
+
+    FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)
+    recipient: Annotated[
+        str,
+        Asked(
+            "Who cuts: a service cuts every line, so each file holds one part and nothing but its cuts.",
+            group="files",
+            written=Literal["workshop", "service"],
+        ),
+    ] = "workshop"
+    marks: Annotated[
+        bool, Asked("Draw guide lines and the names of mating strips on the parts.", group="files")
+    ] = True
     kerf: Annotated[
         float | None,
         Asked(
@@ -39,11 +61,13 @@ class Cutting:
         ),
     ] = DEFAULT_KERF_MM
     curves: Annotated[
-        str,
+        str | None,
         Asked(
-            "What curved edges are written as.", group="files", written=Literal["spline", "arc", "polyline"]
+            "What curved edges are written as; spline by default, arc for a service.",
+            group="files",
+            written=Literal["spline", "bezier", "arc", "polyline"],
         ),
-    ] = "spline"
+    ] = None
     tolerance: Annotated[
         float, Asked("Largest error of arcs and polylines.", "mm", least=0, group="files")
     ] = 0.02
@@ -58,6 +82,33 @@ class Cutting:
         HoldingTabs | None, Asked("Bridges that hold the parts in the sheet.", group="files")
     ] = None
 
+    def __post_init__(self) -> None:
+        if self.service and self.holding is not None:
+            raise InputError(
+                "cut.holding interrupts the outlines, and cut.for = service needs closed ones: leave out one of "
+                "these keys"
+            )
+
+    @property
+    def service(self) -> bool:
+        """Whether a cutting service gets the files."""
+        return self.recipient == "service"
+
+    def file_name(self, stem: str, suffix: str) -> str:
+        """Return the name of a file, with the unit where the file cannot hold it or a service gets it.
+
+        Examples
+        --------
+        >>> [Cutting(version="R12").file_name("arch", suffix) for suffix in ("dxf", "svg")]
+        ['arch-mm.dxf', 'arch.svg']
+        """
+        drawn = self.service and suffix in ("dxf", "svg")
+        return f"{stem}{'-mm' if drawn or (self.version, suffix) == ('R12', 'dxf') else ''}.{suffix}"
+
+    def drawings(self, drawing: Drawing) -> tuple[Drawing, ...]:
+        """Return the drawing of each file that a drawing is written to: a service gets one part a file."""
+        return separate_parts(drawing) if self.service else (drawing,)
+
     def options(self, sheet: Sheet) -> dict[str, Any]:
         """Return the options of `save` for pieces that are cut from this sheet.
 
@@ -71,8 +122,15 @@ class Cutting:
                 "no kerf is known for {name}: give a number of mm instead of the word sheet", name=sheet.name
             )
         kerf = sheet.kerf if self.kerf is None else self.kerf
-        written = {"kerf": kerf, "curves": self.curves, "tolerance": self.tolerance, "layers": self.colors}
-        return {**written, "holding": self.holding}
+        return {
+            "kerf": kerf,
+            "curves": self.curves or ("arc" if self.service else "spline"),
+            "tolerance": self.tolerance,
+            "version": self.version,
+            "layers": self.colors,
+            "holding": self.holding,
+            "marks": self.marks,
+        }
 
 
 HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
@@ -190,7 +248,10 @@ class KitSpec:
     ignore_limits: bool = False
 
     def extras(self, model: "Model") -> "tuple[Piece, ...]":
-        """Return coupons of the model's sheets and the reference bar, where they are requested."""
+        """Return coupons of the model's sheets and the reference bar, where they are requested.
+
+        A cutting service gets no bar, because its machine is not the user's.
+        """
         from elastica_cad.fabrication.sheets.coupon import coupon_drawing, reference_bar
         from elastica_cad.fabrication.sheets.pieces import Piece
 
@@ -199,6 +260,6 @@ class KitSpec:
         if self.coupon:
             names = ["coupon"] if len(sheets) == 1 else [f"coupon-{n}" for n in range(1, len(sheets) + 1)]
             pieces += [Piece(name, coupon_drawing(s), s) for name, s in zip(names, sheets, strict=True)]
-        if self.reference_bar is not None:
+        if self.reference_bar is not None and not self.cutting.service:
             pieces.append(Piece("reference-bar", reference_bar(self.reference_bar), sheets[0]))
         return tuple(pieces)

@@ -8,6 +8,7 @@ from typing import Any
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.formats.design_files.design_file import own_sheets, parse_design
+from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.design_files.model_tables import DesignKeys
 from elastica_cad.formats.design_files.records import CurveReader, Reader, names_of
 from elastica_cad.formats.design_files.tables import Table, merged
@@ -28,6 +29,18 @@ def read_pair(
     asked = parse_design(path)
     changed = merged(asked, {"pair": changes}) if changes else asked
     return pair_of(changed, path, read_curves)
+
+
+def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:
+    """Read from a design file how cutting files are written, with `changes` of these keys."""
+    asked = parse_design(require_file(path))
+    return cutting_of(merged(asked, {"cut": changes}), str(path))
+
+
+def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
+    """Make the record of the table [cut] from parsed tables."""
+    found: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
+    return found
 
 
 def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:

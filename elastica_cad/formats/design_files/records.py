@@ -14,7 +14,7 @@ from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import Plain, Style
 from elastica_cad.formats.design_files.formulae import Formula
-from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.design_files.kit_spec import Cutting, cutting_keys
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -88,7 +88,8 @@ def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits
 
 
 def _cutting(kerf: float | str = DEFAULT_KERF_MM, **options: Any) -> Cutting:
-    return Cutting(kerf=None if isinstance(kerf, str) else kerf, **options)
+    named = {cutting_keys()[key].name: value for key, value in options.items()}
+    return Cutting(kerf=None if isinstance(kerf, str) else kerf, **named)
 
 
 BY_KIND: dict[Record, dict[str, Record]] = {

@@ -8,12 +8,12 @@ from typing import Literal, TypeAlias
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, SHEET
-from elastica_cad.geometry.paths.approximations import as_arcs, as_cubics, as_polyline
+from elastica_cad.geometry.paths.approximations import as_arcs, as_beziers, as_cubics, as_polyline
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import require_tolerance_mm
 from elastica_cad.refusals import Length
 
-CURVES = ("spline", "arc", "polyline")
+CURVES = ("spline", "bezier", "arc", "polyline")
 
 EXACT = "exact"
 """Splines of any degree as they are: for curves that a CAD program is to read, not a machine."""
@@ -35,8 +35,8 @@ def check_curve_style(curves: str) -> str:
 
 
 def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rational: bool = True) -> list[Path]:
-    """Return the paths as a file holds them: splines of degree 3 at most (`rational` where allowed), arcs, or
-    lines.
+    """Return the paths as a file holds them: splines of degree 3 at most (`rational` where allowed), "bezier" ones
+    with the knots of joined Bezier curves, arcs, or lines.
 
     With `EXACT` splines of any degree stay, where the file knows weights.
     """
@@ -46,16 +46,17 @@ def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rationa
         )
     if curves == EXACT and rational:
         return list(paths)
-    if 0 < tolerance < FINEST_MM and curves not in ("spline", EXACT):
+    if 0 < tolerance < FINEST_MM and curves in ("arc", "polyline"):
         raise InputError(
             "the tolerance is {tolerance:g}: no machine cuts so finely, give {finest_mm:g} or more",
             tolerance=Length(tolerance),
             finest_mm=FINEST_MM,
         )
-    if curves in ("spline", EXACT):
+    if curves in ("spline", "bezier", EXACT):
         finest = _SPLINE_TOLERANCE_MM if curves == EXACT else min(tolerance, _SPLINE_TOLERANCE_MM)
         require_tolerance_mm(finest)
-        return [as_cubics(path, finest, rational=rational) if path.has_splines else path for path in paths]
+        cubic = [as_cubics(path, finest, rational=rational) if path.has_splines else path for path in paths]
+        return [as_beziers(path) for path in cubic] if curves == "bezier" else cubic
     return [(as_arcs if curves == "arc" else as_polyline)(path, tolerance) for path in paths]
 
 

@@ -17,7 +17,6 @@ from elastica_cad._values import require_record
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
 from elastica_cad.formats.drawing_files.drawing_style import (
-    EXACT,
     LayerChoice,
     LayerStyle,
     check_curve_style,
@@ -64,8 +63,9 @@ def encode_dxf(
     drawing : Drawing
     curves : str
         "spline" keeps splines up to degree 3 exactly, and higher ones as cubics to the tolerance but at most
-        0.001 mm; "exact" keeps them all; "arc" turns splines into tangent arcs; "polyline" turns splines and
-        arcs into lines. R12 knows no splines: there "spline" and "exact" mean "arc".
+        0.001 mm; "bezier" writes these with Bezier knots, which more programs read exactly; "exact" keeps them all;
+        "arc" turns splines into tangent arcs; "polyline" turns splines and
+        arcs into lines. R12 knows no splines: there these mean "arc".
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.
     version : str
@@ -92,7 +92,7 @@ def encode_dxf(
     old = version == "R12"
     if old:
         _check_old_names(styles)
-        curves = "arc" if curves in ("spline", EXACT) else curves
+        curves = "polyline" if curves == "polyline" else "arc"
     shown = {layer: styles[layer] for layer in drawing.layers}
     strokes = drawing.strokes
     shaped = shape_paths([stroke.path for stroke in strokes], curves, tolerance)

@@ -97,7 +97,7 @@ def encode_svg(
     ----------
     drawing : Drawing
     curves : str
-        "spline" writes Bezier curves (weighted splines and degrees above 3 to the tolerance but at most
+        "spline" and "bezier" write Bezier curves (weighted splines and degrees above 3 to the tolerance but at most
         0.001 mm), "arc" arcs, "polyline" lines.
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.

@@ -4,7 +4,7 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from elastica_cad._values import require_path
+from elastica_cad._values import require_flag, require_path
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import (
     DEFAULT_KERF_MM,
@@ -12,7 +12,7 @@ from elastica_cad.fabrication.drawings.cutting import (
     add_holding_tabs,
     compensate_kerf,
 )
-from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.drawings.drawing import LAYERS, MARK, Drawing
 from elastica_cad.formats.drawing_files.drawing_style import LayerChoice
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
@@ -34,6 +34,7 @@ def write_drawing(
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | str | None = None,
     holding: HoldingTabs | None = None,
+    marks: bool = True,
     force: bool = False,
 ) -> Path:
     """Write a drawing for a laser cutter as .dxf or .svg.
@@ -47,7 +48,7 @@ def write_drawing(
         Width of the cut, mm: closed outer loops grow by half of it, inner ones shrink. Cutting services often
         do this themselves, so the default is 0; it may be negative.
     curves : str
-        "spline", "arc" or "polyline".
+        "spline", "bezier", "arc" or "polyline".
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.
     version : str
@@ -56,6 +57,8 @@ def write_drawing(
         From a layer to a name, or to a name and a colour "#rrggbb"; or a scheme of colours, "boxes" or "lightburn".
     holding : HoldingTabs, optional
         Bridges that hold parts in the sheet; none unless given.
+    marks : bool
+        False leaves out guide lines and the names of mating strips.
     force : bool
         Overwrite a file of that name.
 
@@ -83,6 +86,8 @@ def write_drawing(
             "and ec.save(strip, ...) writes the STEP file of a strip",
             path=path,
         )
+    require_flag(marks, "marks")
+    drawing = drawing if marks else drawing.only(*(layer for layer in LAYERS if layer != MARK))
     cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))
     if holding is not None:
         cut = add_holding_tabs(cut, holding)

@@ -71,6 +71,44 @@ def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
     return Spline(cubic_through(motion, smooth_stretches(curve, 1), tolerance))
 
 
+def as_beziers(path: Path) -> Path:
+    """The path with every spline as joined cubic Bezier curves: the same curve, each interior knot three times.
+
+    Splines are of degree 3 at most, as `as_cubics` makes them.
+
+    Examples
+    --------
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> arch = PlaneCurve.spline([(0, 0), (10, 20), (30, 20), (50, 20), (60, 0)], degree=3)
+    >>> as_beziers(Path([Spline(arch)])).segments[0].curve.knots.tolist()
+    [0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0]
+    """
+    require_record(path, Path, "what becomes Bezier curves", "a Path")
+    if not path.has_splines:
+        return path
+    segments = [
+        Spline(_joined_beziers(one.curve)) if isinstance(one, Spline) else one for one in path.segments
+    ]
+    return Path(segments, path.closed)
+
+
+def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
+    pieces = [(start, end, _raised(rows)) for start, end, rows in curve.bezier_pieces()]
+    rows = np.concatenate([pieces[0][2][:1], *(piece[1:] for _, _, piece in pieces)])
+    inside = np.repeat([start for start, _, _ in pieces[1:]], 3)
+    knots = np.concatenate([[pieces[0][0]] * 4, inside, [pieces[-1][1]] * 4])
+    weights = rows[:, 2] if curve.is_rational else None
+    return PlaneCurve(knots, rows[:, :2] / rows[:, 2:], 3, weights)
+
+
+def _raised(rows: FloatArray) -> FloatArray:
+    """Homogeneous control points (n, 3) of one Bezier curve, those of degree 1 and 2 raised to 3."""
+    while (degree := len(rows) - 1) < 3:
+        share = np.arange(1, degree + 1)[:, None] / (degree + 1)
+        rows = np.concatenate([rows[:1], share * rows[:-1] + (1 - share) * rows[1:], rows[-1:]])
+    return rows
+
+
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
     """The distinct knots of a curve, a row (k,) for each stretch that has `continuity` continuous derivatives.
 

@@ -71,12 +71,12 @@ def test_a_model_becomes_one_folder(design, tmp_path):
         "kit-cut-list.txt",
         "model/kit.png",
         "parts/K1_birch-plywood-0.8_0.8mm_x1.svg",
-        "parts/K1_birch-plywood-0.8_0.8mm_x1.mm.dxf",
-        "sheets/kit-nest-1-birch-plywood-0.8.mm.dxf",
+        "parts/K1_birch-plywood-0.8_0.8mm_x1-mm.dxf",
+        "sheets/kit-nest-1-birch-plywood-0.8-mm.dxf",
     } <= names
     report = json.loads((out / "kit.json").read_text())
     assert set(report["files"]) == names
-    assert "parts/kit-base_mdf-3_3mm_x1.mm.dxf" in (out / "kit-cut-list.txt").read_text()
+    assert "parts/kit-base_mdf-3_3mm_x1-mm.dxf" in (out / "kit-cut-list.txt").read_text()
     if "model/kit.step" in names:
         text = (out / "model" / "kit.step").read_text()
         assert all(f"'{name}'" in text for name in ("K1", "K2", "base", "fixture K1:1", "fixture K2:2"))

@@ -6,8 +6,10 @@ import ezdxf
 import numpy as np
 import pytest
 import svgelements
+from scipy.interpolate import BSpline
 
 from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.fabrication.drawings.cutting import separate_parts
 from elastica_cad.fabrication.drawings.drawing import (
     CUT_INNER,
     CUT_OUTER,
@@ -23,6 +25,7 @@ from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, encode_
 from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.approximations import as_beziers
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 
@@ -73,6 +76,55 @@ def test_default_files_are_exact(check_drawing_file, tmp_path, degree):
         slack = 5e-6 if degree == 3 else 1e-3
         assert loop.area == pytest.approx(drawn[CUT_OUTER].area, rel=slack)
         assert loop.length == pytest.approx(drawn[CUT_OUTER].length, rel=slack)
+
+
+def spline_points(spline, t):
+    """Points of a SPLINE entity at its parameters, by scipy."""
+    points = np.array(spline.control_points)[:, :2]
+    weights = np.array(spline.weights)[:, None] if spline.weights else np.ones((len(points), 1))
+    rows = BSpline(np.array(spline.knots), np.hstack([points * weights, weights]), spline.dxf.degree)(t)
+    return rows[:, :2] / rows[:, 2:]
+
+
+def test_bezier_splines_have_each_inner_knot_three_times_and_are_the_same_curves(tmp_path):
+    kinds = {curves: tmp_path / f"{curves}.dxf" for curves in ("spline", "bezier")}
+    for curves, path in kinds.items():
+        write_drawing(drawing(), path, curves=curves)
+    plain, joined = (
+        [one for one in ezdxf.readfile(path).modelspace() if one.dxftype() == "SPLINE"]
+        for path in kinds.values()
+    )
+    assert len(plain) == len(joined) > 2
+    for one, other in zip(plain, joined, strict=True):
+        knots, counts = np.unique(other.knots, return_counts=True)
+        assert other.dxf.degree == 3
+        assert counts.tolist() == [4, *[3] * (len(knots) - 2), 4]
+        t = np.linspace(knots[0], knots[-1], 301)[:-1]
+        ours, theirs = spline_points(one, t), spline_points(other, t)
+        np.testing.assert_allclose(theirs, ours, rtol=0, atol=1e-9)
+
+
+def test_beziers_of_degree_two_are_raised_without_moving():
+    arch = PlaneCurve.spline([(0, 0), (40, 60), (90, 60), (130, 0), (150, 40)], degree=2)
+    raised = as_beziers(Path([Spline(arch)])).segments[0].curve
+    t = np.linspace(*arch.domain, 99)
+    np.testing.assert_allclose(raised.evaluate(t), arch.evaluate(t), rtol=0, atol=1e-12)
+
+
+def test_without_marks_the_rest_stays(tmp_path):
+    path = write_drawing(drawing(), tmp_path / "bare.dxf", marks=False)
+    layers = {one.dxf.layer for one in ezdxf.readfile(path).modelspace()}
+    assert layers == {CUT_OUTER, CUT_INNER, ENGRAVE}
+
+
+def test_a_part_for_a_service_is_its_closed_cuts_alone():
+    several = Drawing.merged("two", [drawing(), drawing().transformed([[1, 0, 0], [0, 1, 40], [0, 0, 1]])])
+    parts = separate_parts(several)
+    assert [[item.layer for item in part.paths] for part in parts] == [[CUT_INNER] * 3 + [CUT_OUTER]] * 2
+    assert not any(part.texts for part in parts)
+    slit = LayeredPath(CUT_INNER, Path([Line((0, 0), (5, 0))]))
+    with pytest.raises(InputError, match=r"slit: the cut from .* is open"):
+        separate_parts(Drawing("slit", [LayeredPath(CUT_OUTER, waved()), slit]))
 
 
 def test_one_entity_a_loop_where_there_is_one(tmp_path):
@@ -225,7 +277,7 @@ def test_tolerance_is_kept_in_the_file(check_drawing_file, tmp_path, curves, tol
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"curves": "bezier"}, "curves is 'bezier': use one of spline, arc, polyline"),
+        ({"curves": "nurbs"}, "curves is 'nurbs': use one of spline, bezier, arc, polyline"),
         ({"version": "R14"}, "no DXF version 'R14'"),
         ({"tolerance": 0.0, "curves": "arc"}, "tolerance is 0"),
         ({"layers": {"CUT": "x"}}, "no layer 'CUT' to rename"),

@@ -78,6 +78,8 @@ above = [0, 0, 1]
 sheet_size = [600, 400]
 margin = 2
 [cut]
+for = "workshop"
+marks = false
 colors = "boxes"
 kerf = "sheet"
 curves = "arc"

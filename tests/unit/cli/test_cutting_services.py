@@ -1,0 +1,82 @@
+"""Files for cutting services, which cut every line: from the commands, read again with ezdxf."""
+
+import zipfile
+
+import ezdxf
+import pytest
+from click.testing import CliRunner
+
+from elastica_cad.cli.commands import elastica
+
+KIT = """schema = 1
+name = "kit"
+sheet = "birch-plywood-0.8"
+max_width = 20
+[[strips]]
+label = "K"
+curve.ellipse = { semi_axes = [150, 100], start = "0.1", end = "pi - 0.1" }
+[base]
+sheet = "mdf-3"
+height = 10
+[extras]
+reference_bar = 100
+[cut]
+for = "service"
+"""
+
+
+def run(*arguments):
+    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+
+
+def entities(path):
+    return list(ezdxf.readfile(path).modelspace())
+
+
+@pytest.fixture
+def arch(tmp_path):
+    path = tmp_path / "arch.txt"
+    path.write_text("2 4\n0 0\n40 60\n90 60\n130 0\n")
+    return path
+
+
+def test_a_strip_for_a_service_is_one_closed_polyline_of_lines_and_arcs(arch, tmp_path):
+    words = ("strip", arch, "--sheet", "birch-plywood-0.8", "--max-width", 20, "--no-step", "--no-pictures")
+    result = run(*words, "--set", "cut.for=service", "-o", tmp_path / "out")
+    assert result.exit_code == 0, result.output
+    drawn = {path.name for path in (tmp_path / "out").iterdir() if path.suffix in (".dxf", ".svg")}
+    assert drawn == {"arch-mm.dxf", "arch-mm.svg"}
+    (outline,) = entities(tmp_path / "out/arch-mm.dxf")
+    assert (outline.dxftype(), outline.dxf.layer, outline.closed) == ("LWPOLYLINE", "CUT_OUTER", True)
+    assert any(bulge for *_, bulge in outline.get_points("xyb"))
+
+
+def test_a_service_needs_closed_outlines(arch, tmp_path):
+    bridges = ("--set", "cut.for=service", "--set", "cut.holding.width=0.4")
+    result = run("strip", arch, "--sheet", "card-200gsm", *bridges, "-o", tmp_path / "out")
+    assert result.exit_code == 2
+    assert "cut.holding interrupts the outlines" in result.output
+
+
+def test_a_kit_for_a_service_holds_parts_alone_and_packs_what_is_cut(tmp_path):
+    (tmp_path / "kit.toml").write_text(KIT)
+    out = tmp_path / "out"
+    words = ("model", tmp_path / "kit.toml", "--no-step", "--no-pictures", "--no-effects", "--zip")
+    result = run(*words, "-o", out)
+    assert result.exit_code == 0, result.output
+    assert "no reference bar is cut" in result.output
+    parts = ["parts/K_birch-plywood-0.8_0.8mm_x1-mm.dxf", "parts/kit-base_mdf-3_3mm_x1-mm.dxf"]
+    assert sorted(path.relative_to(out).as_posix() for path in out.rglob("*.dxf")) == parts
+    for part in parts:
+        kinds = {(one.dxftype(), one.dxf.layer[:4]) for one in entities(out / part)}
+        assert kinds <= {("LWPOLYLINE", "CUT_"), ("CIRCLE", "CUT_")}
+        assert parts[0] in (out / "kit-cut-list.txt").read_text()
+    with zipfile.ZipFile(out / "kit-cut.zip") as cut, zipfile.ZipFile(out / "kit-look.zip") as seen:
+        assert sorted(cut.namelist()) == parts
+        assert cut.read(parts[0]) == (out / parts[0]).read_bytes()
+        assert {"index.html", "kit-cut-list.txt"} <= set(seen.namelist())
+        assert not {*seen.namelist()} & {*parts}
+    first = (out / "kit-cut.zip").read_bytes()
+    assert run(*words, "-o", out, "--force").exit_code == 0
+    assert (out / "kit-cut.zip").read_bytes() == first
+    assert "--no-parts leaves nothing to cut" in run(*words, "--no-parts", "-o", out, "--force").output
