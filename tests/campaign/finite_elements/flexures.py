@@ -83,7 +83,7 @@ def _lopsided(rise: float) -> PlaneCurve:
     return PlaneCurve.spline(np.column_stack([x, [0, 0, rise, rise, 0, 0]]), degree=4)
 
 
-def flexed(name: str, part: Flexure, folder: Path, *, push: bool, size: float = 1.1) -> FlexedPart:
+def flexed(name: str, part: Flexure, folder: Path, *, push: bool, size: float = 0.9) -> FlexedPart:
     """The part put into both states and, where asked, pushed from each to the other."""
     folder.mkdir(parents=True, exist_ok=True)
     write_drawing(part.drawing(), folder / "part.dxf", force=True)
