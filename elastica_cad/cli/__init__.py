@@ -14,12 +14,15 @@ if TYPE_CHECKING:
 
 __all__ = ["main"]
 
+OUTPUT_CLOSED = 141
+"""Exit code after the reader of the output has ended: 128 and the number of SIGPIPE."""
+
 INTERRUPTED = 130
 """Exit code after Ctrl-C, as shells have it: 128 and the number of the signal."""
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Run the command line; exit code 0 is done, 1 not realizable, 2 bad input, 130 ended by Ctrl-C.
+    """Run the command line; exit code 0 is done, 1 not realizable, 2 bad input, 130 Ctrl-C, 141 output closed.
 
     Examples
     --------
@@ -38,9 +41,13 @@ def main(arguments: list[str] | None = None) -> None:
         code = _run(arguments)
     except KeyboardInterrupt:
         code = INTERRUPTED
+    except BrokenPipeError:
+        code = OUTPUT_CLOSED
     finally:
         if arguments is None:
             gc.freeze()  # the process ends: it need not look through all it loaded for cycles once more
+    if code == OUTPUT_CLOSED:
+        _drop_output(1, 2)
     sys.exit(code)
 
 
@@ -74,9 +81,15 @@ def _run(arguments: list[str] | None) -> int:
 
 def _unprinted(problem: OSError) -> int:
     """The exit code where standard output takes no more, as on a full disk; what it still holds is dropped."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    _drop_output(1)
     sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
     return 2
+
+
+def _drop_output(*streams: int) -> None:
+    """Let what standard output (1) and standard error (2) still hold go nowhere."""
+    for stream in streams:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
 
 
 def _command() -> "click.Group":

@@ -1,6 +1,7 @@
 """The group of commands, and what all do alike: errors as sentences, JSON, the gate for numbers, watching files."""
 
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, nullcontext
 from functools import cache, partial
 from importlib import import_module
 from itertools import islice
@@ -10,9 +11,10 @@ import click
 import numpy as np
 
 from elastica_cad._shell import MADE_BY, command_of_drawings
+from elastica_cad.cli import OUTPUT_CLOSED
 from elastica_cad.cli.asking.options import UNITS, Length, option_name
 from elastica_cad.cli.running.suggestions import TYPED, suggestion_below
-from elastica_cad.cli.running.voice import echo, remake_on_change, voice, warn
+from elastica_cad.cli.running.voice import echo, progress_shown, remake_on_change, voice, warn
 from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError, near_names
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -36,6 +38,7 @@ COMMANDS = {
 """Module and function of each command, imported when it is asked for."""
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
+
 
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)
@@ -115,8 +118,21 @@ def _imported(name: str) -> click.Command:
     return _complete(command, huge=name == "sections")
 
 
+@contextmanager
+def _quiet_pipes() -> Iterator[None]:
+    """End without a message where nobody reads the output any more, as in `elastica sheets | head -1`."""
+    try:
+        yield
+    except BrokenPipeError:
+        raise click.exceptions.Exit(OUTPUT_CLOSED) from None
+
+
 class _Sentences(click.Group):
     """Errors of ours end as one sentence and an exit code, and where one was made with a suggestion."""
+
+    def make_context(self, *args: Any, **options: Any) -> click.Context:
+        with _quiet_pipes():
+            return super().make_context(*args, **options)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.meta[TYPED] = tuple(args)
@@ -131,6 +147,10 @@ class _Sentences(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         before = MADE_BY.set(command_of_drawings(ctx.meta[TYPED]))
         ctx.call_on_close(lambda: MADE_BY.reset(before))
+        with _quiet_pipes():
+            return self._invoked(ctx)
+
+    def _invoked(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
         except ElasticaError as problem:
@@ -221,7 +241,7 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
     Lengths are mm, or as they say: 1.5in, 4cm. Every command knows --json and -v, and the options below, which may
     stand anywhere. `elastica help` lists all that can be asked of a strip, `elastica help KEY` explains one. Exit
     code: 0 done, 1 not realizable (or too much strain with --set files.strict=true), 2 bad input,
-    130 ended by Ctrl-C.
+    130 ended by Ctrl-C, 141 its output was closed.
     """
 
 
@@ -342,8 +362,10 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
     voice().begin()
     for told in in_mm:
         warn(told)
+    working = progress_shown if voice().command != "studio" else nullcontext
     try:
-        run(**chosen)
+        with working():
+            run(**chosen)
     except MemoryError:
         raise ElasticaError(
             "there is not enough memory for this: ask for less at a time, such as fewer strips or samples"

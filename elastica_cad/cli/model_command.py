@@ -76,6 +76,7 @@ def model(
     --no-parts --no-effects --no-pictures --no-step.
     """
     changes = parsed_settings(settings, DesignKeys)
+    say_step("reading the design")
     read = read_design(design, _read_told, read_surface, below=below, changes=changes)
     if read.kit.cutting.service and not parts:
         raise InputError("--no-parts leaves nothing to cut, since cut.for is service: leave it out")

@@ -16,7 +16,7 @@ from elastica_cad.cli.asking.options import (
     output_options,
     sheet_options,
 )
-from elastica_cad.cli.running.voice import answer, say, warn, wrote
+from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
@@ -136,11 +136,15 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     try:
         surface = read_sized_surface(read_surface, mesh, **named)
         spec = _spec(family, chosen, surface)
+        say_step("cutting the surface and fitting curves")
         curves, reports = spec.curves(surface)
     except InputError as problem:
         told = str(problem) if str(mesh) in str(problem) else str(problem.at(file=mesh))
         raise InputError("{told}{option}", told=told, option=_option_for(told, chosen)) from None
-    verdicts = [_verdict(curve) for curve in curves]
+    verdicts = []
+    for number, curve in enumerate(curves, start=1):
+        say_step(f"judged {curve.name}", number, len(curves))
+        verdicts.append(_verdict(curve))
     for one in verdicts:
         say(f"{one['name']}: {_sentence(one)}")
     for text in reports:

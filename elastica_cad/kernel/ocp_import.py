@@ -8,6 +8,7 @@ from importlib import import_module
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
+from elastica_cad._interrupts import interrupts_held
 from elastica_cad.errors import MissingDependencyError, how_to_install
 from elastica_cad.refusals import note
 
@@ -38,6 +39,7 @@ ARRAYS = {
 
 
 @lru_cache(maxsize=1)
+@interrupts_held()
 def kernel() -> SimpleNamespace:
     """Import OCP, and return its classes by name, with one name for array types that its two lines call
     differently.
@@ -99,8 +101,6 @@ def library_trouble(library: str, error: ImportError) -> str:
 
 def _unsound(error: Exception) -> MissingDependencyError:
     """OCP that is there and cannot be used: two releases in one place, or a library of the system missing."""
-    if isinstance(error.__cause__, KeyboardInterrupt):  # Ctrl-C while its compiled part began
-        raise error.__cause__
     reason = note("OpenCASCADE (OCP) is installed but cannot be loaded ({error})", error=error)
     brought = {
         name: version

@@ -3,11 +3,12 @@
 import json
 import sys
 import time
-from collections.abc import Callable, Iterable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
 from pathlib import Path, PurePath
+from threading import Event, Thread
 from typing import Any
 
 import click
@@ -29,6 +30,8 @@ class Voice:
     ----------
     command : str
         Its schema is "elastica-COMMAND/1".
+    step : str
+        What it is doing.
     as_json, quiet, verbose : bool
         One record instead of lines; problems only; every step and all notes.
     """
@@ -41,6 +44,7 @@ class Voice:
     notes: list[str] = field(default_factory=list)
     files: list[str] = field(default_factory=list)
     since: float = field(default_factory=time.perf_counter)
+    step: str = "working"
 
     @property
     def schema(self) -> str:
@@ -50,7 +54,7 @@ class Voice:
     def begin(self) -> None:
         """Forget all that an earlier run of the command said."""
         self.record, self.notes, self.files = {}, [], []
-        self.since = time.perf_counter()
+        self.since, self.step = time.perf_counter(), "working"
 
     def conclude(self) -> None:
         """Print the JSON record, where `--json` asks for one."""
@@ -134,12 +138,38 @@ def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
     """Report a step in progress to stderr: on a terminal one line that is overwritten, with -v one line each."""
     speaker = voice()
-    counted = f"{text} ({number} of {count})" if count > 1 else text
+    speaker.step = counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:
         echo(f"{time.perf_counter() - speaker.since:7.2f} s  {counted}", err=True)
     elif not (speaker.quiet or speaker.as_json) and sys.stderr.isatty():
         _clear_step()
         echo(f"{counted} ...", nl=False, err=True)
+
+
+PATIENCE_S = 5.0
+"""Seconds after which a command shows that it is working, and again after as many."""
+
+
+@contextmanager
+def progress_shown() -> Iterator[None]:
+    """Show on stderr which step takes more than a few seconds, and for how long the command has been running."""
+    speaker, screen, ended = voice(), sys.__stderr__, Event()
+
+    def show() -> None:
+        while screen is not None and not ended.wait(PATIENCE_S):
+            text = printable(
+                f"{speaker.step} ... {time.perf_counter() - speaker.since:.0f} s, Ctrl-C ends it"
+            )
+            with suppress(OSError, ValueError):  # a closed stderr
+                screen.write(f"\r\x1b[2K{text}" if screen.isatty() else f"{text}\n")
+                screen.flush()
+
+    if not (speaker.quiet or speaker.as_json):
+        Thread(target=show, daemon=True).start()
+    try:
+        yield
+    finally:
+        ended.set()
 
 
 def _clear_step() -> None:

@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._interrupts import interrupts_held
 from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.file_access.source_file import name_source, quiet_log, require_file
@@ -65,7 +66,8 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         raise InputError("the scale of {path} is {scale:g}: it must be positive", path=path, scale=scale)
     factor = look_up_unit(unit or "mm") * scale
     try:
-        from trimesh import load
+        with interrupts_held():
+            from trimesh import load
     except ImportError as error:
         raise MissingDependencyError(
             "reading {name} needs trimesh: {how_to_install}",
