@@ -6,8 +6,8 @@ A field, or a parameter of a function, is declared by its annotation:
 
 import inspect
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import MISSING, dataclass, fields, is_dataclass
+from collections.abc import Callable, Mapping, Sequence, Sized
+from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
 from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeAlias, Union, cast, get_args, get_origin, get_type_hints
@@ -25,6 +25,13 @@ REQUIRED = MISSING
 """Default of a field that must be given."""
 
 
+MOST_ELEMENTS = 10_000
+"""Elements of a list, unless a field declares its own bound: ten times those of the longest list of an example."""
+
+LONGEST_TEXT = 1_000
+"""Letters of a text, unless a field declares its own bound: paths of files are shorter."""
+
+
 @dataclass(frozen=True)
 class Asked:
     """What people are told of a field, where it is declared.
@@ -36,9 +43,11 @@ class Asked:
     unit : str
         "mm", "1/mm", "rad", "g" and so on; empty for what has none.
     least, most : float or None
-        Bounds that count as well.
+        Bounds that count as well; `most` of a text counts its letters.
     above : float or None
         A lower bound that does not.
+    many : int
+        Largest number of elements of a list.
     group : str
         Heading below which front ends list it.
     common : bool
@@ -52,6 +61,7 @@ class Asked:
     least: float | None = None
     most: float | None = None
     above: float | None = None
+    many: int = MOST_ELEMENTS
     group: str = ""
     common: bool = False
     written: Any = None
@@ -163,11 +173,37 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
     for one in declared(record):
         value = values.get(one.name, one.default)
         if one.asked.written is None and value is not one.default and not _fits(value, one.kind, one.asked):
-            raise InputError(
-                "{field} is {given}: it must be {wanted}",
-                field=f"{whose} {one.name}".strip(), given=quoted(value), wanted=_wanted(one.kind, one.asked),
-                where=None if whose else {"field": one.name},
-            )  # fmt: skip
+            raise _refusal(
+                one, value, f"{whose} {one.name}".strip(), where=None if whose else {"field": one.name}
+            )
+
+
+def require_bounds(one: Field, value: Any, place: str) -> None:
+    """Refuse a number, text or list of a declared field that is out of its bounds.
+
+    Raises
+    ------
+    InputError
+        `place` is where the value is written.
+    """
+    for kind in one.kind.alternatives:
+        numbers = [value] if kind.name in ("number", "count") else []
+        if kind.name == "list" and kind.of[0].name == "number" and isinstance(value, tuple):
+            numbers = list(value)
+        outside = any(is_number(number) and not one.asked.holds(number) for number in numbers)
+        misfit = (kind.name == "text" and isinstance(value, str)) or (
+            kind.name == "list" and kind.size is None
+        )
+        if outside or (misfit and not _fits(value, kind, one.asked)):
+            raise _refusal(replace(one, kind=kind), value, place)
+
+
+def _refusal(one: Field, value: Any, place: str, **where: Any) -> InputError:
+    """Return why a value is not one of a declared field."""
+    return InputError(
+        "{field} is {given}: it must be {wanted}",
+        field=place, given=quoted(value), wanted=_wanted(one.kind, one.asked), **where,
+    )  # fmt: skip
 
 
 def _fits(value: Any, kind: Kind, asked: Asked) -> bool:
@@ -175,13 +211,17 @@ def _fits(value: Any, kind: Kind, asked: Asked) -> bool:
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and asked.holds(value)
-        case "flag" | "text":
-            return isinstance(value, str if kind.name == "text" else bool | np.bool_)
+        case "flag":
+            return isinstance(value, bool | np.bool_)
+        case "text":
+            return isinstance(value, str) and len(value) <= (asked.most or LONGEST_TEXT)
         case "choice":
             return is_one_of(value, kind.choices)
         case "list" if kind.size is not None:
             several = tuple(value) if is_series(value) else ()
             return len(several) == kind.size and all(_fits(one, kind.of[0], asked) for one in several)
+        case "list":
+            return not isinstance(value, Sized) or len(value) <= asked.many
         case "table":
             return not is_dataclass(kind.record) or isinstance(value, cast(type, kind.record))
         case _:
@@ -194,7 +234,11 @@ def _wanted(kind: Kind, asked: Asked) -> str:
         return note("one of {choices}", choices=", ".join(kind.choices))
     if kind.name == "table":
         return note("a {record}", record=getattr(kind.record, "__name__", ""))
-    words = {"number": "a number", "count": "a whole number", "flag": "True or False", "text": "a text"}
+    if kind.name == "text":
+        return note("a text of at most {most} letters", most=asked.most or LONGEST_TEXT)
+    if kind.name == "list" and kind.size is None:
+        return note("a list of at most {most} elements", most=asked.many)
+    words = {"number": "a number", "count": "a whole number", "flag": "True or False"}
     said = sentences((note(words.get(kind.name, "{size} numbers"), size=kind.size), asked.bounds), " ")
     return sentences((said, asked.unit and note("in {unit}", unit=asked.unit)), ", ")
 

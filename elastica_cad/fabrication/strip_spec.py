@@ -225,12 +225,12 @@ class StripSpec(EqualByValue):
             group="ends",
         ),
     ] = True
-    slots: Annotated[tuple[Slot, ...], Asked("Slots from the edge.", group="ends")] = ()
-    label: Annotated[str, Asked("Name of the strip, which is engraved on it.", group="ends", common=True)] = (
-        ""
-    )
+    slots: Annotated[tuple[Slot, ...], Asked("Slots from the edge.", many=1000, group="ends")] = ()
+    label: Annotated[
+        str, Asked("Name of the strip, which is engraved on it.", most=200, group="ends", common=True)
+    ] = ""
     engrave: Annotated[
-        str | None, Asked("Text engraved in place of the label; empty for none.", group="ends")
+        str | None, Asked("Text engraved in place of the label; empty for none.", most=200, group="ends")
     ] = None
     smooth: Annotated[
         float | None,

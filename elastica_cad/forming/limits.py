@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, numbers, pair, require_positive
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.arguments import require_ratio
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -314,7 +314,8 @@ class Keep:
         Symmetry | None, Asked("The mirror image or half turn that the curve keeps.", group="limits")
     ] = None
     points: Annotated[
-        tuple[float, ...], Asked("Places along the drawn curve that stay on the strip.", "mm", group="limits")
+        tuple[float, ...],
+        Asked("Places along the drawn curve that stay on the strip.", "mm", many=100, group="limits"),
     ] = ()
     line: Annotated[
         bool | tuple[tuple[float, float], tuple[float, float]] | None,
@@ -338,6 +339,7 @@ class Keep:
                 "keep symmetry={symmetry!r}: use 'mirror', 'turn' (a half turn) or None",
                 symmetry=self.symmetry,
             )
+        require_declared(Keep, {"points": self.points}, "keep")
         points = np.atleast_1d(numbers(self.points, "keep points"))
         if points.ndim != 1 or not np.all(np.isfinite(points)):
             raise InputError("keep points= takes arc lengths on the drawn curve, mm")

@@ -87,3 +87,27 @@ def test_typed_options_are_those_of_the_declarations(monkeypatch):
         "run: make generate"
     )
     assert sys.modules.pop("generated_options")
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ("length = 1e6", "length is 1000000.0: it must be a number from 0 up to 10000, in mm"),
+        ("name = '" + "A" * 101 + "'", "name is 'A.*': it must be a text of at most 100 letters"),
+        ("places = [" + "1, " * 51 + "]", "places is .*: it must be a list of at most 50 elements"),
+    ],
+)
+def test_a_table_refuses_what_is_larger_than_declared(line, sentence):
+    @dataclass(frozen=True)
+    class Part:
+        length: Annotated[float, Asked("Length.", "mm", least=0, most=10_000)] = 0.0
+        name: Annotated[str, Asked("Name.", most=100)] = ""
+        places: Annotated[tuple[float, ...], Asked("Places.", "mm", many=50)] = ()
+
+    with pytest.raises(InputError, match=f"part: {sentence}"):
+        Reader().record(Part, Table(parsed_line(line, "part"), "part", {}))
+
+
+def test_keys_of_very_many_parts_are_refused_before_they_are_parsed():
+    with pytest.raises(InputError, match="cannot be read"):
+        parsed_line(".".join("a" * 100_000) + " = 1", "line")

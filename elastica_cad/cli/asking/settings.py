@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeVar
 
 import click
 
+from elastica_cad._toml import parse_toml
 from elastica_cad.declared import REQUIRED, Asked, Kind, Record
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
@@ -117,7 +118,7 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
 def _value(text: str) -> Any:
     """A value as TOML has it; what is no TOML is a text, without quotes."""
     try:
-        return tomllib.loads(f"value = {text}")["value"]
+        return parse_toml(f"value = {text}")["value"]
     except (tomllib.TOMLDecodeError, RecursionError):
         if text[:1] in "[{\"'" or "\n" in text:
             raise InputError(

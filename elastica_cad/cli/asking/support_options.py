@@ -6,6 +6,7 @@ from typing import Any, get_args
 
 import click
 
+from elastica_cad._toml import parse_toml
 from elastica_cad.cli.asking.asked_curves import asked_curves
 from elastica_cad.cli.asking.options import join_options
 from elastica_cad.declared import kind_of
@@ -47,7 +48,7 @@ class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class befo
             pass
         if "=" in value:
             try:
-                return tomllib.loads(f"blank = {{{value}}}")["blank"]
+                return parse_toml(f"blank = {{{value}}}")["blank"]
             except tomllib.TOMLDecodeError as error:
                 raise InputError(
                     "--natural-curvature: {line} cannot be read: write keys and values, such as "

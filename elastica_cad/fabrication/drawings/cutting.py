@@ -6,7 +6,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_number, require_record
+from elastica_cad._values import is_number, require_number, require_record
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
@@ -20,6 +20,9 @@ from elastica_cad.refusals import Length as Mm
 DEFAULT_KERF_MM = 0.0
 """Kerf that cutting files and nests are corrected for unless one is given: none, as many cutting services correct
 for their own. The kerf of a material is `Sheet.kerf`; it is used on request."""
+
+FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
+"""Errors of a moved spline, mm: no machine cuts more finely, and no kerf is wider than the coarsest."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm; a router's bit of half an inch is 12.7 mm wide."""
@@ -61,6 +64,11 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
         )
     if kerf == 0:
         return drawing
+    if not (is_number(tolerance) and FINEST_KERF_MM <= tolerance <= COARSEST_KERF_MM):
+        raise InputError(
+            "the tolerance is {tolerance}: give {finest:g} to {coarsest:g} mm",
+            tolerance=tolerance, finest=FINEST_KERF_MM, coarsest=COARSEST_KERF_MM,
+        )  # fmt: skip
     sides = {CUT_OUTER: kerf / 2, CUT_INNER: -kerf / 2}
     moved = []
     loops = []

@@ -93,13 +93,13 @@ class EndFixture(EqualByValue):
 
     tab: PlacedTab
     floor: Frame | None = None
-    clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0)] = 0.15
-    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=LEAST_WALL_MM)] = 4.0
-    foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0)] = 12.0
-    foot_height: Annotated[float, Asked("Height of the foot.", "mm", above=0)] = 4.0
-    screw: Annotated[float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0)] = (
-        4.3
-    )
+    clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0, most=100)] = 0.15
+    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=LEAST_WALL_MM, most=1000)] = 4.0
+    foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0, most=1000)] = 12.0
+    foot_height: Annotated[float, Asked("Height of the foot.", "mm", above=0, most=1000)] = 4.0
+    screw: Annotated[
+        float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0, most=100)
+    ] = 4.3
     engrave: str | None = None
     lean: tuple[float, float] = (0.0, 0.0)
 

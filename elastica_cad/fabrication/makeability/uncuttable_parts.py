@@ -27,6 +27,9 @@ from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
 FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
+_REACHES = np.array(
+    [1 / 16, 1 / 4, 1]
+)  # of the least width, in which widths are searched one after the other
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
 
@@ -79,29 +82,36 @@ def _widths_across(
 ) -> tuple[IntArray, IntArray, FloatArray]:
     """Pairs of points (k,) that face each other straight across the material, and how far apart they are, mm.
 
-    Of all pairs of a point only the narrowest is kept.
+    Of all pairs of a point only the narrowest is kept. Narrow widths are searched first: a point that has one needs
+    no wider search, which between many slots close together would list all of them for each other.
     """
-    i, j = _near_opposite_pairs(points, normals, least * (1 - 1e-9))
-    across = points[j] - points[i]
-    width = np.hypot(across[:, 0], across[:, 1])
-    with np.errstate(invalid="ignore", divide="ignore"):
-        across = across / width[:, None]
-    facing = (np.sum(across * normals[i], axis=1) > FACING) & (np.sum(across * normals[j], axis=1) < -FACING)
-    i, j, width = i[facing], j[facing], width[facing]
-    narrowest = np.unique(np.concatenate([_narrowest(i, width), _narrowest(j, width)]))
-    return i[narrowest], j[narrowest], width[narrowest]
-
-
-def _near_opposite_pairs(points: FloatArray, normals: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
-    """Pairs (k,) among which are all that face each other within `reach`, and none along one cut."""
     from scipy.spatial import cKDTree
 
-    # one tree over places and directions: of facing points the normals' sum is at most 2 sin(acos(FACING)) long
-    here, there = (cKDTree(np.hstack([points, sign * reach * normals])) for sign in (1.0, -1.0))
-    found = here.sparse_distance_matrix(there, reach * np.sqrt(5 - 4 * FACING**2), output_type="ndarray")
-    i, j = found["i"], found["j"]
-    near = (i < j) & (np.hypot(*(points[i] - points[j]).T) < reach)
-    return i[near], j[near]
+    pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
+    searching = np.arange(len(points))
+    for reach in (1 - 1e-9) * least * _REACHES:
+        # one tree over places and directions: of facing points the normals' sum is at most 2 sin(acos(FACING)) long
+        here, there = np.hstack([points, reach * normals])[searching], np.hstack([points, -reach * normals])
+        near = cKDTree(here).sparse_distance_matrix(
+            cKDTree(there), reach * np.sqrt(5 - 4 * FACING**2), output_type="ndarray"
+        )
+        i, j = searching[near["i"]], near["j"]
+        across = points[j] - points[i]
+        width = np.hypot(across[:, 0], across[:, 1])
+        with np.errstate(invalid="ignore", divide="ignore"):
+            across = across / width[:, None]
+        facing = (np.sum(across * normals[i], axis=1) > FACING) & (
+            np.sum(across * normals[j], axis=1) < -FACING
+        )
+        facing &= width < reach
+        i, j, width = i[facing], j[facing], width[facing]
+        narrowest = _narrowest(i, width)
+        pairs.append((i[narrowest], j[narrowest], width[narrowest]))
+        searching = np.setdiff1d(searching, i)
+    i, j, width = (np.concatenate(column) for column in zip(*pairs, strict=True))
+    i, j = np.minimum(i, j), np.maximum(i, j)
+    once = np.unique(np.column_stack([i, j]), axis=0, return_index=True)[1]
+    return i[once], j[once], width[once]
 
 
 def _near_pairs(points: FloatArray, reach: float) -> IntArray:

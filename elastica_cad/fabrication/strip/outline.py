@@ -131,7 +131,9 @@ class Tab:
     12
     """
 
-    length: Annotated[float, Asked("Length of the tab; 0 for none.", "mm", least=0, common=True)] = 10.0
+    length: Annotated[
+        float, Asked("Length of the tab; 0 for none.", "mm", least=0, most=10_000, common=True)
+    ] = 10.0
     width: Annotated[
         float | None, Asked("Width of the tab; that of the strip unless given.", "mm", above=0)
     ] = None

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from elastica_cad._equality import value_key
+from elastica_cad._toml import parse_toml
 from elastica_cad._values import several
 from elastica_cad.errors import (
     ElasticaError,
@@ -251,7 +252,7 @@ def parse_design(path: Path) -> dict[str, Any]:
     """
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
-        return tomllib.loads(text)
+        return parse_toml(text)
     except UnicodeDecodeError as error:
         raise InputError(
             "{path} is no TOML file, which are UTF-8: save it as text in UTF-8", path=path

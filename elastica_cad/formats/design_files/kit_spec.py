@@ -69,7 +69,7 @@ class Cutting:
         ),
     ] = None
     tolerance: Annotated[
-        float, Asked("Largest error of arcs and polylines.", "mm", least=0, group="files")
+        float, Asked("Largest error of arcs and polylines.", "mm", least=1e-4, most=10, group="files")
     ] = 0.02
     version: Annotated[str, Asked("Version of the DXF files.", group="files", written=DxfVersion)] = "R2010"
     colors: Annotated[

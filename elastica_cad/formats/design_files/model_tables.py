@@ -94,7 +94,9 @@ class Fixtures(_Holder):
     """Printed blocks that hold the ends of strips."""
 
     BESIDE: ClassVar[Record] = EndFixture
-    floor: Annotated[float | None, Asked("Height that the blocks stand on.", "mm")] = None
+    floor: Annotated[
+        float | None, Asked("Height that the blocks stand on.", "mm", least=-10_000, most=10_000)
+    ] = None
     ends: Annotated[StripEnd | None, Asked("Which tabs; all unless given.")] = None
 
 
@@ -151,7 +153,7 @@ class DesignKeys(SharedKeys):
     """All keys at the top of a design file."""
 
     schema: Annotated[Literal[1], Asked("1: which version of these keys the file is written for.")]
-    name: Annotated[str | None, Asked("Name of the model, and of its files.")] = None
+    name: Annotated[str | None, Asked("Name of the model, and of its files.", most=60)] = None
     let: Annotated[dict[str, float] | None, Asked("Names for formulae: each may use those before it.")] = None
     sheets: Annotated[dict[str, OwnSheet] | None, Asked("Sheets of your own, [sheets.NAME].")] = None
     sheets_file: Annotated[str | None, Asked("A file with sheets of your own.")] = None

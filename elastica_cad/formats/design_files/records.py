@@ -7,7 +7,18 @@ from inspect import signature
 from pathlib import Path
 from typing import Annotated, Any
 
-from elastica_cad.declared import REQUIRED, Asked, Field, Kind, Record, declared, kind_of, name_of
+from elastica_cad._toml import parse_toml
+from elastica_cad.declared import (
+    REQUIRED,
+    Asked,
+    Field,
+    Kind,
+    Record,
+    declared,
+    kind_of,
+    name_of,
+    require_bounds,
+)
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -192,6 +203,7 @@ class Reader:
         for one in fields_of(record):
             if table.has(one.name):
                 values[one.name] = self.value(one.kind, table, one.name)
+                require_bounds(one, values[one.name], table.place(one.name))
             elif one.default is REQUIRED:
                 raise InputError(
                     "{place} is missing: {help}",
@@ -326,7 +338,7 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
     """
     inside = line.strip()
     try:
-        data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
+        data = parse_toml(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(
             "{place}: {line} cannot be read: write keys and values, such as {example}",

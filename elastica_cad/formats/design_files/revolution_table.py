@@ -42,7 +42,7 @@ class RevolutionTable:
     angle: Annotated[float | None, Asked("Angle of its tangent there.", "rad")] = None
     length: Annotated[float | None, Asked("Length of the meridian.", "mm", least=0)] = None
     ring: Annotated[float | None, Asked("It ends at this distance from the axis.", "mm", least=0)] = None
-    strips: Annotated[int, Asked("So many strips.", least=3)] = 16
+    strips: Annotated[int, Asked("So many strips.", least=3, most=1000)] = 16
     thickness: Annotated[
         float | None, Asked("Thickness of the sheet, where it is another than its own.", "mm", least=0)
     ] = None

@@ -20,7 +20,7 @@ _below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", de
 LARGEST_FILE = 64 * 2**20
 """Bytes of a file of curves."""
 
-LARGEST_OF_KIND = {".toml": 16 * 2**20} | dict.fromkeys(
+LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
     (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 2**20
 )
 """Bytes of designs, which are read slowly, and of meshes and bodies, which are large."""

@@ -1,13 +1,13 @@
 """The page with which a bent strip is measured, and the readings that come back."""
 
 import json
-import tomllib
 from itertools import pairwise
 from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
 
+from elastica_cad._toml import parse_toml
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text
@@ -65,7 +65,7 @@ def read_readings(path: FilePath) -> dict[str, float]:
         No such file, not TOML, or a reading that is no number.
     """
     try:
-        given = tomllib.loads(path.read_text(encoding="utf-8"))
+        given = parse_toml(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
     wrong = [

@@ -115,21 +115,42 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Index pairs (i, j) of chords of p and q whose bounding boxes overlap."""
-    plow, phigh = np.minimum(p[:-1], p[1:]), np.maximum(p[:-1], p[1:])
-    qlow, qhigh = np.minimum(q[:-1], q[1:]), np.maximum(q[:-1], q[1:])
-    (near_p,) = ((plow <= q.max(axis=0)) & (phigh >= q.min(axis=0))).all(axis=1).nonzero()
-    (near_q,) = ((qlow <= p.max(axis=0)) & (qhigh >= p.min(axis=0))).all(axis=1).nonzero()
-    rows: list[tuple[IndexArray, IndexArray]] = []
-    block = max(1, 2_000_000 // max(1, near_q.size))
-    for first in range(0, near_p.size, block):
-        i = near_p[first : first + block]
-        overlap = (plow[i, None, 0] <= qhigh[None, near_q, 0]) & (phigh[i, None, 0] >= qlow[None, near_q, 0])
-        overlap &= (plow[i, None, 1] <= qhigh[None, near_q, 1]) & (phigh[i, None, 1] >= qlow[None, near_q, 1])
-        a, b = np.nonzero(overlap)
-        rows.append((i[a], near_q[b]))
-    none = np.zeros(0, int)
-    return np.concatenate([none, *[r[0] for r in rows]]), np.concatenate([none, *[r[1] for r in rows]])
+    """Index pairs (i, j) of chords of p and q whose bounding boxes overlap, in order.
+
+    Boxes of neighbouring chords are joined into a tree; only boxes that overlap are opened again.
+    """
+    first, second = _box_tree(p), _box_tree(q)
+    i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
+    while True:
+        (low, high), (other_low, other_high) = first[-1], second[-1]
+        overlap = ((low[i] <= other_high[j]) & (high[i] >= other_low[j])).all(axis=1)
+        i, j = i[overlap], j[overlap]
+        if len(first) == len(second) == 1:
+            order = np.lexsort((j, i))
+            return i[order], j[order]
+        deepest = max(len(first), len(second))
+        if len(first) == deepest:
+            first.pop()
+            i, j = (_FAN * i[:, None] + np.arange(_FAN)).ravel(), j.repeat(_FAN)
+        if len(second) == deepest:
+            second.pop()
+            i, j = i.repeat(_FAN), (_FAN * j[:, None] + np.arange(_FAN)).ravel()
+        inside = (i < len(first[-1][0])) & (j < len(second[-1][0]))
+        i, j = i[inside], j[inside]
+
+
+_FAN = 8
+"""Boxes that are joined into one: few levels for short polylines, few vain pairs for long ones."""
+
+
+def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
+    """Lower and upper corners (m, 2) of the boxes of chords, then of each few of them, up to the box of all."""
+    levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
+    while len(levels[-1][0]) > 1:
+        low, high = levels[-1]
+        begins = np.arange(0, len(low), _FAN)
+        levels.append((np.minimum.reduceat(low, begins), np.maximum.reduceat(high, begins)))
+    return levels
 
 
 def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:

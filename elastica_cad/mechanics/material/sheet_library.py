@@ -10,6 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from elastica_cad._toml import parse_toml
 from elastica_cad._values import require_path
 from elastica_cad.declared import Field
 from elastica_cad.errors import InputError, quoted, toml_slip
@@ -318,7 +319,7 @@ def read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict[
                 largest_file=LARGEST_FILE // 2**20,
             )
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
-        data = tomllib.loads(text)
+        data = parse_toml(text)
     except RecursionError as error:
         raise InputError("{path} nests lists or tables too deep for a file of sheets", path=path) from error
     except OSError as error:

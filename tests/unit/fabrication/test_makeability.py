@@ -204,3 +204,11 @@ def test_a_tab_bears_in_the_mean_what_the_moment_of_its_end_asks():
     assert not tabbed(6, replace(metal, max_strain=1.001 * asked)).warnings
     (told,) = tabbed(6, replace(metal, max_strain=1.3 * asked, kind="plywood")).warnings  # its corners crack
     assert "its tab 6 mm" in told
+
+
+def test_every_rib_between_many_slots_is_found_with_the_width_that_is_narrowest():
+    slots = [Path.rectangle(0.2, 2, corner=(5 + 0.5 * i, 2)) for i in range(40)]
+    places = find_thin_places([Path.rectangle(30, 8)], slots, 0.6)
+    np.testing.assert_allclose([place.width for place in places], 0.3, atol=1e-9)
+    wide = find_thin_places([Path.rectangle(30, 8)], slots, 0.25)
+    assert not wide

@@ -98,7 +98,9 @@ def test_what_makes_no_surface_is_told(read, text, sentence):
 
 def test_counts_and_hopeless_points(read):
     for count in (2, 5000):
-        with pytest.raises(InputError, match=f"strips={count}: .* 3 strips or more, 1000 at most"):
+        with pytest.raises(
+            InputError, match=f"strips is {count}: it must be a whole number from 3 up to 1000"
+        ):
             read(f"[revolution]\n{POINTS}\nstrips = {count}\n").model()
     with pytest.raises(NotConvergedError, match=r"vase\.toml: revolution: no meridian"):
         read("[revolution]\npoints = [[50, 0], [60, 50], [50, 1e-6], [60, 51]]\n")
