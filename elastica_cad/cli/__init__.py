@@ -7,15 +7,13 @@ import warnings
 from typing import TYPE_CHECKING
 
 from elastica_cad._garbage_collection import RARE_COLLECTIONS
+from elastica_cad._shell import OUTPUT_CLOSED
 from elastica_cad.errors import how_to_install
 
 if TYPE_CHECKING:
     import click
 
 __all__ = ["main"]
-
-OUTPUT_CLOSED = 141
-"""Exit code after the reader of the output has ended: 128 and the number of SIGPIPE."""
 
 INTERRUPTED = 130
 """Exit code after Ctrl-C, as shells have it: 128 and the number of the signal."""
