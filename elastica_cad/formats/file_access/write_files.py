@@ -2,7 +2,10 @@
 
 import json
 import os
+import re
 import shutil
+import sys
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -151,7 +154,7 @@ def write_together(
     Yields
     ------
     Path
-        The temporary folder, on the same disk. A program that is killed may leave it behind.
+        The temporary folder, on the same disk. If a program is killed, a later one removes it after a day.
 
     Raises
     ------
@@ -170,16 +173,11 @@ def write_together(
     names = list(names)
     with _refusals(folder):
         target, ground = _places(folder, names, force=force)
-        workshop = _workshop(ground)
-        workshop.mkdir()
-        try:
-            with _about_its_own_files(workshop):
-                for name in names:
-                    Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
-                yield workshop
-                _move(workshop, target, names, force=force)
-        finally:
-            shutil.rmtree(workshop, ignore_errors=True)
+        with _workshop(ground, target.parent) as workshop, _about_its_own_files(workshop):
+            for name in names:
+                Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
+            yield workshop
+            _move(workshop, target, names, force=force)
 
 
 def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False) -> None:
@@ -200,15 +198,71 @@ def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force:
     >>> check_folder(".", ["a-name-of-no-file-yet.txt"])
     """
     with _refusals(folder):
-        _, ground = _places(folder, names, force=force)
-        probe = _workshop(ground)
-        probe.mkdir()
-        probe.rmdir()
+        target, ground = _places(folder, names, force=force)
+        with _workshop(ground, target.parent):
+            pass
 
 
-def _workshop(ground: Path) -> Path:
-    """A temporary folder's path that nobody else has."""
-    return ground / f".elastica-{os.urandom(8).hex()}"
+_LOCK, _FILES = "lock", "files"
+"""Contents of a temporary folder: the lock file of its process, and the folder for what the process writes."""
+
+_OURS = b"elastica_cad writes files here\n"
+"""Content of a lock file."""
+
+_STALE_S = 24 * 3600
+"""Age from which on the temporary folder of a dead process is removed."""
+
+
+@contextmanager
+def _workshop(ground: Path, above: Path) -> Iterator[Path]:
+    """Give a folder within a temporary one in `ground`, which is locked and removed at the end.
+
+    Folders there and in `above` that killed processes left more than a day ago are removed first.
+    """
+    for place in {ground, above}:
+        for old in place.glob(".elastica-*"):
+            with suppress(OSError):  # in use, or another process removes it
+                _remove_stale(old)
+    home = ground / f".elastica-{os.urandom(8).hex()}"
+    home.mkdir()
+    try:
+        with (home / _LOCK).open("xb") as lock:
+            lock.write(_OURS)
+            lock.flush()
+            _take(lock)
+            (home / _FILES).mkdir()
+            yield home / _FILES
+    finally:
+        shutil.rmtree(home, ignore_errors=True)
+
+
+def _remove_stale(home: Path) -> None:
+    """Remove a temporary folder with our name and lock file that is older than a day and whose process is dead."""
+    lock = home / _LOCK
+    if home.is_symlink() or lock.is_symlink() or not re.fullmatch(r"\.elastica-[0-9a-f]{16}", home.name):
+        return
+    if time.time() - home.stat().st_mtime < _STALE_S or lock.stat().st_size != len(_OURS):
+        return
+    with lock.open("r+b") as file:
+        if file.read() != _OURS:
+            return
+        _take(file)
+        shutil.rmtree(home / _FILES, ignore_errors=True)
+    lock.unlink()
+    home.rmdir()
+
+
+def _take(lock: BinaryIO) -> None:
+    """Lock an open file until it is closed or its process ends; OSError if another process has it."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        lock.seek(len(_OURS))  # beyond the text, which stays readable
+        msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
+    else:
+        import fcntl
+
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 @contextmanager

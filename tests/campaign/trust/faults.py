@@ -38,6 +38,7 @@ STRANGERS = (
     "out/.bow.dxf.00.part",
     "out/b.txt",
     "kit/.elastica-2/a.txt",
+    ".elastica-0123456789abcdef/a.txt",
 )
 """Files of others where runs write, some by names like those of temporary files."""
 
@@ -98,6 +99,37 @@ def kills(count, rng, folder):
     quietly(command(*STRIP), folder).communicate()
     wrong += [{"lost": lost} for lost in lost_strangers(folder)]
     return {"kills": count, "mixed sets": between, "left behind": len(left(folder)), "wrong": wrong}
+
+
+def kills_and_a_day(count, rng, folder):
+    """Kill runs at random moments and set the clock of what they left back by a day: the next run removes it."""
+    put_strangers(folder)
+    (folder / "bow.txt").write_text(BOW)
+    quietly(command(*STRIP), folder).communicate()
+    strangers = {name.split("/")[-2] for name in STRANGERS if "/" in name}
+    since = time.monotonic()
+    quietly(command(*STRIP), folder).communicate()
+    took = time.monotonic() - since
+
+    def homes():
+        return [one for one in folder.rglob(".elastica-*") if one.is_dir() and one.name not in strangers]
+
+    for _ in range(count):
+        process, before = quietly(command(*STRIP), folder), len(homes())
+        late = time.monotonic() + took
+        while len(homes()) == before and process.poll() is None and time.monotonic() < late:
+            pass  # most moments of a run have no folder yet
+        time.sleep(rng.uniform(0, 0.2) * took)
+        process.kill()
+        process.communicate()
+    quietly(command(*STRIP), folder).communicate()
+    kept = len(homes())
+    for one in homes():
+        os.utime(one, (time.time() - 25 * 3600,) * 2)
+    quietly(command(*STRIP), folder).communicate()
+    after, lost = [one.name for one in homes()], lost_strangers(folder)
+    wrong = [{"left": after, "lost": lost}] if after or lost else []
+    return {"kills before a day": count, "left behind": kept, "a day later": len(after), "wrong": wrong}
 
 
 def kills_of_new_kits(count, rng, folder):
@@ -222,6 +254,7 @@ def main():
         lambda folder: two_writers(asked.pairs, folder),
         lambda folder: kills(asked.kills, rng, folder),
         lambda folder: kills_of_new_kits(asked.kills, rng, folder),
+        lambda folder: kills_and_a_day(asked.kills, rng, folder),
     ):
         with TemporaryDirectory() as folder:
             found.append(part(Path(folder)))

@@ -2,12 +2,14 @@
 
 import errno
 import os
+import subprocess
+import sys
 import time
 
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.write_files import write_atomically, write_together
+from elastica_cad.formats.file_access.write_files import check_folder, write_atomically, write_together
 
 pytestmark = pytest.mark.core
 
@@ -125,3 +127,37 @@ def test_other_refusals_stay_as_they_are(tmp_path):
 
     with pytest.raises(InputError, match=r"curve\.dxf can't be read"):
         refused()
+
+
+KILLED = """
+import os, signal, sys
+from elastica_cad.formats.file_access.write_files import write_together
+with write_together(sys.argv[1], ["a.txt"]) as workshop:
+    (workshop / "a.txt").write_text("half")
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_a_killed_run_is_cleaned_up_a_day_later_and_nothing_else_is(tmp_path):
+    subprocess.run([sys.executable, "-c", KILLED, str(tmp_path / "out")], check=False)
+    (killed,) = tmp_path.glob(".elastica-*")
+    assert (killed / "files" / "a.txt").exists()
+    other = tmp_path / ".elastica-0123456789abcdef"
+    other.mkdir()
+    (other / "lock").write_text("of another program")
+    day_ago = time.time() - 25 * 3600
+    os.utime(other, (day_ago, day_ago))
+
+    def write(name):
+        with write_together(tmp_path, [name]) as workshop:
+            (workshop / name).write_text("whole")
+            (home,) = {*tmp_path.glob(".elastica-*")} - {killed, other}
+            os.utime(home, (day_ago, day_ago))
+            check_folder(tmp_path, ["b.txt"])  # a run of another process: this one is alive
+            assert home.exists()
+
+    write("first.txt")
+    assert killed.exists()  # not a day old
+    os.utime(killed, (day_ago, day_ago))
+    write("second.txt")
+    assert [path.name for path in tmp_path.glob(".elastica-*")] == [other.name]
