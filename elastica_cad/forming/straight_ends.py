@@ -45,7 +45,7 @@ class StraightEnds:
         """The parts of an open curve; ends that may turn, and curves that are straight all along, are left.
 
         So are curves of a strip whose natural curvature varies: that is counted from the start of the whole; and
-        points that waver, between which nothing straight was drawn.
+        points that waver, between which nothing straight was drawn; and polylines that have corners.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:
@@ -59,7 +59,8 @@ class StraightEnds:
                 low, lengths[0] = flat.t_end, flat.s_end
             if end and long and flat.s_end >= curve.length - near:
                 high, lengths[1] = flat.t, curve.length - flat.s
-        if not any(lengths):
+        drawn = curve.provenance
+        if not any(lengths) or low >= high or (drawn is not None and drawn.vertices is not None):
             return cls(curve, curve)
         bent = curve.trimmed(low, high).drawn_as(curve.provenance)
         return cls(curve, bent, (round(lengths[0], 6), round(lengths[1], 6)))

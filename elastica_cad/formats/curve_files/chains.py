@@ -11,11 +11,15 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source, reverse_run
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_size, check_tolerance
+from elastica_cad.geometry.curve_editing.polylines import (
+    allowed_distance,
+    fit_polyline,
+    smooth_through,
+)
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
-from elastica_cad.geometry.polynomials.spline_fits import fit_spline
 from elastica_cad.geometry.polynomials.splines import bezier_spans, interpolation_sites
 from elastica_cad.geometry.running_sums import lengths_along
 
@@ -23,7 +27,11 @@ JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
 NEAR_MM, NEAR_SHARE = 1.0, 0.01  # ends nearer than both, of the smaller curve, were perhaps meant to meet
 HOLE_ASIDE = 0.1  # of its diameter: how far a hole's circle may be drawn off the straight end that it is in
-_CORNER = np.cos(np.radians(50.0))  # cosine of the turn from which a vertex of a polyline is a corner
+SAME_POINT = 1e-13  # of the largest coordinate: points nearer than this differ by rounding
+LARGEST_TURN, LEAST_TURN = (
+    50.0,
+    5.0,
+)  # degrees: corners of points always, and of sides that no smooth curve follows
 _STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the turn up to which two ends share a tangent
 _LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
 _CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
@@ -297,7 +305,7 @@ def curve_from_run(
     )
     if all(edge.degree == 1 for edge in run):
         vertices = np.concatenate([edge.points for edge in run])
-        return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn)
+        return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn, sides=True)
     dust = 1e-9 * sum(edge.size for edge in run)
     exact = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
     one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
@@ -317,37 +325,45 @@ def curve_from_points(
     tolerance: float = FIT_TOLERANCE,
     drawn: Provenance | None = None,
     noise: float = 0.0,
+    sides: bool = False,
 ) -> PlaneCurve:
     """The curve through measured points (n, 2): a line if in line, else fitted within `tolerance` mm.
 
     Corners stay corners (`PlaneCurve.tangent_breaks` tells them): a turn by more than 50 degrees between two
     straight pieces that are long beside the tolerance, and beside noise, was drawn, not measured. The noise of
     points that waver, `noise` mm at least, is in the curve's record, and those that no smooth curve follows are its
-    corners.
+    corners. If the straight sides between the points are drawn (`sides`), a curve that leaves them by more than
+    `allowed_distance` is cut at every turn of more than 5 degrees.
 
     Raises
     ------
     InputError
         Fewer than two different points, or numbers that are not finite.
     """
-    points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))] if len(points) else points
-    if len(points) < 2:
-        raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number")
+    if len(points):
+        apart = SAME_POINT * np.abs(points).max()
+        points = points[np.append(True, np.any(np.abs(np.diff(points, axis=0)) > apart, axis=1))]
+    if len(points) < 2:
+        raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
     drawn, measured = drawn or Provenance(), MeasuredPoints.of(points, noise)
     noise = 0.0 if measured is None else measured.waver
-    cuts = [0, *_corners(points, max(tolerance, noise)), len(points) - 1]
+    cuts = [0, *_corners(points, LARGEST_TURN, _LONG * max(tolerance, noise)), len(points) - 1]
     if len(cuts) == 2 and measured is not None:
         try:
-            curve = _smooth(points, tolerance)
+            curve = smooth_through(points, tolerance)
         except NotConvergedError:
             curve = _polyline(points)
         return curve.drawn_as(replace(drawn, measured=measured))
-    if len(cuts) == 2:
-        return _smooth(points, tolerance).drawn_as(drawn)
-    pieces = [_smooth(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
+    allowed = allowed_distance(points) if sides else np.inf
+    pieces = [
+        piece for i, j in pairwise(cuts) for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed)
+    ]
+    if len(pieces) == 1:
+        return pieces[0].drawn_as(drawn)
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
+    drawn = replace(drawn, vertices=points) if sides else drawn
     return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
 
 
@@ -358,29 +374,32 @@ def _polyline(points: FloatArray) -> PlaneCurve:
     return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
 
 
-def _corners(points: FloatArray, tolerance: float) -> list[int]:
-    """Indices of the vertices where straight pieces meet at a corner."""
+def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
+    """Indices of the vertices where sides longer than `least` mm turn by more than `angle` degrees."""
     step = np.diff(points, axis=0)
     size = np.hypot(step[:, 0], step[:, 1])
     cosine = (step[:-1] * step[1:]).sum(axis=1) / (size[:-1] * size[1:])
-    long = np.minimum(size[:-1], size[1:]) > _LONG * tolerance
-    return [int(i) + 1 for i in np.flatnonzero(long & (cosine < _CORNER))]
+    long = np.minimum(size[:-1], size[1:]) > least
+    return [int(i) + 1 for i in np.flatnonzero(long & (cosine < np.cos(np.radians(angle))))]
 
 
-def _smooth(points: FloatArray, tolerance: float) -> PlaneCurve:
-    chord = points[-1] - points[0]
-    x, y = chord / max(float(np.hypot(*chord)), 1e-300)
-    along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T
-    if np.abs(across).max() <= 1e-9 * np.abs(along).max() and np.all(np.diff(along) > 0):
-        return PlaneCurve.line(points[0], points[-1])
-    return PlaneCurve(*fit_spline(points, 4, tolerance), 4)
+def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
+    """The smooth curve through points, or the curves between corners if it is not within `allowed` of the sides."""
+    if len(points) == 2 or np.isinf(allowed):
+        return [smooth_through(points, tolerance)]
+    curve, distance = fit_polyline(points, tolerance)
+    corners = _corners(points, LEAST_TURN) if distance > allowed else []
+    if not corners:
+        return [curve]
+    cuts = [0, *corners, len(points) - 1]
+    return [smooth_through(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
 
 
 def _exact(edge: Edge, fit_tolerance: float) -> Edge:
     """The edge, a polyline among true curves being fitted."""
     if edge.degree > 1 or len(edge.points) == 2:
         return edge
-    curve = curve_from_points(edge.points, tolerance=fit_tolerance)
+    curve = curve_from_points(edge.points, tolerance=fit_tolerance, sides=True)
     return Edge(curve.knots, curve.control_points, curve.degree, curve.weights)
 
 

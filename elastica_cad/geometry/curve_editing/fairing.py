@@ -12,13 +12,15 @@ Corners so slight that a strip may round them are taken out before, by turning h
 """
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.curve_editing.polylines import fit_polyline
 from elastica_cad.geometry.curves.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Spline
@@ -304,6 +306,12 @@ PER_ROUNDING = 2 * np.sqrt(2.0)
 SMOOTHING_SHARE = 0.5
 """Share of the allowed distance that may be used for smoothing; the rest is left for making the curvature fair."""
 
+VERTEX_MM = 0.05
+"""Distance, mm, of a smoothed polyline from its vertices."""
+
+POLYLINE_SHARE = 0.1
+"""Largest `smooth` that is suggested for a polyline, as a fraction of its size."""
+
 WORTH_SHARE = 1e-3
 """Largest move, as a share of the length, that is suggested; larger ones would change the drawing visibly."""
 
@@ -312,7 +320,8 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     """The curve without slight corners, and how far, mm, it was moved at most to take them out.
 
     Corners of more than 5 degrees stay, and those for which it would move by more than half of `smooth` (mm).
-    A curve that was fitted to points that waver is fitted to them anew, within `smooth` of each.
+    A curve that was fitted to points that waver is fitted to them anew, within `smooth` of each. A polyline becomes
+    the smooth curve through its vertices, if that stays within `smooth` of the sides.
 
     Examples
     --------
@@ -329,6 +338,9 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
         return fitted.drawn_as(drawn.of_part()), moved
     if not curve.has_corners or curve.degree < 2:
         return curve, 0.0
+    if drawn is not None and drawn.vertices is not None:
+        fitted, moved = fit_polyline(drawn.vertices, VERTEX_MM)
+        return (fitted.drawn_as(drawn.of_part()), moved) if moved <= smooth else (curve, 0.0)
     healing = _healed(curve, SMOOTHING_SHARE * smooth)
     if not healing.healed:
         return curve, 0.0
@@ -337,7 +349,8 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
-    """The `smooth`, mm, of one figure, with which `round_corners` takes out all corners; None if it is no detail.
+    """The `smooth`, mm, of one figure, with which `round_corners` takes out all corners; None if it is no detail
+    of a spline.
 
     It is at least the usual smoothing distance, at most a thousandth of the length.
 
@@ -348,6 +361,13 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     >>> smooth_for_corners(kinked)
     0.06
     """
+    drawn = curve.provenance
+    if drawn is not None and drawn.vertices is not None:
+        with suppress(NotConvergedError):
+            needed = fit_polyline(drawn.vertices, VERTEX_MM)[1]
+            if needed <= POLYLINE_SHARE * np.ptp(drawn.vertices, axis=0).max():
+                return _one_figure(1.01 * needed, np.ceil)
+        return None
     corners = [one.angle for one in curve.tangent_breaks]
     if abs(curve.seam_turn) > CORNER_RAD:
         corners.append(curve.seam_turn)

@@ -32,6 +32,8 @@ class Provenance:
         Circles drawn on a straight first or last piece of the curve: centre and diameter, mm.
     measured : MeasuredPoints, optional
         The points that the whole curve was fitted to, where they waver.
+    vertices : (n, 2) array, optional
+        The vertices of the drawn polyline that the whole curve is, if it has corners, mm.
     """
 
     rounding: float = 0.0
@@ -43,6 +45,7 @@ class Provenance:
     layer: str = ""
     holes: tuple[tuple[float, float, float], ...] = ()
     measured: MeasuredPoints | None = None
+    vertices: FloatArray | None = None
 
     def shown(self, point: ArrayLike) -> str:
         """A point (2,) in mm as the drawing program shows it.
@@ -65,13 +68,14 @@ class Provenance:
         """The record of the curve's image under a 3 x 3 map; of a projective one the digits say nothing."""
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
-            return replace(self, rounding=0.0, place=None, holes=(), measured=None)
+            return replace(self, rounding=0.0, place=None, holes=(), measured=None, vertices=None)
         linear = m[:2, :2] / m[2, 2]
         stretch = float(np.linalg.norm(linear, 2))
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
         holes = tuple((*(m @ (x, y, 1.0))[:2] / m[2, 2], stretch * size) for x, y, size in self.holes)
+        offset = m[:2, 2] / m[2, 2]
         measured = self.measured and MeasuredPoints(
-            self.measured.points @ linear.T + m[:2, 2] / m[2, 2],
+            self.measured.points @ linear.T + offset,
             stretch * self.measured.waver,
             stretch * self.measured.least,
         )
@@ -82,13 +86,15 @@ class Provenance:
             place=np.asarray(place),
             holes=tuple((float(x), float(y), float(size)) for x, y, size in holes),
             measured=measured,
+            vertices=None if self.vertices is None else self.vertices @ linear.T + offset,
         )
 
     def reversed(self) -> "Provenance":
         """The record of the curve run from its other end."""
         measured = self.measured and replace(self.measured, points=self.measured.points[::-1])
-        return replace(self, measured=measured)
+        vertices = None if self.vertices is None else self.vertices[::-1]
+        return replace(self, measured=measured, vertices=vertices)
 
     def of_part(self) -> "Provenance":
         """The record of a part of the curve: the points were of the whole."""
-        return replace(self, measured=None)
+        return replace(self, measured=None, vertices=None)
