@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from io import FileIO
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -226,14 +227,21 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
     home = ground / f".elastica-{os.urandom(8).hex()}"
     home.mkdir()
     try:
-        with (home / _LOCK).open("xb") as lock:
+        with (home / _LOCK).open("xb", buffering=0) as lock:
             lock.write(_OURS)
-            lock.flush()
             _take(lock)
             (home / _FILES).mkdir()
             yield home / _FILES
     finally:
-        shutil.rmtree(home, ignore_errors=True)
+        _remove(home)
+
+
+def _remove(home: Path) -> None:
+    """Remove a temporary folder, its lock file last: what a kill leaves can still be recognized."""
+    shutil.rmtree(home / _FILES, ignore_errors=True)
+    with suppress(OSError):  # a user may look into the folder
+        (home / _LOCK).unlink(missing_ok=True)
+        home.rmdir()
 
 
 def _remove_stale(home: Path) -> None:
@@ -247,12 +255,10 @@ def _remove_stale(home: Path) -> None:
         if file.read() != _OURS:
             return
         _take(file)
-        shutil.rmtree(home / _FILES, ignore_errors=True)
-    lock.unlink()
-    home.rmdir()
+    _remove(home)
 
 
-def _take(lock: BinaryIO) -> None:
+def _take(lock: BinaryIO | FileIO) -> None:
     """Lock an open file until it is closed or its process ends; OSError if another process has it."""
     if sys.platform == "win32":
         import msvcrt
