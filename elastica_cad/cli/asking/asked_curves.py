@@ -245,7 +245,7 @@ def drawn_curves(
         No such curve; the file is named.
     """
     drawing = read_drawing(path, unit=unit, corners=corners)
-    for told in (drawing.size, drawing.left_out, *(drawing.gaps if corners else ())):
+    for told in (drawing.size, drawing.left_out, *drawing.remarks, *(drawing.gaps if corners else ())):
         if told:
             warn(f"{path.name}: {told}")
     if not drawing.chosen(number, layer):

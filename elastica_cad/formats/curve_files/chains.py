@@ -307,7 +307,8 @@ def curve_from_run(
         vertices = np.concatenate([edge.points for edge in run])
         return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn, sides=True)
     dust = 1e-9 * sum(edge.size for edge in run)
-    exact = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
+    pieces = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
+    exact = [part for edge in pieces for part in _with_handles(edge)]
     one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
     healing = heal_tangents(one.knots, one.points, one.degree, one.weights, rounding=drawn.rounding)
     return PlaneCurve(
@@ -393,6 +394,48 @@ def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list
         return [curve]
     cuts = [0, *corners, len(points) - 1]
     return [smooth_through(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
+
+
+_AWAY = 0.0214
+"""Largest distance of the parabola with control points a, c, d from the cubic with a, a, c, d, as a fraction of the
+distance of d from the line through a and c."""
+
+
+_OFF_MM, _OFF_SHARE = 0.004, 2e-5
+"""Largest distance by which a curve moves to bound its curvature, in mm and as a fraction of its size."""
+
+
+def _with_handles(edge: Edge) -> list[Edge]:
+    """Give the ends of a cubic Bezier piece that have no handle one, within 0.004 mm of the drawn curve.
+
+    Where the first two control points a coincide, the curve has a tangent, towards the third point c, but its
+    curvature grows beyond all bounds. A first part of it, with the control points a, a, c, d, is replaced by the
+    parabola with a, c, d, which has the same ends and end tangents.
+
+    Examples
+    --------
+    >>> pieces = _with_handles(Edge.bezier([(0, 0), (0, 0), (80, 80), (180, 0)]))
+    >>> [piece.points.shape for piece in pieces]
+    [(3, 2), (4, 2)]
+    """
+    if edge.weights is not None or edge.points.shape != (4, 2):
+        return [edge]
+    if np.array_equal(edge.points[2], edge.points[3]) and not np.array_equal(edge.points[0], edge.points[1]):
+        return [part.reversed() for part in reversed(_with_handles(edge.reversed()))]
+    start, handle, third, end = edge.points
+    toward = third - start
+    if not np.array_equal(start, handle) or not toward.any() or np.array_equal(third, end):
+        return [edge]
+    way = end - start - 3 * toward
+    aside = abs(float(toward[0] * way[1] - toward[1] * way[0])) / float(np.hypot(*toward))
+    t = min(1.0, np.cbrt(min(_OFF_MM, _OFF_SHARE * edge.size) / max(_AWAY * aside, 1e-300)))
+    joint = start + 3 * t**2 * toward + t**3 * way
+    first = replace(Edge.bezier([start, start + t**2 * toward, joint]), source=edge.source)
+    if t == 1:
+        return [first]
+    beyond = third + t * (end - third)
+    after = start + t * toward + t * (beyond - start - t * toward)
+    return [first, replace(Edge.bezier([joint, after, beyond, end]), source=edge.source)]
 
 
 def _exact(edge: Edge, fit_tolerance: float) -> Edge:

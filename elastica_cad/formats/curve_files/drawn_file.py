@@ -10,6 +10,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.curve_files.chains import curve_from_run, holes_on_chains, join_runs, near_ends
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
+from elastica_cad.formats.curve_files.stroke_outlines import stroke_width
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.pen_curves.provenance import Provenance
@@ -106,6 +107,8 @@ class DrawnFile:
         size that strips do not have; else empty.
     gaps : tuple of str
         Where curves meet, or nearly meet, and were not joined, one sentence each.
+    remarks : tuple of str
+        What the drawing shows otherwise than it was read, or is probably not meant as a strip, one sentence each.
 
     Raises
     ------
@@ -118,6 +121,7 @@ class DrawnFile:
     skipped: Mapping[str, int] = field(default_factory=dict)
     size: str = ""
     gaps: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         check_count(len(self.curves), MOST_CURVES, "curves", "leave out what is no strip")
@@ -221,7 +225,12 @@ class CurveList(list[PlaneCurve]):
             note("{called} is left out: {problem}", called=one.called, problem=one.problem)
             for one in self.file.bad
         ]
-        return (*(text for text in (self.file.size, self.file.left_out) if text), *self.file.gaps, *bad)
+        return (
+            *(text for text in (self.file.size, self.file.left_out) if text),
+            *self.file.remarks,
+            *self.file.gaps,
+            *bad,
+        )
 
 
 def collect_curves(
@@ -289,7 +298,19 @@ def collect_curves(
         "into one path in the drawing program, or remove their names",
         pairs=Listed(pairs),
     )] if pairs else []  # fmt: skip
-    return DrawnFile(path, curves, dict(sorted(skipped.items())), gaps=(*names, *gaps[:_SHOWN]))
+    widths = [stroke_width(chain, tolerance) for chain in chains]
+    outlines = [note(
+        "{curve} looks like the outline of a stroke about {width:.2g} wide: draw the centre line of the stroke, "
+        "or undo the conversion to a path (Inkscape: Stroke to Path; Illustrator: Outline Stroke)",
+        curve=curve.called, width=Length(width),
+    )for curve, width in zip(curves, widths, strict=True) if width]  # fmt: skip
+    return DrawnFile(
+        path,
+        curves,
+        dict(sorted(skipped.items())),
+        gaps=(*names, *gaps[:_SHOWN]),
+        remarks=tuple(outlines[:_SHOWN]),
+    )
 
 
 _SHOWN = 6  # curves and kinds named in a sentence

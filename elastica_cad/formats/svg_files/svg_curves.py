@@ -1,7 +1,7 @@
 """Curves drawn in an SVG file, exact where the file is exact."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
@@ -18,22 +18,29 @@ from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import (
+    CLIPPED,
     CLONE,
     MARK,
     PHYSICAL,
+    Box,
     SvgTree,
-    open_svg,
     read_length,
     svg_tree,
 )
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Length, Listed, note
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
-_AFFINITY = b'xmlns:serif="http://www.serif.com/"'
-_ILLUSTRATOR = b"Generator: Adobe Illustrator"  # in a remark at the top
-_TOP = 4096  # bytes
+_AFFINITY = "xmlns:serif"
+_ILLUSTRATOR = "Generator: Adobe Illustrator"
+_EXPORTED_CLASS = re.compile(r"cls-\d+")  # in what Illustrator exports for screens
+_ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
+_CLEAR = re.compile(
+    r"(rgb|hsl)a?\(([^,]*,){3}\s*0*\.?0*%?\s*\)|(rgb|hsl)a?\([^,]*/\s*0*\.?0*%?\s*\)|#[0-9a-f]{6}00|#[0-9a-f]{3}0"
+)
+"""Colours of opacity 0."""
+
 _LEAST_UNIT = 1e-9  # mm
 _LARGEST = 1e15  # of any number: what comes of two of them is still a number
 
@@ -56,7 +63,7 @@ def read_svg_drawing(
         Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
     """
     tree = svg_tree(file)
-    size, pixel = ("", _PX) if unit else _program(file, tree)
+    size, pixel = ("", _PX) if unit else _program(tree)
     scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
@@ -66,12 +73,13 @@ def read_svg_drawing(
         )
     to_mm = np.diag(scale * (1.0, -1.0))
     place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
+    shapes = _Shapes(tree)
     drawn = collect_curves(
-        file, _runs(file, tree, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
+        file, _runs(file, shapes, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
         nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
         corners=corners, shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
     )  # fmt: skip
-    return replace(drawn, size=size) if size else drawn
+    return replace(drawn, size=size, remarks=(*drawn.remarks, *shapes.remarks()))
 
 
 _IN_POINTS = (
@@ -98,19 +106,17 @@ _OF_OTHER_UNIT = (
 _OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
 
 
-def _program(file: Path, tree: SvgTree) -> tuple[str, float]:
+def _program(tree: SvgTree) -> tuple[str, float]:
     """A sentence and the size of a pixel, mm, where the program that drew it has one of its own.
 
     Illustrator and Affinity do without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
     """
-    with open_svg(file) as opened:
-        top = opened.read(_TOP)
     sizes = [(text, read_length(text)) for text in tree.size if text]
     sized = any(length and length[1] in PHYSICAL for _, length in sizes)
     other = next((text for text, _ in sizes if re.search(r"\d\s*(?!px)[a-z]+\s*$", text.lower())), "")
-    if _ILLUSTRATOR in top and not sized:
+    if not sized and (_ILLUSTRATOR in tree.head or _is_exported_for_screens(tree)):
         return _IN_POINTS, _PT
-    if _AFFINITY in top and not sized:
+    if _AFFINITY in tree.head and not sized:
         return _OF_AFFINITY, _PX
     version = re.match(r"0\.(\d+)", tree.root.get(_INKSCAPE, ""))
     if version and int(version[1][:2]) < 92 and not (sized and tree.root.get("viewBox")):
@@ -118,6 +124,16 @@ def _program(file: Path, tree: SvgTree) -> tuple[str, float]:
     if sized or (tree.root.get(_INKSCAPE) and not other):
         return "", _PX
     return note(_OF_OTHER_UNIT, size=quoted(other)) if other else _WITHOUT_UNIT, _PX
+
+
+def _is_exported_for_screens(tree: SvgTree) -> bool:
+    """Return True for a drawing of Illustrator's Export As, which does not name it; Adobe XD gives a size."""
+    if any(tree.size):
+        return "data-name" in tree.root.attrib
+    return any(
+        "data-name" in element.attrib or _EXPORTED_CLASS.fullmatch(element.get("class", ""))
+        for element in tree.root.iter()
+    )
 
 
 def _scale(tree: SvgTree) -> FloatArray:
@@ -135,7 +151,7 @@ def _scale(tree: SvgTree) -> FloatArray:
     return np.full(2, max(known) if "slice" in aspect else min(known))
 
 
-def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
+def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
     """The subpaths of all shapes that are shown, mm; `to_mm` (2, 2) maps user units."""
     try:
         from svgelements import SVG, Shape
@@ -145,11 +161,11 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
             name=path.name,
             how_to_install=how_to_install("svgelements"),
         ) from error
-    shapes, count = _Shapes(tree), 0
+    count = 0
     try:
-        drawing = SVG.parse(BytesIO(_in_user_units(tree)), reify=False, on_error="raise")
-        for shape in drawing.elements():
-            drawn = shapes.read(shape) if isinstance(shape, Shape) else None
+        drawing = SVG.parse(BytesIO(_in_user_units(shapes.tree)), reify=False, on_error="raise")
+        for shape in shapes.painted([one for one in drawing.elements() if isinstance(one, Shape)]):
+            drawn = shapes.read(shape)
             if drawn is None:
                 continue
             matrix = to_mm @ drawn.matrix
@@ -190,6 +206,10 @@ class _Shapes:
     ----------
     drawn : set of int
         Marks of shapes that are shown.
+    unpainted : set of int
+        Marks of shapes that have neither a stroke nor a fill.
+    clipped : dict
+        Names of shapes of which a clip path or mask may hide a part; the values are None.
     bad : dict
         The error of each shape, by its mark, that cannot be read.
     """
@@ -198,18 +218,30 @@ class _Shapes:
         self.tree = tree
         self.drawn: set[int] = set()
         self.bad: dict[int, InputError] = {}
+        self.unpainted: set[int] = set()
+        self.clipped: dict[str, None] = {}
         self._paths: dict[int, PathData] = {}
+
+    def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
+        """Return the shapes of svgelements that have a stroke or a fill, or all where none has."""
+        shown = [one for one in shapes if not _is_hidden(one)]
+        seen = [one for one in shown if any(_paints(one.values, what) for what in _PAINTS)]
+        if seen:
+            self.unpainted = {int(one.values[MARK]) for one in shown} - {
+                int(one.values[MARK]) for one in seen
+            }
+        return seen or shapes
 
     def read(self, shape: Any) -> _DrawnShape | None:
         """What svgelements found, with the path as `path_data` reads it; None where it is hidden or bad."""
         mark = int(shape.values[MARK])
-        if shape.values.get("visibility") in ("hidden", "collapse"):
+        m = shape.transform
+        matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
+        if _is_hidden(shape) or not matrix.any():
             return None
         self.drawn.add(mark)
         if mark in self.bad:
             return None
-        m = shape.transform
-        matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
         try:
             if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
                 raise InputError("has a transform with numbers that are not finite or too large")
@@ -227,6 +259,8 @@ class _Shapes:
             "/".join(name.id for name in names if name.id),
             is_named=any(name.is_chosen for name in names),
         )
+        if CLIPPED in shape.values or any(_reaches_out(runs, *clip) for clip in drawn.clips):
+            self.clipped[source.name or drawn.kind] = None
         return _DrawnShape(runs, source, matrix, offset)
 
     def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
@@ -242,14 +276,59 @@ class _Shapes:
     def tell_left_out(self) -> None:
         """Count hidden and bad shapes among what the tree skips; where all are bad, raise the first error."""
         shapes, skipped = self.tree.shapes, self.tree.skipped
-        hidden = sum(shape.shown and mark not in self.drawn for mark, shape in enumerate(shapes))
-        if hidden:
-            skipped["hidden or empty shape"] += hidden
+        hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
+        for kind, marks in (
+            ("hidden or empty shape", hidden),
+            ("shape without stroke and fill", self.unpainted),
+        ):
+            if marks:
+                skipped[kind] += len(marks)
         if self.bad and len(self.bad) == len(self.drawn):
             raise next(iter(self.bad.values()))
         for mark, problem in self.bad.items():
             name = f" {shapes[mark].name.shown}" if shapes[mark].name.shown else ""
             skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
+
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences on what a browser shows otherwise than it was read."""
+        clipped = [note(
+            "clipped or masked in the drawing, but read whole: {shapes}. Release the clip to see the whole curve, "
+            "or cut the path where it is to end",
+            shapes=Listed(self.clipped),
+        )] if self.clipped else []  # fmt: skip
+        unread = [note(
+            "styles that are not evaluated: {styles}. Compare the curves with the drawing",
+            styles=Listed(dict.fromkeys(self.tree.unread)),
+        )] if self.tree.unread else []  # fmt: skip
+        return (*clipped, *unread)
+
+
+_PAINTS = ("stroke", "fill")
+
+
+def _is_hidden(shape: Any) -> bool:
+    return shape.values.get("visibility", "").strip().lower() in ("hidden", "collapse")
+
+
+def _paints(values: Mapping[str, str], what: str) -> bool:
+    """Is the stroke, or the fill, of a shape seen?"""
+    paint = values[what].strip().lower()
+    clear = paint in ("none", "transparent") or _CLEAR.fullmatch(paint)
+    sizes = [values.get(f"{what}-opacity"), values.get("stroke-width") if what == "stroke" else None]
+    return not (clear or any(size and _ZERO.fullmatch(size) for size in sizes))
+
+
+def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
+    """Is a part of a shape outside of the rectangle that clips it? True where that is not known."""
+    from svgelements import Matrix
+
+    if box is None:
+        return True
+    m = Matrix(way)
+    points = np.concatenate([edge.at(edge.stations()) for run in runs for edge in run] or [np.empty((0, 2))])
+    seen = points @ np.array([[m.a, m.b], [m.c, m.d]], dtype=float) + np.array([m.e, m.f], dtype=float)
+    near = 1e-6 * max(box[2] - box[0], box[3] - box[1])
+    return bool(np.any(seen < np.array(box[:2]) - near) or np.any(seen > np.array(box[2:]) + near))
 
 
 def _in_user_units(tree: SvgTree) -> bytes:

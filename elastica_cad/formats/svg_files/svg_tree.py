@@ -18,6 +18,8 @@ from elastica_cad._units import MILLIMETRES, MM_PER_INCH
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
+from elastica_cad.formats.svg_files.path_data import path_data
+from elastica_cad.formats.svg_files.style_sheets import apply_styles
 
 _LENGTH = re.compile(rf"\s*({NUMBER}|[-+]?\d+,\d+)\s*([a-z]*)\s*", re.IGNORECASE)
 PHYSICAL = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("pt", "mm", "cm", "in")}
@@ -38,20 +40,13 @@ def read_length(text: str | None) -> tuple[float, str] | None:
 
     Examples
     --------
-    >>> read_length("8.5IN"), read_length("210,5mm"), read_length("50vw")
-    ((215.9, 'in'), (210.5, 'mm'), None)
+    >>> read_length("10IN"), read_length("210,5mm"), read_length("50vw")
+    ((254.0, 'in'), (210.5, 'mm'), None)
     """
     match = _LENGTH.fullmatch(text or "")
     if match is None or (unit := match[2].lower()) not in _MM:
         return None
     return float(match[1].replace(",", ".")) * _MM[unit], unit
-
-
-def _size_of(root: ElementTree.Element) -> tuple[str, str]:
-    """Width and height of a drawing as they are written; those of its style come first."""
-    style = dict(re.findall(r"([\w-]+)\s*:\s*([^;!]+)", root.get("style", "").lower()))
-    width, height = (style.get(side, root.get(side, "")) for side in ("width", "height"))
-    return width, height
 
 
 def _linked_id(element: ElementTree.Element) -> str:
@@ -71,8 +66,10 @@ _ALONG = dict.fromkeys(("x", "x1", "x2", "cx", "rx", "width"), 0) | dict.fromkey
     ("y", "y1", "y2", "cy", "ry", "height"), 1
 )
 _SHARE = re.compile(rf"\s*({NUMBER})\s*%\s*")
+_ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
 _HELD = ("svg", "symbol")
 
+Box = tuple[float, float, float, float]
 Extent = tuple[float, float]
 Fit = tuple[float, float, float, float]  # scales, then where the origin goes
 
@@ -80,8 +77,7 @@ Fit = tuple[float, float, float, float]  # scales, then where the origin goes
 def _fit_views(root: ElementTree.Element) -> None:
     """Write percentages as user units and nested drawings as groups; fit symbols into the boxes of clones."""
     box = _box(root)
-    width, height = _size_of(root)
-    extent = box[2:] if box else (_size(width, 100.0), _size(height, 100.0))
+    extent = box[2:] if box else (_size(root.get("width"), 100.0), _size(root.get("height"), 100.0))
     held: dict[str, ElementTree.Element] = {}
     fits: dict[ElementTree.Element, Fit] = {}
     clones: list[tuple[ElementTree.Element, Extent]] = []
@@ -118,6 +114,19 @@ def _resolve(element: ElementTree.Element, around: Extent) -> None:
         if share:
             whole = around[_ALONG[name]] if name in _ALONG else float(np.hypot(*around)) / 2**0.5
             element.set(name, repr(float(share[1]) * whole / 100))
+    words, transform = element.attrib.pop("transform-origin", "").lower().split(), element.get("transform")
+    if words and transform:
+        words = [*words, "center"][:2]
+        if words[0] in ("top", "bottom") or words[1] in ("left", "right"):
+            words = words[::-1] if set(words) <= _ORIGINS.keys() else ["0", "0"]
+        x, y = (_origin(word, whole) for word, whole in zip(words, around, strict=True))
+        element.set("transform", f"translate({x!r} {y!r}) {transform} translate({-x!r} {-y!r})")
+
+
+def _origin(word: str, whole: float) -> float:
+    """One coordinate of the origin of a transform."""
+    share = _SHARE.fullmatch(_ORIGINS.get(word, word))
+    return float(share[1]) * whole / 100 if share else _size(word, 0.0)
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
@@ -226,11 +235,15 @@ _TOKEN = re.compile(
 
 _PACKED = b"\x1f\x8b"  # how gzip begins
 _HEAD = 4096  # bytes that are looked through at a time for where the first element begins
+_LONGEST_ENTITY = 1000  # characters; expat bounds what all references come to
 _DEEPEST = 200  # elements within elements
 _MOST_ELEMENTS = 5 * MOST_SHAPES  # once clones are put in place: groups and texts take time too
 _MOST_TEXT = 64 * 2**20  # characters once clones are put in place
 MARK = "data-shape"
 """The attribute that says which shape of the tree an expanded one is."""
+
+CLIPPED = "data-clipped"
+"""The attribute of a clone that is clipped or masked, with all that it shows."""
 
 CLONE = "data-clone-"
 """Begins the attributes with the numbers of clones; a shape within clones has them all, the outermost first."""
@@ -281,6 +294,9 @@ class Shape:
         Half a unit of the last digit of what its size is written with; of a path 0.
     shown : bool
         Does it stand where shapes are shown, not among definitions?
+    clips : tuple of (box, str)
+        What clips or masks it: low x, low y, high x, high y of a rectangle, None of any other area; and the
+        transforms from the shape to it.
     """
 
     kind: str
@@ -289,6 +305,7 @@ class Shape:
     data: str | None
     rounding: float
     shown: bool
+    clips: "tuple[tuple[Box | None, str], ...]"
 
 
 @dataclass
@@ -299,13 +316,19 @@ class SvgTree:
     ----------
     size : (str, str)
         Width and height as they are written.
+    head : str
+        The comments and namespaces at the top of the file.
+    unread : list of str
+        What of its style is not evaluated: selectors of its style sheets, transforms about a box.
     """
 
     root: ElementTree.Element
     size: tuple[str, str]
+    head: str
     shapes: list[Shape] = field(default_factory=list)
     clones: list[Name] = field(default_factory=list)
     skipped: Counter[str] = field(default_factory=Counter)
+    unread: list[str] = field(default_factory=list)
 
 
 def svg_tree(path: Path) -> SvgTree:
@@ -316,22 +339,23 @@ def svg_tree(path: Path) -> SvgTree:
     InputError
         No SVG, nested too deep, or more shapes, clones expanded, than are read.
     """
-    with open_svg(path) as file:
-        _refuse_entities(file)
+    with _open_svg(path) as file:
+        head = _read_head(file)
         try:
             root = ElementTree.parse(file).getroot()
         except (ElementTree.ParseError, ValueError, LookupError) as error:
             raise InputError("is not an SVG file ({error}): export it anew", error=error) from error
     if tag(root) != "svg":
         raise InputError("is not an SVG file: it begins with <{tag}>, not with <svg>", tag=tag(root))
-    tree = SvgTree(root, _size_of(root))
+    unread = apply_styles(root)
+    tree = SvgTree(root, (root.get("width", ""), root.get("height", "")), head, unread=unread)
     _refuse_bombs(tree)
     _fit_views(root)
     _mark(tree)
     return tree
 
 
-def open_svg(path: Path) -> BinaryIO:
+def _open_svg(path: Path) -> BinaryIO:
     """The file, unpacked where it is packed (.svgz).
 
     Raises
@@ -357,25 +381,34 @@ def open_svg(path: Path) -> BinaryIO:
     return BytesIO(data)
 
 
-def _refuse_entities(file: BinaryIO) -> None:
-    """Refuse declarations of entities, which stand before the first element: they may expand to anything."""
-    parser, in_head = ParserCreate(), True
+def _read_head(file: BinaryIO) -> str:
+    """Return the comments and namespaces before the second element; refuse entities that are not plain text."""
+    parser, elements, found = ParserCreate(), 0, list[str]()
 
-    def refuse(*_: object) -> None:
-        raise InputError(
-            "declares entities of XML, which are not expanded: save it as plain SVG (Illustrator: without its "
-            "editing capabilities)"
-        )
+    def declare(name: str, is_parameter: int, text: str | None, *_: object) -> None:
+        if is_parameter or text is None or len(text) > _LONGEST_ENTITY or set(text) & set("<&"):
+            raise InputError(
+                "declares the XML entity {name}, which is not plain text of up to {most} characters: save it as "
+                "plain SVG (Illustrator: without its editing capabilities)",
+                name=name,
+                most=_LONGEST_ENTITY,
+            )
 
-    def begins(*_: object) -> None:
-        nonlocal in_head
-        in_head = False
+    def begin(_: str, attributes: dict[str, str]) -> None:
+        nonlocal elements
+        elements += 1
+        found.extend(name for name in attributes if name.startswith("xmlns"))
 
-    parser.EntityDeclHandler, parser.StartElementHandler = refuse, begins
+    def comment(text: str) -> None:
+        if elements < 2:
+            found.append(text)
+
+    parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
     with suppress(ExpatError, LookupError):  # no XML: whoever reads all of it says so
-        while in_head and (data := file.read(_HEAD)):
+        while elements < 2 and (data := file.read(_HEAD)):
             parser.Parse(data)
     file.seek(0)
+    return "\n".join(found)
 
 
 def _refuse_bombs(tree: SvgTree) -> None:
@@ -437,19 +470,38 @@ def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTre
 
 def _mark(tree: SvgTree) -> None:
     """Name every shape by its number, take the path data out, write lengths such as 10mm as user units."""
-    stack: list[tuple[ElementTree.Element, str, bool]] = [(tree.root, "", True)]
+    areas = {
+        e.get("id"): _rectangle(e) for e in reversed([*tree.root.iter()]) if tag(e) in ("clipPath", "mask")
+    }
+    stack: list[tuple[ElementTree.Element, str, bool, tuple[tuple[Box | None, str], ...]]] = [
+        (tree.root, "", True, ())
+    ]
     while stack:
-        element, layer, shown = stack.pop()
+        element, layer, shown, clips = stack.pop()
         kind = tag(element)
+        clips = tuple((box, f"{way} {element.get('transform', '')}") for box, way in clips)
+        for name in _AREAS:
+            area = element.get(name, "").strip()
+            if _referred(area) in areas or not re.match(r"(url\(|none$|$)", area):
+                clips = (*clips, (areas.get(_referred(area)), ""))
+        opacity = re.match(rf"\s*{NUMBER}", element.get("opacity", ""))
+        if opacity and float(opacity[0]) <= 0:
+            element.set("display", "none")
+        if element.get("transform") and element.get("transform-box", "").endswith(
+            ("l-box", "e-box", "t-box")
+        ):
+            tree.unread.append(f"transform-box: {element.get('transform-box')}")
         shown = shown and kind not in _NOT_SHOWN
         if kind == "g" and element.get(f"{_INKSCAPE}groupmode") == "layer":
             layer = element.get(f"{_INKSCAPE}label") or element.get("id") or layer
         if shown and kind in _NO_CURVES:
             tree.skipped[kind] += 1
-        for name in [name for name in element.attrib if name == MARK or name.startswith(CLONE)]:
+        for name in [name for name in element.attrib if name in (MARK, CLIPPED) or name.startswith(CLONE)]:
             del element.attrib[name]
         if kind == "use":
             element.set(f"{CLONE}{len(tree.clones)}", str(len(tree.clones)))
+            if clips:
+                element.set(CLIPPED, "1")
             tree.clones.append(Name.of(element))
         written = " ".join(element.get(name, "") for name in (*_LENGTH_ATTRIBUTES, "points"))
         for name in _LENGTH_ATTRIBUTES:
@@ -462,5 +514,39 @@ def _mark(tree: SvgTree) -> None:
                 element.set("d", "M0 0L1 1" if data.strip() else "")
             rounding = half_last_place(re.findall(NUMBER, written)) if data is None else 0.0
             element.set(MARK, str(len(tree.shapes)))
-            tree.shapes.append(Shape(kind, Name.of(element), layer, data, rounding, shown))
-        stack += [(child, layer, shown) for child in reversed(element)]
+            tree.shapes.append(Shape(kind, Name.of(element), layer, data, rounding, shown, clips))
+        stack += [(child, layer, shown, clips) for child in reversed(element)]
+
+
+_AREAS = ("clip-path", "mask")
+
+
+def _referred(text: str) -> str:
+    """The id in `url(#id)`; "" without one."""
+    match = re.match(r"""url\(\s*["']?#([^"')]*)""", text)
+    return match[1].strip() if match else ""
+
+
+def _rectangle(area: ElementTree.Element) -> Box | None:
+    """The one upright rectangle that a clip path consists of; None of any other."""
+    shapes = [child for child in area if tag(child) in (*_SHAPES, "use", "text", "g")]
+    written = {name for element in (area, *shapes) for name in element.attrib}
+    if tag(area) != "clipPath" or len(shapes) != 1 or written & {"transform", "clipPathUnits", *_AREAS}:
+        return None
+    x, y, width, height = (_size(shapes[0].get(name), 0.0) for name in ("x", "y", "width", "height"))
+    if tag(shapes[0]) == "rect":
+        return x, y, x + width, y + height
+    with suppress(InputError):
+        runs = path_data(shapes[0].get("d", "")).runs
+        if len(runs) != 1:
+            return None
+        run = runs[0]
+        points = np.array([edge.points[0] for edge in run])
+        low, high = points.min(axis=0), points.max(axis=0)
+        if (
+            len(run) == 4
+            and all(len(edge.points) == 2 for edge in run)
+            and np.all((points == low) | (points == high))
+        ):
+            return (*low.tolist(), *high.tolist())
+    return None

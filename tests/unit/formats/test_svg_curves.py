@@ -175,9 +175,9 @@ def test_handles_drawn_in_make_straight_lines(svg):
 
 def test_cusp_is_told_with_its_place(svg):
     with pytest.raises(
-        InputError, match=r"drawn\.svg: .*the curve has no tangent at \(0, 0\) mm.*draw out the handle"
+        InputError, match=r"drawn\.svg: .*the curve has no tangent at \(30, 45\) mm.*has a cusp"
     ):
-        svg(path("M 0 0 C 0 0 30 40 60 0"))
+        svg(path("M 0 0 C 60 60 0 60 60 0"))
 
 
 def test_degenerate_segments_are_passed_over(svg):
