@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack
 
 import build123d as bd
 
+from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
@@ -312,7 +313,10 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
 
     def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
         """Where a joint is put on the end; the base class leaves open where angles are counted from."""
-        super().relative_to(other, angle=angle)
+        require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
+        super().relative_to(
+            other, angle=None if angle is None else require_number(angle, "the angle", "degrees")
+        )
         return self._home * bd.Rotation(0, 0, self._angle) * other.relative_location.inverse()
 
 

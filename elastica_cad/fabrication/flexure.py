@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import numbers, require_number, require_positive, require_record
+from elastica_cad._values import is_number, numbers, require_number, require_positive, require_record
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
@@ -193,9 +193,12 @@ class Flexure:
         require_record(self.pad, Pad, "the pad", "a Pad")
         if self.least_thickness is not None:
             require_positive(self.least_thickness, "the least thickness")
-        if self.fillet:
+        if not is_number(self.fillet) or self.fillet:
             require_positive(self.fillet, "the fillet")
-        if self.push_at is not None and not 0 < self.push_at < self.pair.length:
+        if (
+            self.push_at is not None
+            and not 0 < require_number(self.push_at, "push_at", "mm") < self.pair.length
+        ):
             raise InputError(
                 "the part is {length} long between its pads: push it there, not at {at}",
                 length=Length(self.pair.length), at=Length(self.push_at),

@@ -88,6 +88,7 @@ leave open
         NotConvergedError
             It finds no rest shape.
         """
+        require_record(strip, Strip, "the strip", "a Strip")
         if strip.is_closed:
             raise InputError("a closed strip has no ends to measure from: measure its widths across")
         made, held = strip.as_made, strip.held()

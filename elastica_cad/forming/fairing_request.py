@@ -5,8 +5,8 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._values import require_record
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad._values import is_number, is_series, require_record
+from elastica_cad.errors import ElasticaError, InputError, quoted
 from elastica_cad.geometry.curve_editing.fairing import (
     Fairing,
     fair_curve,
@@ -16,7 +16,11 @@ from elastica_cad.geometry.curve_editing.fairing import (
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_supports
-from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
+from elastica_cad.mechanics.loads.rest_curvature import (
+    ExcessCurvature,
+    NaturalCurvature,
+    require_natural_curvature,
+)
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -278,6 +282,10 @@ def smooth_curve(
     """
     require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
     supports = None if supports is None else require_supports(supports)
+    require_natural_curvature(natural_curvature)
+    each = tuple(widths) if is_series(widths) else ()
+    if len(each) != 2 or not all(width is None or (is_number(width) and width > 0) for width in each):
+        raise InputError("widths are {given}: give two positive numbers or None, mm", given=quoted(widths))
     smoothing = Smoothing(curve, check_smooth(smooth), supports, natural_curvature, widths)
     _ = smoothing.fairing
     return smoothing

@@ -10,6 +10,7 @@ from elastica_cad._exports import installed_modules
 from elastica_cad.errors import MissingDependencyError, how_to_install
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.arguments import require_curve
 from elastica_cad.web.answers import asked_spec
 from elastica_cad.web.saved_design import curve_table
 from elastica_cad.web.vocabulary import page_words
@@ -54,6 +55,8 @@ def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
     >>> round(curve.length, 1), spec.max_width
     (202.2, 30.0)
     """
+    if curve is not None:
+        require_curve(curve)
     table: dict[str, Any] = {"spline": [], "degree": 4} if curve is None else curve_table(curve)
     design = {"schema": 1, "name": "strip", "sheet": "birch-plywood-0.8", "max_width": 30.0, **keys}
     made: AnyWidget = _widget()(

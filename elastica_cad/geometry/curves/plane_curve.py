@@ -10,8 +10,16 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, svg_of_lines
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
-from elastica_cad._values import is_number, numbers, require_flag, require_number, require_record
-from elastica_cad.errors import InputError
+from elastica_cad._values import (
+    is_number,
+    is_series,
+    numbers,
+    pair,
+    require_flag,
+    require_number,
+    require_record,
+)
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.curves import curvature_zeros as zeros
 from elastica_cad.geometry.curves.curvature_zeros import ZeroKind, line_places
 from elastica_cad.geometry.curves.curve_derivatives import (
@@ -214,6 +222,8 @@ class PlaneCurve(NurbsCurve):
     def at(self, s: ArrayLike) -> CurveSamples:
         """Position, angle and curvature at arc lengths s (n,)."""
         s = np.atleast_1d(numbers(s, "arc lengths"))
+        if s.ndim > 1:
+            raise InputError("arc lengths are an array of {count} dimensions: give one row", count=s.ndim)
         t = self.parameter(s)
         position, d1, d2 = self._pieces.at(t, 2)
         return CurveSamples(s, position, self._turning.at(t, d1), curvature(d1, d2), t)
@@ -264,15 +274,20 @@ class PlaneCurve(NurbsCurve):
         breaks : sequence of (parameter, bool)
             Where it has a kink, and whether it is continuous there.
         """
+        if not callable(function) or not (is_number(size) and size > 0):
+            raise InputError(
+                "zeros of {function}, whose size is {size}, cannot be found: give a callable and a positive size",
+                function=quoted(function), size=quoted(size),
+            )  # fmt: skip
         low, high = self.domain
         places = dict(
             zip(self._pieces.edges[1:-1].tolist(), self._curvature_continuous.tolist(), strict=True)
         )
-        for t, continuous in breaks:
+        for t, continuous in (pair(one, "a break") for one in (breaks if is_series(breaks) else [breaks])):
             near = min(places, key=lambda known: abs(known - t), default=low)
             at = near if abs(near - t) < 1e-9 * (high - low) else t
             if low < at < high:
-                places[at] = places.get(at, True) and continuous
+                places[at] = places.get(at, True) and bool(continuous)
         edges = np.array([low, *sorted(places), high])
         smooth = np.array([places[t] for t in sorted(places)], dtype=bool)
         return self._measured(zeros.function_zero_places(function, edges, smooth, size))

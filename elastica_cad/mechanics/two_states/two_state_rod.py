@@ -7,7 +7,7 @@ from typing import Annotated, Literal, NoReturn, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import require_positive, require_record
+from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.declared import Asked
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import CurvatureZero, PlaneCurve
@@ -204,7 +204,7 @@ def two_state_rod(
         ("free", free, (None, "first", "second")),
         ("objective", objective, ("ratio", "thickness")),
     ):
-        if value not in known:
+        if not is_one_of(value, known):
             raise InputError(
                 "{name} is {given!r}: give one of {known}",
                 name=name,

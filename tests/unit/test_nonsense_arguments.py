@@ -1,0 +1,29 @@
+"""Arguments that mean nothing are refused in a sentence, where a foreign error or an endless search was met."""
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.measuring import Measuring
+from elastica_cad.forming.fairing_request import smooth_curve
+
+ARCH = ec.PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: ARCH.at(np.zeros((0, 2))), "arc lengths are an array of 2 dimensions"),
+        (lambda: ARCH.zeros_along(None, 1.0), "give a callable"),
+        (lambda: ARCH.zeros_along(np.sin, -1e-300), "a positive size"),
+        (lambda: ARCH.zeros_along(np.sin, 1.0, [0.5]), "a break must be two finite numbers"),
+        (lambda: Measuring.of(0), "give a Strip"),
+        (lambda: smooth_curve(ARCH, widths=()), "widths are .*: give two positive numbers"),
+        (lambda: smooth_curve(ARCH, natural_curvature="pom-1"), "natural_curvature is"),
+        (lambda: ec.two_state_rod(ARCH, ARCH, free=np.zeros((2, 2))), "free is array"),
+    ],
+)
+def test_nonsense_is_refused_in_a_sentence(call, sentence):
+    with pytest.raises(InputError, match=sentence):
+        call()
