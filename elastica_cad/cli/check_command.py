@@ -19,7 +19,6 @@ from elastica_cad.cli.asking.asked_curves import (
     which_options,
 )
 from elastica_cad.cli.asking.options import smooth_option
-from elastica_cad.cli.asking.strip_options import option_words
 from elastica_cad.cli.asking.support_options import natural_curvature_of, support_options
 from elastica_cad.cli.running.suggestions import (
     MOST_REFUSALS,
@@ -32,7 +31,7 @@ from elastica_cad.cli.running.suggestions import (
 )
 from elastica_cad.cli.running.voice import answer, say, voice, warn, wrote
 from elastica_cad.errors import Change, ElasticaError, InputError
-from elastica_cad.formats.reports.strip_report import report_check, round_numbers
+from elastica_cad.formats.reports.check_report import report_check, round_numbers
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
@@ -141,7 +140,9 @@ def _suggestion(
     """The command `elastica strip` that makes a strip near a curve that none takes, of one of the usual sheets."""
     if natural_curvature or smooth is not None or Path("out").exists():
         return ""
-    from elastica_cad.fabrication.strip_spec import StripSpec  # imports all that makes strips
+    # these import all that makes strips
+    from elastica_cad.cli.asking.strip_options import option_words
+    from elastica_cad.fabrication.strip_spec import StripSpec
 
     curve = asked.curve
     width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))

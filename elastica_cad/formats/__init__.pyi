@@ -25,7 +25,7 @@ from elastica_cad.formats.file_access.write_files import (
     write_atomically as write_atomically,
 )
 from elastica_cad.formats.file_access.write_files import write_together as write_together
-from elastica_cad.formats.reports.strip_report import report_check as report_check
+from elastica_cad.formats.reports.check_report import report_check as report_check
 from elastica_cad.formats.reports.model_report import (
     MODEL_SCHEMA as MODEL_SCHEMA,
     report_model as report_model,

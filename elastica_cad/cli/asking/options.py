@@ -9,7 +9,6 @@ import click
 
 from elastica_cad._units import MILLIMETRES, MM_PER_INCH, read_number
 from elastica_cad.declared import Field
-from elastica_cad.formats.design_files.records import written
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.material.sheet import Sheet
@@ -98,6 +97,8 @@ def option_of(
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
     """What is typed behind an option, and how help shows it."""
+    from elastica_cad.formats.design_files.records import written  # imports all records
+
     kinds = written(field.kind).alternatives
     words = tuple(word for one in kinds for word in one.choices)
     if any(one.name == "number" for one in kinds):

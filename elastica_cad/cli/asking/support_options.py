@@ -11,8 +11,6 @@ from elastica_cad.cli.asking.asked_curves import asked_curves
 from elastica_cad.cli.asking.options import join_options
 from elastica_cad.declared import kind_of
 from elastica_cad.errors import InputError, quoted
-from elastica_cad.formats.design_files.records import Reader
-from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName
@@ -30,6 +28,9 @@ def natural_curvature_of(value: Any) -> NaturalCurvature:
     """Return the value of the option as a number (1/mm) or a record."""
     if isinstance(value, float):
         return value
+    from elastica_cad.formats.design_files.records import Reader  # imports all records
+    from elastica_cad.formats.design_files.tables import Table
+
     kind, table = kind_of(NaturalCurvature), Table({"natural_curvature": value}, "", {})
     found: NaturalCurvature = Reader(read_curves=read_curves_told).value(kind, table, "natural_curvature")
     return found

@@ -17,7 +17,7 @@ import numpy as np
 from elastica_cad._printable import printable
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.formats.file_access.source_file import FileMark, mark_file, note_reads
-from elastica_cad.formats.reports.strip_report import round_numbers
+from elastica_cad.formats.reports.check_report import round_numbers
 
 _KEY = "elastica.voice"
 

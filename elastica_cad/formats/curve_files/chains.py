@@ -138,10 +138,10 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     That is within 1 mm and a hundredth of the smaller chain; the nearest first, one for each end. Ends within
     `tolerance` are listed where a name keeps them apart.
     """
-    from scipy.spatial import cKDTree
-
     if len(chains) < 2:
         return []
+    from scipy.spatial import cKDTree
+
     ends = _ends(chains)
     sizes = [sum(edge.size for edge in chain) for chain in chains]
     found = []

@@ -13,7 +13,8 @@ from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.strip_table import StripEntry
-from elastica_cad.formats.reports.strip_report import list_versions, report_blank, report_held, round_numbers
+from elastica_cad.formats.reports.check_report import round_numbers
+from elastica_cad.formats.reports.strip_report import list_versions, report_blank, report_held
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 
 MODEL_SCHEMA = "elastica-model/1"

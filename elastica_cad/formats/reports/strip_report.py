@@ -17,13 +17,13 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape, Reactions
 from elastica_cad.fabrication.measuring import Measuring
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
+from elastica_cad.formats.reports.check_report import report_check, round_numbers
 from elastica_cad.formats.reports.measuring_sheet import measuring_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 from elastica_cad.refusals import Length, note
 
 STATIONS = 201
@@ -78,26 +78,6 @@ def tell_blank(strip: Strip) -> str:
         )
     )
     return note(ways[0 if same else 1], radius=Length(1 / abs(rest[at])), s=Length(rod.s[at]))
-
-
-def report_check(check: EquilibriumCheck) -> dict[str, Any]:
-    """Return the verdict of Theorem 1 as plain data; places in mm along the curve."""
-    require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
-    return {
-        "realizable": check.realizable,
-        "reasons": list(check.reasons),
-        "warnings": list(check.warnings),
-        "inflections": round_numbers(check.inflections),
-        "advice": str(check),
-    }
-
-
-def round_numbers(value: Any) -> Any:
-    """Ten significant digits: more would be noise, and the same design must give the same file."""
-    array = np.asarray(value, dtype=float)
-    if array.ndim == 0:
-        return float(f"{float(array):.10g}")
-    return [round_numbers(row) for row in array]
 
 
 REPORT_SCHEMA = "elastica-report/1"

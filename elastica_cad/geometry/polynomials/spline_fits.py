@@ -1,10 +1,10 @@
 """Splines that follow a given function to a tolerance, and few control points for measured points."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_number, is_whole, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError, quoted
@@ -99,13 +99,15 @@ def adaptive_spline(
         x = low[:, None] + widths[:, None] * np.concatenate([(1 + sites) / 2, _PROBES])
         values = _sampled(function, x)
         weights = np.sqrt(widths[:, None] * weight)
-        spline = _nearest(x[:, : sites.size], values[:, : sites.size], weights, full, degree)
-        error = np.abs(spline(x[:, sites.size :]) - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
+        spans = bezier_spans(full, degree)
+        coefficients = _nearest(spans, x[:, : sites.size], values[:, : sites.size], weights)
+        probed = _evaluated(spans, coefficients, x[:, sites.size :])
+        error = np.abs(probed - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
         accepted = max(tolerance, rounding * float(np.abs(values).max()))
         # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
         bad = error > max(accepted, _REFINED_SHARE * float(error.max()))
         if not bad.any():
-            return full, np.asarray(spline.c, dtype=float)
+            return full, coefficients
         _refuse_endless(edges, bad, error, tolerance)
         parts = np.ones(low.size, dtype=int)
         worst = _with_wide_neighbours(widths, bad)
@@ -162,12 +164,33 @@ def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Flo
     return values.reshape(*x.shape, *values.shape[1:])
 
 
-def _nearest(x: FloatArray, values: FloatArray, weights: FloatArray, knots: FloatArray, degree: int) -> Any:
-    """The spline over the knots that is nearest in mean square to values (p, k, ...) at places (p, k)."""
-    from scipy.interpolate import make_lsq_spline
+def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
+    """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places (p, k).
 
-    rows = values.reshape(x.size, *values.shape[2:])
-    return make_lsq_spline(x.ravel(), rows, knots, k=degree, w=weights.ravel())
+    Importing scipy.interpolate for `make_lsq_spline` takes longer than all fits of a command.
+    """
+    basis, index = spans.local_basis(x.ravel())
+    first, weight = spans.first[index], weights.ravel()[:, None]
+    rows, targets = basis * weight, values.reshape(x.size, -1) * weight
+    order = range(rows.shape[1])
+    band = np.zeros((rows.shape[1], spans.count))
+    right = np.zeros((spans.count, targets.shape[1]))
+    for a in order:
+        for b in order[a:]:
+            band[b - a] += np.bincount(first + a, rows[:, a] * rows[:, b], spans.count)
+        for column in range(targets.shape[1]):
+            right[:, column] += np.bincount(first + a, rows[:, a] * targets[:, column], spans.count)
+    _, solution, info = lapack().dpbsv(band, right, lower=1)
+    if info:
+        raise NotConvergedError("No spline follows the function: its places are too close to each other.")
+    return np.asarray(solution.reshape(spans.count, *values.shape[2:]), dtype=float)
+
+
+def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatArray:
+    """Values (p, k, ...) of a spline at places (p, k)."""
+    basis, index = spans.local_basis(x.ravel())
+    local = coefficients[spans.first[index][:, None] + np.arange(spans.degree + 1)]
+    return np.einsum("nj,nj...->n...", basis, local).reshape(*x.shape, *coefficients.shape[1:])
 
 
 def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
