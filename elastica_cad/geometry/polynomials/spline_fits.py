@@ -190,7 +190,8 @@ def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatAr
     """Values (p, k, ...) of a spline at places (p, k)."""
     basis, index = spans.local_basis(x.ravel())
     local = coefficients[spans.first[index][:, None] + np.arange(spans.degree + 1)]
-    return np.einsum("nj,nj...->n...", basis, local).reshape(*x.shape, *coefficients.shape[1:])
+    values = np.einsum("nj,nj...->n...", basis, local)
+    return np.asarray(values.reshape(*x.shape, *coefficients.shape[1:]), dtype=float)
 
 
 def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
