@@ -39,7 +39,8 @@ def test_the_version_here_is_the_lower_bound(requirement):
     assert here == wanted + ["0"] * (len(here) - len(wanted))
 
 
-@pytest.mark.filterwarnings("ignore::elastica_cad.formats.curve_files.write_curves.FitWarning")  # SVG holds no spline of degree 4
+# SVG holds no spline of degree 4
+@pytest.mark.filterwarnings("ignore::elastica_cad.formats.curve_files.write_curves.FitWarning")
 @pytest.mark.parametrize("drawn", ["arch.dxf", "arch.svg"])
 def test_a_drawn_curve_becomes_files(drawn, tmp_path):
     (curve,) = ec.read_curves(ARCH)
