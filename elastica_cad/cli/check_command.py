@@ -91,8 +91,8 @@ def check(
     """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
 
     A curve can be bent when one straight line meets it exactly in its inflections and is tangent to it in none
-    of them. Every curve is judged for itself. Exit code 1 when any cannot be bent, 2 when any is no open,
-    smooth curve.
+    of them. Every curve is judged for itself. Exit code 1 when any cannot be bent, or when the points of a curve
+    do not decide it; 2 when any is no open, smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
     bent = natural_curvature_of(natural_curvature)
@@ -107,7 +107,7 @@ def check(
     ):
         curves, found = zip(*alike, strict=True)
         one, last, answered = curves[0], curves[-1], found[-1]
-        good = answered["realizable"]
+        good = answered["realizable"] and not answered.get("undecided")
         if "problem" in answered:
             bad += len(curves)
             warn(said, told=bad <= MOST_REFUSALS)
@@ -116,7 +116,7 @@ def check(
             say(f"{curve.name}, {which} of {one.count}:\n{said}" if max(one.count, len(asked)) > 1 else said)
             for sentence in answered.get("advice_on_sheets", ()):
                 say(sentence)
-        if not (good or several or voice().quiet):
+        if not (answered["realizable"] or several or voice().quiet):
             suggestion = _suggestion(one, supports, bent, smooth)
             if suggestion:
                 answered |= {"suggestion": suggestion}

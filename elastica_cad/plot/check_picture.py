@@ -56,11 +56,18 @@ def check(check: EquilibriumCheck) -> Figure:
     tips, extent = comb_tips(nodes), float(np.ptp(nodes.position, axis=0).max())
     box = box_about(np.concatenate([nodes.position, tips]))
     width, height = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
-    told = fill(" ".join((*check.told_of_points, *check.reasons)) if check.reasons else str(check), LETTERS)
+    told = fill(
+        " ".join((*check.told_of_points, *check.reasons))
+        if check.reasons and check.undecided is None
+        else str(check),
+        LETTERS,
+    )
     panel = NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
     figure, (axes,) = new_page([panel], told)
     paint_comb(axes, nodes.position, tips)
-    axes.plot(*nodes.position.T, color=GOOD if check.realizable else INK, linewidth=2.2)
+    axes.plot(
+        *nodes.position.T, color=GOOD if check.realizable and not check.undecided else INK, linewidth=2.2
+    )
     measured, dots = measured_points(curve), ""
     if measured is not None:
         dots = "; the dots were measured"
@@ -83,7 +90,11 @@ def check(check: EquilibriumCheck) -> Figure:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
     axes.set_xlim(middle[0] - half[0], middle[0] + half[0])
     axes.set_ylim(middle[1] - half[1], middle[1] + half[1])
-    verdict = "Can be bent" if check.realizable else "Cannot be bent"
+    verdict = (
+        "Undecided by these points" if check.undecided else
+        "Can be bent" if check.realizable else
+        "Cannot be bent"
+    )  # fmt: skip
     finish_axes(axes, f"{verdict}: {check.length:.4g} mm; places in mm along it{dots}")
     return figure
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
-from freecad.elastica_wb.live.verdict import sentence_of
+from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, sentence_of, strip_answer
 from freecad.elastica_wb.solving.strip_cache import solve_strip
 
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -109,3 +109,20 @@ def test_straight_ends_are_tabs_in_the_overlay_too():
     (turn,) = solve_strip(asked(curve)).rod.curve.inflections
     place = solve_strip(asked(curve)).rod.curve.at(np.array([turn])).position
     assert curve_picture(curve, asked(curve)).on_line == pytest.approx(place, abs=1e-6)
+
+
+@pytest.mark.parametrize("heights", [(-28, -31, -35, 46, -34), (-42, 7, -22, -2, 13)])
+def test_points_that_do_not_decide_are_no_verdict(heights):
+    """Before and after a strip is made: the curve fitted to the first can be bent, that to the second cannot."""
+    drawn = PlaneCurve.spline(np.column_stack([60.0 * np.arange(5), heights]))
+    points = PlaneCurve.fit(drawn.sample(30).position.round(4))
+    spec = replace(asked(points), sheet=Sheet.named("card-200gsm"), ignore_limits=True)
+    answers = [curve_picture(points, spec).answer]
+    try:
+        answers.append(strip_answer(solve_strip(spec)))
+    except NotRealizable as error:
+        answers.append(refusal_answer(error))
+    for answer in answers:
+        assert answer.words == "undecided" or "tips over" in answer.words
+        assert answer.verdict is Verdict.BREAKS
+    assert "undecided by these points" in answers[0].sentence

@@ -348,10 +348,11 @@ def curve_from_points(
         points = points[np.append(True, np.any(np.abs(np.diff(points, axis=0)) > apart, axis=1))]
     if len(points) < 2:
         raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
-    drawn, measured = drawn or Provenance(), MeasuredPoints.of(points, noise)
-    noise = 0.0 if measured is None else measured.waver
+    drawn = drawn or Provenance()
+    measured = MeasuredPoints.of(points, noise, drawn.rounding)
+    noise = measured.waver if measured.wavers else 0.0
     cuts = [0, *_corners(points, LARGEST_TURN, _LONG * max(tolerance, noise)), len(points) - 1]
-    if len(cuts) == 2 and measured is not None:
+    if len(cuts) == 2 and measured.wavers:
         try:
             curve = smooth_through(points, tolerance)
         except NotConvergedError:
@@ -362,9 +363,12 @@ def curve_from_points(
         piece for i, j in pairwise(cuts) for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed)
     ]
     if len(pieces) == 1:
-        return pieces[0].drawn_as(drawn)
+        return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    drawn = replace(drawn, vertices=points) if sides else drawn
+    # noise cannot be told from corners
+    drawn = (
+        replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, waver=0.0))
+    )
     return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
 
 

@@ -1,5 +1,6 @@
 """The verdict on a curve as plain data, and numbers as all reports round them."""
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ def report_check(check: EquilibriumCheck) -> dict[str, Any]:
         "reasons": list(check.reasons),
         "warnings": list(check.warnings),
         "inflections": round_numbers(check.inflections),
+        "undecided": None if check.undecided is None else asdict(check.undecided),
         "advice": str(check),
     }
 

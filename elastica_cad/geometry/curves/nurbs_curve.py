@@ -210,8 +210,7 @@ class NurbsCurve:
         300.0
         """
         knots, control_points = fit_spline(points, degree, tolerance, smoothing)
-        measured = MeasuredPoints.of(distinct_points(points))
-        drawn = None if measured is None else Provenance(measured=measured)
+        drawn = Provenance(measured=MeasuredPoints.of(distinct_points(points)))
         return cls(knots, control_points, degree, provenance=drawn)
 
     @classmethod

@@ -1,4 +1,4 @@
-"""Points that were measured: how far they waver about the smooth curve that they stand for."""
+"""Points that a curve was fitted to: how exact they are, and how far they waver about a smooth curve."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -27,6 +27,12 @@ cannot be told from noise."""
 TOLD_MM = 0.01
 """Noise that is reported; less is within what a fit takes out."""
 
+FINEST_MM = 1e-3
+"""Finest resolution of points, mm: curves that differ by less have the same widths."""
+
+MOST_DECIMALS = 9
+"""Decimals of millimetres that are looked for in points."""
+
 REACH = 4.0
 """Standard deviations from a smooth curve within which all of some hundred points lie; of fewer points, fewer."""
 
@@ -38,7 +44,7 @@ rounding moves one.
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPoints:
-    """Points that waver about a smooth curve.
+    """Points that a curve was fitted to.
 
     Attributes
     ----------
@@ -48,17 +54,32 @@ class MeasuredPoints:
         Standard deviation of their distance from the curve, mm.
     least : float
         What rounding alone makes of that, mm.
+    rounding : float
+        Largest error of a coordinate by the number of its decimals, mm.
     """
 
     points: FloatArray
     waver: float
     least: float = 0.0
+    rounding: float = 0.0
 
     @classmethod
-    def of(cls, points: FloatArray, least: float = 0.0) -> "MeasuredPoints | None":
-        """The points (n, 2), no two in a row the same, with their noise; None where it is too little to matter."""
-        waver = max(estimate_waver(points), least)
-        return cls(points, waver, least) if waver >= TOLD_MM else None
+    def of(cls, points: FloatArray, least: float = 0.0, rounding: float = 0.0) -> "MeasuredPoints":
+        """Return the points (n, 2), no two in a row the same, with their noise.
+
+        A `rounding` of 0 is that of the decimals that the numbers have.
+        """
+        return cls(points, max(estimate_waver(points), least), least, rounding or _half_last_decimal(points))
+
+    @property
+    def wavers(self) -> bool:
+        """Return True if the noise is large enough to be reported."""
+        return self.waver >= TOLD_MM
+
+    @property
+    def resolution(self) -> float:
+        """Distance, mm, by which rounding may move a point, at least `FINEST_MM`."""
+        return max(float(np.sqrt(2.0)) * self.rounding, FINEST_MM)
 
     @property
     def reach(self) -> float:
@@ -100,6 +121,18 @@ class MeasuredPoints:
             severity="warning",
         ),)  # fmt: skip
 
+    def turns_beside(self, place: FloatArray) -> tuple[float, float, float]:
+        """Return by how much the points turn at the point nearest to a place (2,), and at its neighbours, rad.
+
+        Turns to the left are positive. Beside the first and last point they are 0.
+        """
+        step = np.diff(self.points, axis=0)
+        heading = np.arctan2(step[:, 1], step[:, 0])
+        turn = np.pad((np.diff(heading) + np.pi) % (2 * np.pi) - np.pi, 2)
+        at = int(np.hypot(*(self.points - place).T).argmin())
+        before, here, after = turn[at : at + 3].tolist()
+        return here, before, after
+
     @property
     def shown(self) -> Length:
         """The noise as a message tells it."""
@@ -112,6 +145,19 @@ class MeasuredPoints:
             "the points waver by about {waver}: smooth them within {reach} (smooth = {mm:g}, --smooth {mm:g})",
             waver=self.shown, reach=Length(self.reach), mm=self.reach,
         )  # fmt: skip
+
+
+def _half_last_decimal(points: FloatArray) -> float:
+    """Return half a unit of the last decimal of coordinates; of numbers with all their digits, of the ninth.
+
+    Examples
+    --------
+    >>> _half_last_decimal(np.array([[0.0, 12.5], [3.25, 7.0]]))
+    0.005
+    """
+    exact = 1e-15 * np.abs(points).max(initial=1.0)
+    decimals = (k for k in range(MOST_DECIMALS) if np.abs(np.round(points, k) - points).max() <= exact)
+    return float(0.5 * 10.0 ** -next(decimals, MOST_DECIMALS))
 
 
 def estimate_waver(points: FloatArray) -> float:

@@ -31,7 +31,7 @@ class Provenance:
     holes : tuple of (float, float, float)
         Circles drawn on a straight first or last piece of the curve: centre and diameter, mm.
     measured : MeasuredPoints, optional
-        The points that the whole curve was fitted to, where they waver.
+        The points that the whole curve was fitted to.
     vertices : (n, 2) array, optional
         The vertices of the drawn polyline that the whole curve is, if it has corners, mm.
     """
@@ -78,6 +78,7 @@ class Provenance:
             self.measured.points @ linear.T + offset,
             stretch * self.measured.waver,
             stretch * self.measured.least,
+            stretch * self.measured.rounding,
         )
         return replace(
             self,

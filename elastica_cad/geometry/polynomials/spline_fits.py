@@ -289,7 +289,7 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
         return fit_spline(data, degree, tolerance)
     _check_options(degree, tolerance, None)
     t = _chord_parameters(data)
-    problem = _Problem(np.concatenate([np.zeros(degree), t, np.ones(degree)]), degree, data)
+    problem = _Problem(_knots_for(t, degree), degree, data)
     return problem.knots, _smoothed(problem, problem.at(t, _LEAST_PENALTY), t, tolerance, np.inf)
 
 
@@ -401,7 +401,7 @@ def _check_options(degree: int, tolerance: float, smoothing: float | None) -> No
 def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
     """Knots and control points of the spline through all points with the least third derivative."""
     t = _chord_parameters(data)
-    knots = np.concatenate([np.zeros(degree), t, np.ones(degree)])
+    knots = _knots_for(t, degree)
     spans = bezier_spans(knots, degree)
     gram, basis = _derivative_gram(spans), spans.basis(t)
     n, m = basis.shape
@@ -415,6 +415,15 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
     control: FloatArray = solution[:m] + data[0]
     control[[0, -1]] = data[[0, -1]]
     return knots, control
+
+
+def _knots_for(t: FloatArray, degree: int) -> FloatArray:
+    """Knots with which a spline meets a point at each parameter t (n,).
+
+    Those of an even degree are between the points, because with knots at the points the spline oscillates.
+    """
+    inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
+    return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
 
 
 def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:

@@ -406,7 +406,7 @@ def _unbent_rod(asked: RodRequest) -> Rod:
     rod = _rod_of(
         asked, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=weight,
         profile=Profile.interpolate(nodes.s[[0, -1]], np.ones(2)),
-        bending_stiffness=B, warnings=check.warnings,
+        bending_stiffness=B, warnings=check.cautions,
     )  # fmt: skip
     if asked.section is not None:
         rod = _even_rod(rod, asked.section)
@@ -453,7 +453,7 @@ def _bent_rod(asked: RodRequest, balance: BalancedStiffness) -> Rod:
     change = nodes.curvature - nodal_curvature(asked.natural_curvature, nodes.s)
     effective = change if asked.law is None else asked.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
-    warnings = check.warnings
+    warnings = check.cautions
     if check.moved > TOLD_MOVE_MM:
         told = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."

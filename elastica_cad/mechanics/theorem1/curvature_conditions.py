@@ -55,6 +55,11 @@ def require_bendable(curve: PlaneCurve) -> None:
         raise InputError(_tell_seam(curve), kind="corner", changes=changes)
 
 
+SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
+"""Turn beside a corner, as a share of the corner's, from which the points may be those of a bend, and the turn of a
+corner, which `curve_from_points` takes for one."""
+
+
 def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     """Describe the corners, and say whether the digits of a file may explain them."""
     drawn = curve.provenance
@@ -62,6 +67,18 @@ def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     if drawn is not None and all(corner.t in maybe for corner in corners):
         turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
         return _tell_undecided(drawn, turn, [c.s for c in corners])
+    if drawn is not None and drawn.measured is not None:
+        for corner in corners:
+            place = np.asarray(curve.evaluate(np.array(corner.t)))
+            here, *beside = np.degrees(drawn.measured.turns_beside(place))
+            if any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
+                return note(
+                    "undecided by these points: they turn by {angle:.3g} degrees at {shown}, and by {before:.3g} "
+                    "and {after:.3g} at the points beside it, so it may be a corner or a sharp bend; give more "
+                    "points there, or draw two curves{smooth}",
+                    angle=abs(here), shown=drawn.shown(place), before=abs(beside[0]), after=abs(beside[1]),
+                    smooth=_tell_smooth(curve),
+                )  # fmt: skip
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
     shown = None if drawn is None else drawn.shown(curve.evaluate(np.array(corners[0].t)))
     return note(

@@ -5,6 +5,7 @@ One pass: the curvature, the ends that are not bent, the line, the verdict.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from elastica_cad.mechanics.loads.arguments import require_supports, require_tol
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE, examine_curvature
+from elastica_cad.mechanics.theorem1.other_fits import compare_fits
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck,
     InflectionLine,
@@ -92,8 +94,30 @@ def examine(
 ) -> EquilibriumCheck:
     """The conditions of Theorem 1 one after the other: curvature, ends that are not bent, line.
 
-    With weight (`heavy`) there is no line (paper, section 5), but the other conditions stay.
+    With weight (`heavy`) there is no line (paper, section 5), but the other conditions stay. The verdict on a curve
+    that was fitted to points is compared with those on other fits (`undecided`).
     """
+    judge = partial(
+        _examine_curve,
+        supports=supports,
+        natural_curvature=natural_curvature,
+        tolerance=tolerance,
+        heavy=heavy,
+    )
+    check = judge(curve)
+    undecided = compare_fits(check, curve, judge)
+    return check if undecided is None else replace(check, undecided=undecided)
+
+
+def _examine_curve(
+    curve: PlaneCurve,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    tolerance: float,
+    *,
+    heavy: bool,
+) -> EquilibriumCheck:
+    """The conditions of Theorem 1 on one curve."""
     check = examine_curvature(curve, supports, natural_curvature)
     check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
     if heavy or check.any_stiffness or not check.zeros:

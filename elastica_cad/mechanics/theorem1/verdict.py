@@ -1,7 +1,7 @@
 """Verdicts on a curve, and on two for one strip, as records, the line of Theorem 1, and their words."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
@@ -58,6 +58,59 @@ class InflectionLine:
         }
 
 
+@dataclass(frozen=True)
+class FittedVerdict:
+    """Verdict on one curve that was fitted to points.
+
+    Attributes
+    ----------
+    realizable : bool
+    distance : float
+        Largest distance of a point from the curve, mm.
+    inflections : int
+        Number of inflections.
+    """
+
+    realizable: bool
+    distance: float
+    inflections: int
+
+
+@dataclass(frozen=True)
+class Undecided:
+    """Two curves that follow the same points and have different verdicts; `str()` of it is a message.
+
+    Attributes
+    ----------
+    resolution : float
+        Distance by which the number of decimals may move a point, mm.
+    fit, other : FittedVerdict
+        The curve of the check, and another one.
+    """
+
+    resolution: float
+    fit: FittedVerdict
+    other: FittedVerdict
+
+    def __str__(self) -> str:
+        return note(
+            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
+            "decimals. A curve within {near} of the points (inflections: {others}) cannot be bent. The curve "
+            "fitted to them within {far} (inflections: {count}) can."
+            if self.fit.realizable else
+            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
+            "decimals. A curve within {near} of the points (inflections: {others}) can be bent. The curve "
+            "fitted to them within {far} (inflections: {count}) cannot.",
+            resolution=_two_digits(self.resolution), near=_two_digits(self.other.distance),
+            far=_two_digits(self.fit.distance), others=self.other.inflections, count=self.fit.inflections,
+            severity="warning",
+        )  # fmt: skip
+
+
+def _two_digits(mm: float) -> Length:
+    return Length(float(f"{mm:.2g}"))
+
+
 @dataclass(frozen=True, eq=False)
 class EquilibriumCheck:
     """Verdict of Theorem 1 on a curve; `str()` of it is advice to a designer.
@@ -96,6 +149,8 @@ class EquilibriumCheck:
         All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
     bent_beforehand : bool
         Is the strip anything but flat before it is bent?
+    undecided : Undecided or None
+        Another verdict on another curve that follows the points as well, of a curve that was fitted to points.
     """
 
     realizable: bool
@@ -115,15 +170,21 @@ class EquilibriumCheck:
     moved: float = 0.0
     zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
     bent_beforehand: bool = False
+    undecided: Undecided | None = None
 
     def __repr__(self) -> str:
-        verdict = "realizable" if self.realizable else "not realizable"
+        verdict = "undecided" if self.undecided else "realizable" if self.realizable else "not realizable"
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
         stray, points = stray_point(self.curve), self.told_of_points
         first = [*stray, self.verdict] if stray else [self.verdict, *points]
         return sentences([*first, *self.reasons, *self.warnings], " ")
+
+    @property
+    def cautions(self) -> tuple[str, ...]:
+        """The warnings for a strip that is made, after the message that points leave the verdict undecided."""
+        return self.warnings if self.undecided is None else (str(self.undecided), *self.warnings)
 
     @property
     def told_of_points(self) -> tuple[str, ...]:
@@ -136,6 +197,8 @@ class EquilibriumCheck:
     @property
     def verdict(self) -> str:
         """Can a strip take it, in a sentence, without reasons."""
+        if self.undecided is not None:
+            return str(self.undecided)
         return self._tell_blank() if self.bent_beforehand else self._tell_flat()
 
     def _tell_flat(self) -> str:
@@ -170,7 +233,8 @@ class EquilibriumCheck:
         return note(text, length=Length(self.length), count=len(places), places=places)
 
     def _repr_html_(self) -> str:
-        return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
+        verdict = "undecided" if self.undecided else "yes" if self.realizable else "no"
+        return f"<p><b>{verdict}</b>: {html_text(self)}</p>"
 
     def as_dict(self) -> dict[str, Any]:
         """Numbers, texts and lists for a report."""
@@ -189,6 +253,7 @@ class EquilibriumCheck:
             "jumps": list(self.jumps),
             "flats": [list(pair) for pair in self.flats],
             "moved": self.moved,
+            "undecided": None if self.undecided is None else asdict(self.undecided),
         }
 
 
@@ -303,8 +368,9 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 
 
 def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
-    """The points that waver to which a curve was fitted; None of any other curve."""
-    return None if curve.provenance is None else curve.provenance.measured
+    """Return the noisy points to which a curve was fitted, or None of any other curve."""
+    points = None if curve.provenance is None else curve.provenance.measured
+    return points if points is not None and points.wavers else None
 
 
 def stray_point(curve: PlaneCurve) -> tuple[Refusal, ...]:

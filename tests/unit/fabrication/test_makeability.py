@@ -50,11 +50,11 @@ def test_a_strip_of_points_that_waver_is_smoothed_rather_than_made_very_wide():
     t = np.linspace(0, 1, 18)
     points = np.column_stack([130 * t, 38 * np.sin(np.pi * t) ** 2 * (0.825 + 0.35 * t) + 6 * t])
     wavering = PlaneCurve.fit(points + np.random.default_rng(20).normal(0, 0.3, points.shape))
-    for smooth, wider in ((0.6, r"; make it wider \(max_width = 18 mm or more\), or ask"), (0.42, "; ask")):
+    for smooth, wider in ((0.6, r"; make it wider \(max_width = 19.5 mm or more\), or ask"), (0.33, "; ask")):
         cures = f"{wider} for the nearest curve .*; smoothing its points more helps too"
         with pytest.raises(InputError, match=cures):
             make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=smooth)
-    make_strip(wavering, "spring-steel-0.2", max_width=18, smooth=0.6)
+    make_strip(wavering, "spring-steel-0.2", max_width=20, smooth=0.6)
     make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=0.8)
 
 

@@ -29,7 +29,7 @@ def test_noise_is_estimated(count, noise):
 
 @pytest.mark.parametrize("count", [5, 12, 25, 60, 200])
 def test_a_smooth_curve_has_none(count):
-    assert MeasuredPoints.of(wave(count)) is None
+    assert not MeasuredPoints.of(wave(count)).wavers
 
 
 def test_points_follow_their_curve():
@@ -42,6 +42,19 @@ def test_points_follow_their_curve():
     assert drawn.reversed().measured.points[0] == pytest.approx(points.points[-1])
     assert drawn.of_part().measured is None
     assert drawn.transformed(np.array([[1.0, 0, 0], [0, 1, 0], [1e-4, 0, 1]])).measured is None
+
+
+@pytest.mark.parametrize(("decimals", "half"), [(0, 0.5), (2, 0.005), (4, 5e-5)])
+def test_the_numbers_show_their_decimals(decimals, half):
+    points = MeasuredPoints.of(wave(60).round(decimals))
+    assert points.rounding == half
+    assert points.resolution == max(1e-3, half * np.sqrt(2))
+
+
+def test_the_point_at_a_place_and_its_neighbours_turn():
+    points = MeasuredPoints.of(np.array([(0, 0), (10, 0), (20, 0), (25, 5), (25, 15), (25, 25.0)]))
+    assert np.degrees(points.turns_beside((24, 5))).round(6).tolist() == [45, 45, 0]
+    assert np.degrees(points.turns_beside((10, 1))).round(6).tolist() == [0, 0, 45]
 
 
 FEET = np.array([*range(11), 10.5])
@@ -80,7 +93,7 @@ def test_smoothing_within_what_is_told_takes_all_inflections_out():
 def test_a_check_tells_of_them_before_all_else():
     """Also where a strip happens to take the curve; nobody smooths by a mistyped point."""
     wavering, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
-    assert "waver by about 0.3 mm: smooth them" in str(check_equilibrium(wavering)).split(". ")[1]
+    assert "waver by about 0.3 mm: smooth them" in str(check_equilibrium(wavering)).split(". ")[3]
     told = str(check_equilibrium(mistyped))
     assert "number 8 of 12" in told.split(": ", maxsplit=1)[0]
     assert "smooth" not in told

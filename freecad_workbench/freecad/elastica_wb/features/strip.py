@@ -254,6 +254,8 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     taken = "" if faults else note(
         "A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve."
     )  # fmt: skip
+    if not faults and rod.check is not None and rod.check.undecided is not None:
+        taken = rod.check.verdict
     if changed is not None:
         taken = note(
             "A strip bent beforehand takes a curve {far} from this one." if bent else

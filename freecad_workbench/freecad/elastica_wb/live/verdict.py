@@ -43,6 +43,8 @@ def quick_answer(
     curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
 ) -> Answer:
     """Return the verdict that needs no search: equilibrium, strain of the skin, widths."""
+    if check.undecided is not None:
+        return _undecided(check)
     if not check.realizable:
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(check))
     fault = width_fault(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
@@ -53,10 +55,12 @@ def quick_answer(
 
 def strip_answer(strip: Strip) -> Answer:
     """Return the verdict on a strip that was made."""
-    faults = list(strip_faults(strip))
-    return (
-        _failing(faults) if faults else Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
-    )
+    faults, check = list(strip_faults(strip)), strip.rod.check
+    if faults:
+        return _failing(faults)
+    if check is not None and check.undecided is not None:
+        return _undecided(check)
+    return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
 
 
 def _failing(faults: list[Fault]) -> Answer:
@@ -71,6 +75,8 @@ def _failing(faults: list[Fault]) -> Answer:
 def refusal_answer(error: ElasticaError) -> Answer:
     """Why there is no strip: the curve, or what is asked of the strip."""
     if isinstance(error, NotRealizable):
+        if isinstance(error.check, EquilibriumCheck) and error.check.undecided is not None:
+            return _undecided(error.check)
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(error))
     if isinstance(error, StrainError):
         words = note("would break: {percent} %", percent=error.refusal.values["percent"])
@@ -93,6 +99,10 @@ def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     if isinstance(answer, ElasticaError):
         return str(answer)
     return answer.reasons[0] if answer.reasons else answer.verdict
+
+
+def _undecided(check: EquilibriumCheck) -> Answer:
+    return Answer(Verdict.BREAKS, note("undecided"), check.verdict)
 
 
 def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fault | None:
