@@ -21,13 +21,16 @@ from elastica_cad.cli.asking.options import (
 )
 from elastica_cad.cli.asking.settings import BentKeys, parsed_settings, set_option
 from elastica_cad.cli.asking.strip_options import spec_from_options, with_settings
-from elastica_cad.cli.asking.support_options import END_NAMES
+from elastica_cad.cli.asking.support_options import END_NAMES, read_curves_told
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.travel import Travel, bend_strip
 from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.design_files.records import Reader, fields_of
+from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.file_access.write_files import write_text, write_together
+from elastica_cad.formats.reports.strip_request import FinishedStrip, read_request
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
@@ -71,10 +74,10 @@ OF_A_CURVE = {
 @click.option(
     "--end-angle", type=float, metavar="DEG", help="Turn the end to this direction, counted along the strip."
 )
-@click.option("--hold-start", type=click.Choice(END_NAMES), default="clamped", show_default=True,
-              help="What holds the start.")  # fmt: skip
-@click.option("--hold-end", type=click.Choice(END_NAMES), default="clamped", show_default=True,
-              help="What holds the end.")  # fmt: skip
+@click.option("--hold-start", type=click.Choice(END_NAMES),
+              help="What holds the start.  [default: clamped, or as in the report]")  # fmt: skip
+@click.option("--hold-end", type=click.Choice(END_NAMES),
+              help="What holds the end.  [default: clamped, or as in the report]")  # fmt: skip
 @click.option("--steps", type=click.IntRange(1, 200), default=1, show_default=True,
               help="Shapes on the way, the ends moving evenly.")  # fmt: skip
 @click.option("--side", type=click.Choice(["left", "right"]), help="To which side a straight strip bulges.")
@@ -93,7 +96,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     `elastica` reads again) and NAME-bent.png; with --sheet and --max-width NAME-travel.csv and NAME-travel.png too:
     forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes. The strip of
     CURVE is then the one that `elastica strip` makes, and --set gives it any other key of a strip, as
-    --set style.kind=perforated.
+    --set style.kind=perforated. Of a report, the strip has the sheet, the law, the widths and the supports of the
+    report; every option replaces one of them.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError("name a CURVE, or give the length of a straight strip with --straight MM")
@@ -107,33 +111,42 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             raise InputError(
                 "{idle} is of a drawn CURVE, and --straight has none: leave it out", idle=idle[0]
             )
-    if chosen["gravity"] and chosen["sheet"] is None:
+    finished = None if curve is None else _finished(curve, chosen)
+    named = chosen["sheet"] is not None or finished is not None
+    if chosen["gravity"] and not named:
         raise InputError("--gravity needs to know the material: add --sheet NAME")
     if chosen["down"] is not None and not chosen["gravity"]:
         raise InputError(IDLE_DOWN)
-    if chosen["thickness"] is not None and chosen["sheet"] is None:
+    if chosen["thickness"] is not None and not named:
         raise InputError("--thickness is of a material: add --sheet NAME")
-    if chosen["max_width"] is not None and chosen["sheet"] is None:
+    if chosen["max_width"] is not None and not named:
         raise InputError("--max-width tells newtons of a material: add --sheet NAME")
     settings = parsed_settings(chosen["settings"], BentKeys)
-    if settings and (curve is None or chosen["sheet"] is None):
+    if settings and (curve is None or not named):
         raise InputError("--set changes the strip that is made of a CURVE: name one, and its --sheet")
-    strip = _strip(curve, chosen, settings)
+    strip = (
+        _strip(curve, chosen, settings) if finished is None else _changed(finished, chosen, settings).make()
+    )
     rod = _rod(curve, chosen) if strip is None else strip.rod
-    held = Supports(chosen["hold_start"], chosen["hold_end"])
+    own = Supports() if finished is None else rod.supports
+    held = Supports(chosen["hold_start"] or own.start, chosen["hold_end"] or own.end)
     if curve is not None and held != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
-        now = f"here its start is {chosen['hold_start']}, its end {chosen['hold_end']}"
-        say(f"the strip is the one designed for {curve.name} {designed}; {now}")
+        now = ", ".join(
+            f"its {end} {chosen[f'hold_{end}']}" for end in ("start", "end") if chosen[f"hold_{end}"]
+        )
+        say(f"the strip is the one designed for {curve.name} {designed}; here {now}")
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
     name = f"{curve.stem if curve is not None else 'straight'}-bent"
     moved = None
     verdicts: Sequence[Stability]
     if strip is None:
-        shapes = bend_path(rod, _steps(rod, chosen), side=side)
+        shapes = bend_path(rod, _steps(rod, chosen, held), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        moved = bend_strip(strip, _steps(rod, chosen), side=side)
+        # at travel 0 the force on a straight strip may be any up to that at which it buckles
+        listed = curve is not None and chosen["steps"] > 1
+        moved = bend_strip(strip, _steps(rod, chosen, held, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
     _tell(rod, shapes, verdicts)
     if moved is not None:
@@ -141,9 +154,42 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     told = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
     answered = {"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": None}
     if moved is not None:
-        answered |= {"travel": moved.table(), "snaps_at": moved.snaps_at, "strained_at": moved.strained_at}
+        answered |= {"travel": moved.table(), "snaps_at": moved.snaps_at, "strained_at": moved.strained_at,
+                     "unit": moved.unit}  # fmt: skip
     answer(answered)
     wrote(_write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]))
+
+
+def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
+    """The strip of a report; None of another file, or of a report without a request."""
+    record = read_request(path)
+    if record is None:
+        return None
+    idle = next((one for one in ("nearest", "smooth") if chosen[one] not in (None, False)), None)
+    if idle is not None:
+        raise InputError(
+            "--{idle} is of a drawn CURVE, and the strip of a report is finished: leave it out", idle=idle
+        )
+    (asked,) = asked_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
+    return FinishedStrip.read(record, asked.curve)
+
+
+def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str, Any]) -> FinishedStrip:
+    """The strip of a report with what options and settings replace."""
+    spec = finished.spec
+    table = with_settings(given_of(chosen, ("sheet", "thickness", "max_width")), settings)
+    if chosen["gravity"]:
+        table["gravity"] = list(chosen["down"] or (0.0, -1.0))
+    sheet = asked_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
+    if "sheet" not in table and "thickness" in table:
+        sheet = sheet.with_thickness(table["thickness"])
+    reader, keys = Reader(read_curves=read_curves_told, sheet=sheet), Table(table, "", {})
+    fields = {
+        one.name: reader.value(one.kind, keys, one.name)
+        for one in fields_of(BentKeys)
+        if one.name in table and one.name not in ("sheet", "thickness")
+    }
+    return finished.changed(**fields, **({} if sheet is spec.material else {"sheet": sheet}))
 
 
 def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
@@ -197,8 +243,10 @@ def _widths_as_plate(sheet: Sheet, widest: float) -> WidthLaw | None:
     return WidthLaw(sheet, 0.0, widest) if sheet.poisson_known and sheet.poisson_ratio > 0 else None
 
 
-def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
-    """Keywords of `bend` for every shape on the way."""
+def _steps(
+    rod: Rod, chosen: dict[str, Any], supports: Supports, *, listed: bool = False
+) -> list[dict[str, Any]]:
+    """Keywords of `bend` for every shape on the way; forces are `listed` from travel 0 on."""
     here = rod.position[[0, -1]]
     there = np.array(
         [
@@ -210,9 +258,6 @@ def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
     turned = [
         None if given is None else np.radians(given) for given in (chosen["start_angle"], chosen["end_angle"])
     ]
-    supports = Supports(chosen["hold_start"], chosen["hold_end"])
-    # forces are listed from travel 0 on; of a straight strip they are any there, up to that at which it buckles
-    listed = chosen["max_width"] is not None and chosen["steps"] > 1 and chosen["straight"] is None
     parts = np.arange(0 if listed else 1, chosen["steps"] + 1) / chosen["steps"]
     return [
         {
@@ -259,18 +304,19 @@ def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> Non
 
 def _tell_forces(moved: Travel) -> None:
     """Forces, energy and strain of every shape in a line."""
+    way = "turn" if moved.is_turn else "travel"
     for k in range(len(moved.rods)):
         size = float(np.hypot(*moved.end_force[k]))
         x, y = np.where(np.abs(moved.end_force[k]) <= 1e-9 * size, 0.0, moved.end_force[k])
         say(
-            f"travel {moved.travel[k]:.4g} mm: end pushed by ({x:.4g}, {y:.4g}) N and {moved.end_moment[k]:.4g} "
-            f"N mm, energy {moved.energy[k]:.4g} N mm, strain {100 * moved.strain[k]:.3g} %, "
-            f"stress {moved.stress[k]:.4g} MPa, safety {moved.safety[k]:.3g}"
+            f"{way} {moved.path_length[k]:.4g} {moved.unit}: end pushed by ({x:.4g}, {y:.4g}) N "
+            f"and {moved.end_moment[k]:.4g} N mm, energy {moved.energy[k]:.4g} N mm, "
+            f"strain {100 * moved.strain[k]:.3g} %, stress {moved.stress[k]:.4g} MPa, safety {moved.safety[k]:.3g}"
         )
     tips = [k for k, found in enumerate(moved.sideways) if found.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
-        warn(f"Warning: at {moved.travel[k]:.4g} mm of travel, {moved.sideways[k]}")
+        warn(f"Warning: at {moved.tell_place(moved.path_length[k])}, {moved.sideways[k]}")
     for warning in moved.warnings:
         warn(f"Warning: {warning}")
 

@@ -11,12 +11,12 @@ from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.fabrication.strip.styles import Bends
-from elastica_cad.mechanics.bending.bend_forward import as_steps, bend, bend_path, has_snapped
+from elastica_cad.mechanics.bending.bend_forward import Movement, as_steps, bend, bend_path, has_snapped
 from elastica_cad.mechanics.rod.rod_record import Rod, csv_text
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 from elastica_cad.mechanics.studies.stability_limit import Course
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Length, Refusal, note
 
 RESOLUTION_SHARE = 1e-4
 """Of a step: how closely the place is found at which a shape snaps, is strained too much or crosses itself."""
@@ -25,6 +25,7 @@ FALL_SHARE = 1e-4
 """Of the largest force: a force that falls by less in a step counts as even."""
 
 TITLES = "travel mm   force N  strain %    margin"
+TURN_TITLES = " turn deg   force N  strain %    margin"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -48,6 +49,8 @@ class Travel:
         Where the end is, seen from the start, mm.
     travel : (k,) array
         Way of the end seen from the start up to each step, mm, from where the strip's own end is.
+    turn : (k,) array
+        Angle by which the held end that turns most has turned up to each step, rad.
     start_force, end_force : (k, 2) array
         What the supports push the strip with, N.
     start_moment, end_moment : (k,) array
@@ -73,6 +76,7 @@ class Travel:
     rods: tuple[Rod, ...]
     end: FloatArray
     travel: FloatArray
+    turn: FloatArray
     start_force: FloatArray
     end_force: FloatArray
     start_moment: FloatArray
@@ -86,16 +90,49 @@ class Travel:
     sideways: tuple[SidewaysStability, ...]
 
     def __repr__(self) -> str:
-        return f"<Travel of {len(self.rods)} steps to {self.travel[-1]:.4g} mm>"
+        return f"<Travel of {len(self.rods)} steps to {self.path_length[-1]:.4g} {self.unit}>"
 
     def __str__(self) -> str:
         rows = [
             f"{travel:9.4g} {force:9.4g} {100 * strain:9.3g} {margin:9.3g}"
             for travel, force, strain, margin in zip(
-                self.travel, self.force_along, self.strain, self.margin, strict=True
+                self.path_length, self.force_along, self.strain, self.margin, strict=True
             )
         ]
-        return "\n".join([TITLES, *rows, *self.warnings])
+        titles = TURN_TITLES if self.is_turn else TITLES
+        return "\n".join([titles, *rows, *self.warnings])
+
+    @property
+    def is_turn(self) -> bool:
+        """Return True if the ends turn without travel."""
+        return self._movement.is_turn
+
+    @property
+    def unit(self) -> str:
+        """Return the unit of `path_length`: "mm" of travel, or "deg" of turn where the ends only turn."""
+        return "deg" if self.is_turn else "mm"
+
+    @property
+    def path_length(self) -> FloatArray:
+        """Return the travel (k,), mm, or where the ends only turn their turn, degrees."""
+        return np.degrees(self.turn) if self.is_turn else self.travel
+
+    @property
+    def _movement(self) -> Movement:
+        return Movement(np.append(0.0, self.travel), np.append(0.0, self.turn))
+
+    @property
+    def turning_moment(self) -> FloatArray:
+        """Return the moment (k,), N mm, at the end that turns more."""
+        first, last = self.rods[0].angle, self.rods[-1].angle
+        start, end = np.abs(last - first)[[0, -1]] * [held.angle for held in self.rods[-1].supports.ends]
+        return self.start_moment if start > end else self.end_moment
+
+    def tell_place(self, at: float) -> Refusal:
+        """Return the words for a place on the movement, mm of travel or degrees of turn."""
+        if self.is_turn:
+            return note("{degrees:.4g} degrees of turn", degrees=at)
+        return note("{at:.4g} of travel", at=Length(round(at, 2)))
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -105,24 +142,22 @@ class Travel:
         told = []
         if self.force_falls_at is not None:
             told.append(note(
-                "from {at:.4g} of travel on the force falls: an end that is led stays there, one that a weight "
+                "from {place} on the force falls: an end that is led stays there, one that a weight "
                 "pushes runs away",
-                at=Length(round(self.force_falls_at, 2)),
+                place=self.tell_place(self.force_falls_at),
             ))  # fmt: skip
         if self.snaps_at is not None:
-            told.append(
-                note("at {at:.4g} of travel it snaps out of its shape", at=Length(round(self.snaps_at, 2)))
-            )
+            told.append(note("at {place} it snaps out of its shape", place=self.tell_place(self.snaps_at)))
         if self.crosses_at is not None:
             told.append(note(
-                "from {at:.4g} of travel on it crosses itself: that it touches itself there is left out",
-                at=Length(round(self.crosses_at, 2)),
+                "from {place} on it crosses itself: that it touches itself there is left out",
+                place=self.tell_place(self.crosses_at),
             ))  # fmt: skip
         if self.strained_at is not None:
             told.append(note(
-                "from {at:.4g} of travel on it is strained beyond what the sheet bears (safety {safety:.2g}): take "
+                "from {place} on it is strained beyond what the sheet bears (safety {safety:.2g}): take "
                 "a thinner sheet, a longer strip or less travel",
-                at=Length(round(self.strained_at, 2)), safety=self.safety.min(),
+                place=self.tell_place(self.strained_at), safety=self.safety.min(),
             ))  # fmt: skip
         return tuple(told)
 
@@ -138,25 +173,27 @@ class Travel:
 
     @cached_property
     def strained_at(self) -> float | None:
-        """Travel from which the strain is more than the sheet bears, mm; None where it bears every step."""
+        """Place of `path_length` from which the sheet is strained beyond its limit; None where it never is."""
         return self._first(lambda rod: _most_strained(self.strip, rod)[2] < 1)
 
     @cached_property
     def snaps_at(self) -> float | None:
-        """Travel at which the strip snaps out of its shape, its ends led, mm; None where every step is stable."""
+        """Place of `path_length` at which the strip snaps, its ends driven; None where every step is stable."""
         return self._first(lambda rod: has_snapped(rod) or not stability(rod).stable)
 
     @cached_property
     def crosses_at(self) -> float | None:
-        """Travel from which the strip crosses itself, mm; None where it never does."""
+        """Place of `path_length` from which the strip crosses itself; None where it never does."""
         return self._first(_crosses_itself)
 
     @cached_property
     def force_falls_at(self) -> float | None:
         """Travel of the first step behind which the force on the end falls along its way, mm.
 
-        None where it rises at every step, or until the strip snaps.
+        None where it rises at every step, or until the strip snaps, and where the ends only turn.
         """
+        if self.is_turn:
+            return None
         steps, gains = np.diff(self.end, axis=0), np.diff(self.end_force, axis=0)
         even = FALL_SHARE * np.linalg.norm(self.end_force, axis=1).max() * np.linalg.norm(steps, axis=1)
         falls = np.sum(gains * steps, axis=1) < -even
@@ -165,7 +202,7 @@ class Travel:
         return float(self.travel[int(np.argmax(falls))]) if falls.any() else None
 
     def _first(self, fails: Callable[[Rod], bool]) -> float | None:
-        """The least travel at which a shape fails; between the steps the ends move in straight lines."""
+        """First place of `path_length` where a shape fails; between steps the ends move in straight lines."""
         rods = (self.strip.rod_to_bend, *self.rods)
         k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
         if not k:
@@ -181,13 +218,14 @@ class Travel:
                 high = middle
             else:
                 low, good = middle, rod
-        before, after = np.append(0.0, self.travel)[k - 1 : k + 1]
+        before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
         return float(before + high * (after - before))
 
     def table(self) -> dict[str, FloatArray | BoolArray]:
         """Columns (k,) by name with their unit, for a data frame or a file."""
         return {
             "travel_mm": self.travel,
+            "turn_deg": np.degrees(self.turn),
             "end_x_mm": self.end[:, 0],
             "end_y_mm": self.end[:, 1],
             "force_along_N": self.force_along,
@@ -253,14 +291,14 @@ def bend_strip(
     B = strip.bending_stiffness
     end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
     own = strip.rod.position[-1] - strip.rod.position[0]
-    steps = np.diff(end, axis=0, prepend=own[None])
-    travel = np.cumsum(np.hypot(steps[:, 0], steps[:, 1])).round(9)
+    movement = Movement.of([strip.rod, *rods])
     force = np.array([rod.force for rod in rods])
     moment = np.array([rod.moment for rod in rods])
     skins = [_most_strained(strip, rod) for rod in rods]
     end_force = -B * force[:, -1]
     return Travel(
-        strip=strip, path=tuple(as_steps(path)), side=side, rods=rods, end=end, travel=travel,
+        strip=strip, path=tuple(as_steps(path)), side=side, rods=rods, end=end,
+        travel=movement.travel[1:], turn=movement.turn[1:],
         start_force=B * force[:, 0], end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
         force_along=np.sum(end_force * _directions(end, own), axis=1),

@@ -20,6 +20,7 @@ from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
 from elastica_cad.formats.reports.strip_report import report_strip
+from elastica_cad.formats.reports.strip_request import request_record
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kit.cutting_files import cutting_files
@@ -166,6 +167,7 @@ class StripKit:
             stability=self.stability,
             smoothing=self.spec.rod_spec.smoothing,
         )
+        report["request"] = request_record(self.spec, self.strip)
         return report | ({"joints": self.joints} if any(self.joints) else {})
 
     def _write_drawing(self, made: Callable[[Strip], Drawing], kind: str, path: Path) -> None:

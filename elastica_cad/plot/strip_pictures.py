@@ -398,12 +398,17 @@ def travel(moved: Travel) -> Figure:
     _entitle(above, f"{steps} shapes, the last one darkest{snapping}")
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
-    below.plot(moved.travel, moved.force_along, color=FORCE, marker=".")
-    below.set_xlabel("travel of the end, mm")
-    below.set_ylabel("force, N", color=FORCE)
+    if moved.is_turn:
+        below.plot(moved.path_length, moved.turning_moment, color=FORCE, marker=".")
+        below.set_xlabel("turn of the end, degrees")
+        below.set_ylabel("moment, N mm", color=FORCE)
+    else:
+        below.plot(moved.path_length, moved.force_along, color=FORCE, marker=".")
+        below.set_xlabel("travel of the end, mm")
+        below.set_ylabel("force, N", color=FORCE)
     below.grid(alpha=0.25)
     beside = below.twinx()
-    beside.plot(moved.travel, moved.energy, color=ENERGY, linestyle="--")
+    beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
     for axes in (below, beside):  # from 0, so that a force that hardly changes looks so
         low, high = axes.get_ylim()
@@ -415,12 +420,12 @@ def travel(moved: Travel) -> Figure:
     )  # fmt: skip
     for told, at, color in places:
         if at is not None:
-            below.axvline(at, color=color, linestyle=":", label=f"{told}: {at:.4g} mm")
+            below.axvline(at, color=color, linestyle=":", label=f"{told}: {at:.4g} {moved.unit}")
     if below.get_legend_handles_labels()[0]:
         _paint_legend(below)
     worst = int(np.argmin(moved.safety))
     told = (
-        f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.travel[worst]:.4g} mm of travel, "
+        f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.tell_place(moved.path_length[worst])}, "
         f"safety {moved.safety[worst]:.2g}"
     )
     _entitle(below, told, pad=22 if below.get_legend() else 6)

@@ -1,7 +1,8 @@
 """Bending forward: from a rod and what is done to its ends to its rest shape."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -23,11 +24,13 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod, resample
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Length, Refusal, note
 
 Keep = Literal["keep"]
 
 ROUNDED_SHARE = 1e-12  # of a force: what the cosine of a right angle leaves of it
+STILL_SHARE = 1e-9  # of the length: less travel of the ends is rounding
+TURNED_RAD = 1e-9  # less turn of an end is rounding
 COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
 
 
@@ -143,12 +146,16 @@ def bend(
             "move the ends in smaller steps, or give a guess nearer to the answer",
             fraction=reached.fraction,
         )
-    warning = note(
+    warnings = (_tell_snap(100 * reached.fraction), *_too_coarse(snapped))
+    return replace(snapped.rod(wanted), warnings=warnings)
+
+
+def _tell_snap(percent: float) -> Refusal:
+    return note(
         "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
-        percent=100 * reached.fraction,
+        percent=percent,
         severity="warning",
     )
-    return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
 
 def has_snapped(rod: Rod) -> bool:
@@ -199,17 +206,68 @@ def bend_path(
     >>> len(rods)
     3
     """
-    rods: list[Rod] = []
+    rods = [rod]
     steps = as_steps(path)
     for k, step in enumerate(steps):
         try:
-            rod = bend(rod, **step, side=side if k == 0 else None, mode=mode if k == 0 else 1)
+            bent = bend(rods[-1], **step, side=side if k == 0 else None, mode=mode if k == 0 else 1)
         except NotConvergedError as error:
             raise NotConvergedError(
                 "step {k} of {count} of the path: {error}", k=k + 1, count=len(steps), error=error
             ) from error
-        rods.append(rod)
-    return tuple(rods)
+        rods.append(bent)
+    progress = Movement.of(rods).progress
+    return tuple(
+        _snapped_at(bent, *shares) for bent, shares in zip(rods[1:], pairwise(progress), strict=True)
+    )
+
+
+def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
+    """The rod of a step of a movement; if it snapped, its warning says after which share of the whole movement."""
+    if not has_snapped(rod):
+        return rod
+    warning = next(one for one in rod.warnings if isinstance(one, Refusal) and "percent" in one.values)
+    percent = 100 * start + (end - start) * warning.values["percent"]
+    others = [one for one in rod.warnings if one is not warning]
+    return replace(rod, warnings=(_tell_snap(percent), *others))
+
+
+@dataclass(frozen=True, eq=False)
+class Movement:
+    """Movement of the ends of a rod, step by step.
+
+    Attributes
+    ----------
+    travel : (k,) array
+        Path of the end seen from the start up to each rod, mm; 0 at the first.
+    turn : (k,) array
+        Angle by which the held end that turns most has turned up to each rod, rad.
+    """
+
+    travel: FloatArray
+    turn: FloatArray
+
+    @classmethod
+    def of(cls, rods: Sequence[Rod]) -> "Movement":
+        """Return the movement of the ends from rod to rod."""
+        steps = np.diff([rod.position[-1] - rod.position[0] for rod in rods], axis=0)
+        held = [end.angle for end in rods[-1].supports.ends]
+        turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
+        travel = np.append(0.0, np.cumsum(np.hypot(steps[:, 0], steps[:, 1])))
+        turn = np.append(0.0, np.cumsum(turns[:, int(turns.sum(axis=0).argmax())]))
+        still = travel[-1] <= STILL_SHARE * rods[0].length
+        return cls(np.zeros_like(travel) if still else travel.round(9), turn)
+
+    @property
+    def is_turn(self) -> bool:
+        """Return True if the ends turn without travel."""
+        return bool(self.travel[-1] == 0 and self.turn[-1] > TURNED_RAD)
+
+    @property
+    def progress(self) -> FloatArray:
+        """Share of the whole movement (k,): of the travel, or else of the turn, or else of the steps."""
+        way = self.turn if self.is_turn else self.travel
+        return way / way[-1] if way[-1] > 0 else np.linspace(0.0, 1.0, way.size)
 
 
 def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:

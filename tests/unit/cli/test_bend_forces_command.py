@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 from contextlib import chdir
 
 import numpy as np
@@ -60,7 +61,7 @@ def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(t
     strained = bend(strip.rod_to_bend, end=(360 - told["strained_at"], 0.0))
     assert np.abs(strained.curvature).max() * sheet.thickness / 2 == pytest.approx(sheet.max_strain, rel=1e-3)
     assert any("it snaps out of its shape" in note for note in told["notes"])
-    assert str(limit) == "stable up to 0.9077 on the path, where end is (-57.52, 0) mm: it buckles there"
+    assert str(limit) == "stable up to 0.9085 on the path, where end is (-57.91, 0) mm: it buckles there"
     way = bend_strip(strip, [(-100.0, 0.0)])
     assert len(str(way).splitlines()) == 5, "titles, one step, where it snaps, crosses itself and is strained"
     assert repr(way) == "<Travel of 1 steps to 460 mm>"
@@ -123,3 +124,34 @@ def test_settings_are_refused_in_a_sentence(words, says, tmp_path):
     made = typed(f"bend arch.csv --to 300 0 {words}", tmp_path)
     assert made.exit_code == 2
     assert says in made.stderr
+
+
+LOW = "0,0\n50,14\n100,24\n150,28\n200,24\n250,14\n300,0\n"
+TURNED = "--sheet pom-0.5 --max-width 10 --start-angle -40 --end-angle 40"
+
+
+@pytest.mark.parametrize("to", ["--start-angle -40 --end-angle 40", "--end-angle 60 --to 260 30"])
+def test_the_share_at_which_it_snaps_is_of_the_whole_movement(tmp_path, to):
+    """However many steps it is made of; by turn where only the ends turn."""
+    (tmp_path / "low.csv").write_text(LOW)
+    shares = []
+    for steps in (1, 6):
+        made = typed(f"bend low.csv {to} --steps {steps} -o out --force", tmp_path)
+        shares += [float(one) for one in re.findall(r"the rod snaps ([\d.]+) %", made.stderr)[:1]]
+    assert shares == pytest.approx([shares[0]] * 2, abs=0.3)
+
+
+def test_places_of_a_turn_are_in_degrees(tmp_path):
+    (tmp_path / "low.csv").write_text(LOW)
+    made = typed(f"bend low.csv {TURNED} --steps 6 -o out --json", tmp_path)
+    told = json.loads(made.stdout)
+    (share,) = re.findall(r"the rod snaps ([\d.]+) %", "\n".join(told["notes"]))
+    whole = told["travel"]["turn_deg"][-1]
+    assert told["unit"] == "deg"
+    assert set(told["travel"]["travel_mm"]) == {0.0}
+    assert told["snaps_at"] == pytest.approx(float(share) / 100 * whole, rel=0.01)
+    assert any(f"at {told['snaps_at']:.4g} degrees of turn it snaps" in one for one in told["notes"])
+    assert not any("of travel" in one or "force falls" in one for one in told["notes"])
+    step = bend_strip(make_strip(read_curves(tmp_path / "low.csv")[0], "pom-0.5", max_width=10.0), [{}])
+    assert not step.is_turn
+    assert step.unit == "mm"
