@@ -99,7 +99,7 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
 
 
 def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
-    runs = join_runs([(edge,) for edge in drawn_edges(cut)], JOIN)
+    runs = join_runs([(edge,) for edge in drawn_edges(cut)], JOIN).chains
     return collect_section(name, frame, [_points(run, frame) for run in runs], half=half, apart=JOIN)
 
 

@@ -37,7 +37,7 @@ def test_shuffled_pieces_make_the_curve_again(curve, seed):
         edge = Edge(knots, h[:, :2] / h[:, 2:] + nudge, curve.degree, h[:, 2])
         pieces.append((edge if rng.random() < 0.5 else edge.reversed(),))
     rng.shuffle(pieces)
-    (run,) = join_runs(pieces, 0.01)
+    (run,) = join_runs(pieces, 0.01).chains
     back = curve_from_run(run)
     if np.hypot(*(back.evaluate(back.domain[0]) - curve.control_points[0])) > 1:
         back = back.reversed()

@@ -1,8 +1,9 @@
 """Loose edges of a file put end to end, and each chain of them made one curve."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import dist
 from typing import TypeAlias
 
 import numpy as np
@@ -17,7 +18,7 @@ from elastica_cad.geometry.curve_editing.polylines import (
     smooth_through,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.pen_curves.measured_points import MeasuredPoints
+from elastica_cad.geometry.pen_curves.measured_points import TOLD_MM, MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
 from elastica_cad.geometry.polynomials.splines import bezier_spans, interpolation_sites
@@ -25,7 +26,9 @@ from elastica_cad.geometry.running_sums import lengths_along
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
-NEAR_MM, NEAR_SHARE = 1.0, 0.01  # ends nearer than both, of the smaller curve, were perhaps meant to meet
+NEAR_MM, NEAR_SHARE = 3.0, 0.1  # ends nearer than both, of the smaller curve, were perhaps meant to meet
+DIGIT_MM, DIGIT_SHARE = 0.5, 0.01  # largest gap by rounding that is closed: in mm, and of the smaller curve
+_ALONGSIDE = np.cos(np.radians(160.0))  # cosine between ends of two curves that run side by side
 HOLE_ASIDE = 0.1  # of its diameter: how far a hole's circle may be drawn off the straight end that it is in
 SAME_POINT = 1e-13  # of the largest coordinate: points nearer than this differ by rounding
 LARGEST_TURN, LEAST_TURN = (
@@ -34,6 +37,10 @@ LARGEST_TURN, LEAST_TURN = (
 )  # degrees: corners of points always, and of sides that no smooth curve follows
 _STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the turn up to which two ends share a tangent
 _LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
+_DIGIT = 1.1 * np.sqrt(2.0)  # roundings of a coordinate that an end is off by, with that of an angle
+_DENSE = 50  # inner knots: a spline with more was made through points
+_ROUGH = 0.2  # of the largest curvature: second difference from knot to knot that no drawn bend explains
+_REFINED = 10  # rounds in which the nearest place is found, four times as closely in each
 _CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
 
 _Joints: TypeAlias = dict[
@@ -41,14 +48,37 @@ _Joints: TypeAlias = dict[
 ]  # end (run, 0 start or 1 end) -> the end it touches
 
 
+@dataclass(frozen=True, eq=False)
+class JoinedRuns:
+    """Chains of edges, and what was done to join them.
+
+    Attributes
+    ----------
+    chains : list of Run
+    overlaps : tuple of (Source, Source, str)
+        Shapes that lie on another shape of at least their length: the shape, the other one, and "left out" if both
+        have one layer and name, else "kept"; "in part" if only one end of each lies on the other.
+    closed : tuple of float
+        Widths, mm, of the gaps that were closed because the digits of the file explain them.
+    widest : float
+        Largest width, mm, of a gap that was closed or would have been.
+    """
+
+    chains: list[Run]
+    overlaps: tuple[tuple[Source, Source, str], ...] = ()
+    closed: tuple[float, ...] = ()
+    widest: float = 0.0
+
+
 def join_runs(
     runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE, *, corners: bool = True
-) -> list[Run]:
+) -> JoinedRuns:
     """Join runs of edges wherever exactly two ends lie within `tolerance` mm of each other.
 
     A chain runs the way its first edge in the file was drawn. Where three or more ends meet nothing is
     joined, for no file says which way the strip goes on, and none across layers. A shape with a name is joined to
-    no other shape. An edge drawn twice counts once, one shorter than the tolerance not.
+    no other shape. Of edges that lie on each other the longer one counts, one shorter than the tolerance not.
+    The chains are joined again across gaps of one unit of the last digit.
 
     Parameters
     ----------
@@ -58,18 +88,36 @@ def join_runs(
     check_tolerance(tolerance, "tolerance for joining")
     long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
     if len(long) < 2:
-        return long
-    kept = _without_repeats(long, tolerance)
-    partner = _partners(kept, tolerance, corners=corners)
-    chains, used = [], [False] * len(kept)
-    for first in range(len(kept)):
+        return JoinedRuns(long)
+    kept, overlaps = _without_overlaps(long, tolerance)
+    chains, _ = _chained(kept, np.full(2 * len(kept), tolerance / 2), corners=corners)
+    reach = np.maximum(_digits_of_ends(chains), tolerance / 2)
+    chains, closed = _chained(chains, reach, corners=corners)
+    return JoinedRuns(chains, overlaps, closed, 2 * float(reach.max(initial=0.0)))
+
+
+def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
+    """Distance (2 n,), mm, of both ends of every chain from the drawn ones that the file's last digit explains."""
+    known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
+    sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
+    digit = _DIGIT * min(known, default=0.0)
+    return np.asarray(np.minimum(digit, np.minimum(DIGIT_MM, DIGIT_SHARE * sizes) / 2))
+
+
+def _chained(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> tuple[list[Run], tuple[float, ...]]:
+    """Join runs whose ends are within the sum of their reaches (2 n,), mm; return chains and the gaps between."""
+    partner = _partners(runs, reach, corners=corners)
+    ends = _ends(runs).reshape(len(runs), 2, -1)
+    chains, used, gaps = [], [False] * len(runs), []
+    for first in range(len(runs)):
         if used[first]:
             continue
         forward = _walk(first, 1, partner, used)
         backward = _walk(first, 0, partner, used)
         way = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
-        chains.append(tuple(e for i, side in way for e in (kept[i] if side else reverse_run(kept[i]))))
-    return chains
+        chains.append(tuple(e for i, side in way for e in (runs[i] if side else reverse_run(runs[i]))))
+        gaps += [dist(ends[i, side], ends[j, 1 - last]) for (i, side), (j, last) in pairwise(way)]
+    return chains, tuple(gaps)
 
 
 def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
@@ -135,8 +183,8 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     """Find ends of two chains on one layer that were not joined and yet nearly meet: distance (mm), both chains,
     the place.
 
-    That is within 1 mm and a hundredth of the smaller chain; the nearest first, one for each end. Ends within
-    `tolerance` are listed where a name keeps them apart.
+    That is within 3 mm and a tenth of the smaller chain; the nearest first. Ends of chains that run side by side
+    are not meant to meet. Ends within `tolerance` are listed where a name keeps them apart.
     """
     if len(chains) < 2:
         return []
@@ -151,7 +199,9 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
         one, other = _source_of(chains[i]), _source_of(chains[j])
         apart_drawn = apart > tolerance or one.is_named or other.is_named
         near = i != j and apart_drawn and apart <= NEAR_SHARE * min(sizes[i], sizes[j])
-        if near and one.layer == other.layer:
+        if not near or one.layer != other.layer:
+            continue
+        if apart <= tolerance or _onward(chains, divmod(a, 2), divmod(b, 2)) > _ALONGSIDE:
             found.append((apart, i, j, ends[a]))
     return sorted(found, key=lambda one: one[0])
 
@@ -181,18 +231,22 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
     return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
 
 
-def _partners(runs: Sequence[Run], tolerance: float, *, corners: bool) -> _Joints:
+def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
     """For each end (run, side) the one other end it touches, if there is just one."""
     from scipy.spatial import cKDTree
 
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
-    tree = cKDTree(ends)
-    crowd = tree.query_ball_point(ends, tolerance, return_length=True)
+    tree, farthest = cKDTree(ends), reach + reach.max()
+    crowd = tree.query_ball_point(ends, farthest, return_length=True)
     near = [
-        [j for j in tree.query_ball_point(end, tolerance) if groups[j // 2] == groups[k // 2]]
-        if crowd[k] <= _CROWD
+        [
+            j
+            for j in tree.query_ball_point(end, farthest[k])
+            if groups[j // 2] == groups[k // 2] and dist(end, ends[j]) <= reach[k] + reach[j]
+        ]
+        if 1 < crowd[k] <= _CROWD
         else []
         for k, end in enumerate(ends)
     ]
@@ -208,8 +262,13 @@ def _partners(runs: Sequence[Run], tolerance: float, *, corners: bool) -> _Joint
 
 def _goes_on(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> bool:
     """Return True if the direction turns by at most 1 degree from one end (run, side) to another."""
+    return bool(_onward(runs, one, other) > _STRAIGHT_ON)
+
+
+def _onward(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> float:
+    """Return the cosine of the turn from one end (run, side) to another."""
     out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (one, other))
-    return bool(-out @ into > _STRAIGHT_ON)
+    return float(-out @ into)
 
 
 def _outward(run: Run) -> FloatArray:
@@ -219,46 +278,89 @@ def _outward(run: Run) -> FloatArray:
     return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
 
 
-def _without_repeats(runs: Sequence[Run], tolerance: float) -> list[Run]:
-    """The runs less those that lie on an earlier one, drawn either way."""
+def _without_overlaps(
+    runs: Sequence[Run], tolerance: float
+) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
+    """The runs less those that lie on a longer one, or on an earlier one as long; and all that overlap."""
     from scipy.spatial import cKDTree
 
-    middles = np.array([_middle(run) for run in runs])
-    kept: list[Run] = []
-    dropped: set[int] = set()
-    tree = cKDTree(middles)
+    ends = _ends(runs).reshape(len(runs), 2, -1)
     sources = [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
-    for i, run in enumerate(runs):
-        if i in dropped:
+    sizes = np.array([sum(edge.size for edge in run) for run in runs])
+    tree = cKDTree(ends.mean(axis=1))
+    order = np.argsort(-sizes.round(6), kind="stable")
+    rank = np.argsort(order)
+    dropped: set[int] = set()
+    overlaps = []
+    for j in order.tolist():
+        if j in dropped:
             continue
-        kept.append(run)
-        dropped.update(
-            j
-            for j in tree.query_ball_point(middles[i], tolerance)
-            if j > i and called[j] == called[i] and _same(run, runs[j], tolerance)
-        )
-    return kept
+        points = np.concatenate([edge.points for edge in runs[j]])
+        low, high = points.min(axis=0) - tolerance, points.max(axis=0) + tolerance
+        reach = (dist(low, high) + sizes[j]) / 2
+        near = np.array(tree.query_ball_point((low + high) / 2, reach), dtype=int)
+        near = np.sort(near[rank[near] > rank[j]])
+        inside = np.all((ends[near] >= low) & (ends[near] <= high), axis=2)
+        apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3).min(axis=2) > tolerance
+        for i in near[inside.all(axis=1) | (inside & apart).any(axis=1)].tolist():
+            if i in dropped:
+                continue
+            touching = [_is_on_run(ends[i, [side]], runs[j], tolerance) for side in (0, 1)]
+            if all(touching) and _is_on_run(_probes(runs[i]), runs[j], tolerance):
+                same = called[i] == called[j]
+                overlaps.append((sources[i], sources[j], "left out" if same else "kept"))
+                if same:
+                    dropped.add(i)
+            elif any(touching) and _overlap_in_part(runs[i], runs[j], tolerance):
+                overlaps.append((sources[i], sources[j], "in part"))
+    return [run for i, run in enumerate(runs) if i not in dropped], tuple(overlaps)
 
 
-def _same(one: Run, other: Run, tolerance: float) -> bool:
-    if len(one) != len(other):
+def _overlap_in_part(run: Run, longer: Run, tolerance: float) -> bool:
+    """Return True if the runs have a stretch in common, from an end of one to an end of the other."""
+    ends, others = _ends([run]), _ends([longer])
+    mine = [end for end in ends if _is_on_run(end[None], longer, tolerance)]
+    its = [end for end in others if _is_on_run(end[None], run, tolerance)]
+    if len(mine) != 1 or len(its) != 1 or dist(mine[0], its[0]) <= tolerance:
         return False
-    mine = _probes(one)
-    return any(
-        float(np.abs(mine - _probes(candidate)).max()) <= tolerance
-        for candidate in (other, reverse_run(other))
-    )
+    fine = np.concatenate([edge.at(edge.stations()) for edge in run])
+    far = dist(mine[0], its[0])
+    between = fine[np.all([np.linalg.norm(fine - end, axis=1) < far for end in (mine[0], its[0])], axis=0)]
+    return bool(len(between)) and _is_on_run(between, longer, tolerance)
+
+
+def _is_on_run(points: FloatArray, run: Run, tolerance: float) -> bool:
+    """Return True if all points (n, d) are within `tolerance` mm of the run."""
+    for edge in run:
+        low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
+        near = np.all((points >= low) & (points <= high), axis=1)
+        near[near] = _distances_to(edge, points[near]) <= tolerance
+        points = points[~near]
+    return not len(points)
+
+
+def _distances_to(edge: Edge, points: FloatArray) -> FloatArray:
+    """Distances (n,), mm, of points (n, d) from an edge."""
+    from scipy.spatial import cKDTree
+
+    if not len(points):
+        return np.zeros(0)
+    stations = edge.stations()
+    nearest = cKDTree(edge.at(stations)).query(points)[1]
+    low, high = stations[np.maximum(nearest - 1, 0)], stations[np.minimum(nearest + 1, len(stations) - 1)]
+    rows = np.arange(len(points))
+    for _ in range(_REFINED):
+        t = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, 9)
+        away = np.linalg.norm(edge.at(t.ravel()).reshape(*t.shape, -1) - points[:, None], axis=2)
+        best = away.argmin(axis=1)
+        low, high = t[rows, np.maximum(best - 1, 0)], t[rows, np.minimum(best + 1, 8)]
+    return np.asarray(away[rows, best])
 
 
 def _probes(run: Run) -> FloatArray:
     """Points along the run, enough to tell it from another with the same ends."""
     return np.concatenate([e.at(np.linspace(e.spans.edges[0], e.spans.edges[-1], 9)) for e in run])
-
-
-def _middle(run: Run) -> FloatArray:
-    """A point that does not depend on the direction of travel: the mean of the control points."""
-    return np.asarray(np.concatenate([edge.points for edge in run]).mean(axis=0))
 
 
 def curve_from_run(
@@ -304,12 +406,14 @@ def curve_from_run(
         holes=tuple((float(x), float(y), size) for (x, y), size in filter(None, map(_circle, holes))),
     )
     if all(edge.degree == 1 for edge in run):
-        vertices = np.concatenate([edge.points for edge in run])
+        vertices = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
         return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn, sides=True)
     dust = 1e-9 * sum(edge.size for edge in run)
     pieces = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
     exact = [part for edge in pieces for part in _with_handles(edge)]
     one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
+    if len(exact) == 1:
+        drawn = replace(drawn, measured=_interpolated_points(one, drawn.rounding))
     healing = heal_tangents(one.knots, one.points, one.degree, one.weights, rounding=drawn.rounding)
     return PlaneCurve(
         healing.knots,
@@ -318,6 +422,21 @@ def curve_from_run(
         healing.weights,
         replace(drawn, healed=healing.moved, undecided=healing.undecided),
     )
+
+
+def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
+    """Return the points that a dense spline interpolates, if its curvature changes abruptly from knot to knot.
+
+    Its noise is too small to be seen in the drawing, and yet it, or an end without curvature, shows in the widths.
+    """
+    knots = edge.spans.edges
+    inner = edge.knots[edge.degree + 1 : -edge.degree - 1]
+    if edge.degree != 3 or edge.weights is not None or len(inner) < _DENSE or np.any(np.diff(inner) == 0):
+        return None
+    curve = PlaneCurve(edge.knots, edge.points, edge.degree)
+    curvature = curve.curvature_at(knots)
+    rough = np.abs(np.diff(curvature, 2)).max() > _ROUGH * np.abs(curvature).max()
+    return MeasuredPoints.of(edge.at(knots), TOLD_MM, rounding) if rough else None
 
 
 def curve_from_points(

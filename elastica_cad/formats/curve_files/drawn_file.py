@@ -7,7 +7,13 @@ from itertools import islice
 from pathlib import Path
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.chains import curve_from_run, holes_on_chains, join_runs, near_ends
+from elastica_cad.formats.curve_files.chains import (
+    JoinedRuns,
+    curve_from_run,
+    holes_on_chains,
+    join_runs,
+    near_ends,
+)
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
 from elastica_cad.formats.curve_files.stroke_outlines import stroke_width
@@ -265,19 +271,20 @@ def collect_curves(
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     runs = list(runs)
-    chains = join_runs((run for run in runs if run), tolerance, corners=corners)
-    if not chains:
+    joined = join_runs((run for run in runs if run), tolerance, corners=corners)
+    if not joined.chains:
         found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
         raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))
 
-    chains, holes = holes_on_chains(chains)
+    chains, holes = holes_on_chains(joined.chains)
 
     def make(chain: Run, drilled: Sequence[Run]) -> PlaneCurve:
         edges = (*chain, *(edge for circle in drilled for edge in circle))
         plane = iter(edges if flat is None else flat(edges, tolerance))
         parts = [tuple(islice(plane, len(part))) for part in (chain, *drilled)]
+        closing = max(tolerance, joined.widest)
         return curve_from_run(
-            parts[0], tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown, holes=parts[1:]
+            parts[0], tolerance=closing, fit_tolerance=fit_tolerance, shown=shown, holes=parts[1:]
         )
 
     sources = [chain[0].source or Source() for chain in chains]
@@ -308,9 +315,44 @@ def collect_curves(
         path,
         curves,
         dict(sorted(skipped.items())),
-        gaps=(*names, *gaps[:_SHOWN]),
+        gaps=(*names, *_joining_notes(joined, tolerance), *gaps[:_SHOWN]),
         remarks=tuple(outlines[:_SHOWN]),
     )
+
+
+def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
+    """Sentences about shapes that lie on each other, and about gaps that were closed."""
+    notes: list[str] = []
+    for kind, text in _OVERLAPS.items():
+        pairs = dict.fromkeys(
+            note("{one} on {other}", one=_shape(one), other=_shape(other))
+            for one, other, how in joined.overlaps
+            if how == kind
+        )
+        others = [note("{count} others", count=len(pairs) - _SHOWN)] if len(pairs) > _SHOWN else []
+        if pairs:
+            notes.append(note(text, pairs=Listed([*islice(pairs, _SHOWN), *others])))
+    closed = [gap for gap in joined.closed if gap > tolerance]
+    if closed:
+        notes.append(note(
+            "gaps of one unit of the file's last digit were closed: {count}, the widest {widest:.2g}",
+            count=len(closed), widest=Length(max(closed)),
+        ))  # fmt: skip
+    return notes
+
+
+_OVERLAPS = {
+    "left out": "drawn twice, so the longer shape counts: {pairs}",
+    "kept": "drawn twice with different layers or names, so both count: {pairs}",
+    "in part": "drawn twice in part, and both count: {pairs}. Trim one of them in the drawing",
+}
+"""Sentences about shapes that lie on each other."""
+
+
+def _shape(source: Source) -> str:
+    """Return the name of a shape of a file with its layer."""
+    name = source.name or note("a shape without a name")
+    return note("{name} (layer {layer})", name=name, layer=source.layer) if source.layer else name
 
 
 _SHOWN = 6  # curves and kinds named in a sentence

@@ -120,7 +120,7 @@ def placed_curve(
     """
     if not edges:
         raise InputError("no edge was given: give at least one edge or wire for the strip to follow")
-    runs = join_runs([(edge,) for edge in edges], JOIN)
+    runs = join_runs([(edge,) for edge in edges], JOIN).chains
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")
     runs, holes = holes_on_chains(runs)
@@ -134,7 +134,7 @@ def placed_curve(
 
 def edge_chains(edges: Sequence[Edge]) -> list[Run]:
     """Join edges end to end, and return every chain; `place_chain` makes a curve of one."""
-    return join_runs([(edge,) for edge in edges], JOIN)
+    return join_runs([(edge,) for edge in edges], JOIN).chains
 
 
 def place_chain(run: Sequence[Edge], frame: Frame, holes: Sequence[Run] = ()) -> PlaneCurve:

@@ -26,6 +26,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import Length, note
 
+RULER_MM = 0.25  # rounding, mm, as of a ruler with half millimetres: such points were measured by hand
 _DIGITS = 20_000  # numbers whose digits are looked at
 
 
@@ -56,7 +57,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     parts = [int(found[1]) for cell in inches if (found := re.search(r"/(\d+)", cell))]  # of an inch
     parts += [8 for cell in inches if cell.count("-") > 1]
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
-    by_rule = scale == MM_PER_INCH or table.is_offsets  # as fine as a rule is read
+    by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
     noise = rounded / np.sqrt(3) if by_rule else 0.0
     makers: list[tuple[str, Callable[[], PlaneCurve]]] = []
     for name, rows in table.columns:

@@ -200,7 +200,7 @@ def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
     curve = excess.curve
     constraints: list[Constraint] = [CurvatureAt(ends, excess.rest_at(ends), curve.length)]
     constraints += [EndPositions.of(curve), EndTangents.of(curve), SmoothJoints.of(curve)]
-    return least_norm_newton(curve, constraints, tolerance=1e-12)[0]
+    return least_norm_newton(curve, constraints, tolerance=1e-12)[0].drawn_as(curve.provenance)
 
 
 _SAME_PLACE_SHARE = 1e-6

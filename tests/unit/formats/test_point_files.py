@@ -236,7 +236,8 @@ def test_fractions_are_inches(tmp_path):
     ("Station,Height", "mm", 0, 0.5),
     ("Station,Height (in)", "in", 1, 0.05 * 25.4),
     ("x (in),y (in)", "in", 1, 0.05 * 25.4),
-    ("x,y", "mm", 0, 0.0),
+    ("x,y", "mm", 0, 0.5),
+    ("x,y", "mm", 1, 0.0),
 ])  # fmt: skip
 def test_what_was_read_off_is_never_more_exact_than_its_digits(csv, heading, unit, digits, least):
     """A parabola's fourth differences are 0, so the rounded points of this one seem to have next to no noise."""

@@ -468,8 +468,9 @@ def test_touching_shapes_with_names_are_reported_in_one_line(svg):
     others = "".join(f'<path id="side{k}" d="M{end} {20 + 9 * k} 90"/>' for k, end in enumerate(ends))
     read = svg(f'<path id="rib" {rib}/><path id="twin" {rib}/>{others}', NAMESPACES)
     assert [one.name for one in read.file] == ["rib", "twin", "side0", "side1", "side2"]
-    (told,) = read.notes
+    told, twice = read.notes
     assert "curve 1 (rib) and curve 2 (twin)" in told
+    assert twice == "drawn twice with different layers or names, so both count: twin on rib"
     assert "and 2 more. To make one strip" in told
     assert "combine them into one path in the drawing program, or remove their names" in told
 

@@ -296,7 +296,7 @@ def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
 def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
     """Lines that follow each other as one, first and last point the same where it is closed."""
     joined = []
-    for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM):
+    for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM).chains:
         points = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
         if np.linalg.norm(points[-1] - points[0]) <= JOIN_MM:
             points[-1] = points[0]
