@@ -416,6 +416,17 @@ def test_a_periodic_spline_by_the_mouse_and_strips_that_fail(tmp_path):
 
 
 @pytest.mark.campaign
+def test_quick_undo_and_redo_of_a_model(tmp_path):
+    found = launching.run_window("undone.py", tmp_path)
+    names, count, joints, volume = found["made"]
+    assert [len(names), count, joints] == [4, 37, 36]
+    for gap, undone, redone in found["rounds"]:
+        assert undone == [names[-1:], 12, []], gap
+        assert redone == [names, 37, [], pytest.approx(volume)], gap
+    assert found["refused"] == []
+
+
+@pytest.mark.campaign
 def test_every_button_in_every_state(tmp_path):
     found = launching.run_window("states.py", tmp_path)
     assert found["trouble"] == []

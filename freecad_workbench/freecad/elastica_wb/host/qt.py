@@ -7,6 +7,7 @@ import gc
 from collections.abc import Callable
 from typing import Any
 
+import FreeCAD as App
 from PySide import QtCore, QtGui
 
 try:
@@ -14,7 +15,20 @@ try:
 except ImportError:
     from PySide2 import QtWidgets
 
-__all__ = ["EscapeKey", "QtCore", "QtGui", "QtWidgets", "kind_of", "later", "surface_of"]
+__all__ = [
+    "EscapeKey",
+    "QtCore",
+    "QtGui",
+    "QtWidgets",
+    "ShortcutsLater",
+    "kind_of",
+    "later",
+    "surface_of",
+    "when_free",
+]
+
+ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # Qt 6 has moved it
+AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
 
 
 def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
@@ -24,6 +38,23 @@ def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
     timer.setInterval(wait)
     timer.timeout.connect(work)
     return timer
+
+
+def when_free(work: Callable[[], Any]) -> None:
+    """Do work soon, but not while something is computed."""
+
+    def look() -> None:
+        if is_busy():
+            QtCore.QTimer.singleShot(AGAIN_MS, look)
+        else:
+            work()
+
+    QtCore.QTimer.singleShot(0, look)
+
+
+def is_busy() -> bool:
+    """Does a document recompute, or a progress bar wait for the end of some work?"""
+    return EscapeKey.watching > 0 or any(document.Recomputing for document in App.listDocuments().values())
 
 
 def surface_of(view: Any) -> Any | None:
@@ -52,10 +83,12 @@ def kind_of(event: Any) -> Any | None:
     return event.type() if isinstance(event, QtCore.QEvent) else None
 
 
-class EscapeKey(QtCore.QObject):
-    """Notes that Escape was pressed, whoever has the keyboard."""
+class ShortcutsLater(QtCore.QObject):
+    """Puts shortcuts off until nothing is computed.
 
-    pressed = False
+    FreeCAD's progress bar keeps keys and mouse from the window, but not shortcuts. An undo in a recompute cannot
+    delete objects, and its step is lost.
+    """
 
     def watch(self) -> None:
         """Begin to watch; the filter that was installed last is called first."""
@@ -65,9 +98,33 @@ class EscapeKey(QtCore.QObject):
         """Stop watching."""
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
-    def eventFilter(self, _widget: Any, event: Any) -> bool:
+    def eventFilter(self, watched: Any, event: Any) -> bool:
+        """Keep a shortcut for later."""
+        held = kind_of(event) == QtCore.QEvent.Shortcut and isinstance(watched, ACTION) and is_busy()
+        if held:
+            when_free(watched.trigger)
+        return held
+
+
+class EscapeKey(ShortcutsLater):
+    """Notes that Escape was pressed, whoever has the keyboard."""
+
+    watching = 0
+    pressed = False
+
+    def watch(self) -> None:
+        """Begin to watch."""
+        EscapeKey.watching += 1
+        super().watch()
+
+    def leave(self) -> None:
+        """Stop watching."""
+        EscapeKey.watching -= 1
+        super().leave()
+
+    def eventFilter(self, watched: Any, event: Any) -> bool:
         """Escape is for us alone."""
         typed = kind_of(event) == QtCore.QEvent.KeyPress
         if typed and event.key() == QtCore.Qt.Key_Escape:
             self.pressed = True
-        return self.pressed and typed
+        return (self.pressed and typed) or super().eventFilter(watched, event)

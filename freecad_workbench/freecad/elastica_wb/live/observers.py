@@ -9,9 +9,8 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.lifetime import is_ours, lives
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
+from freecad.elastica_wb.host.qt import AGAIN_MS, QtCore, QtWidgets, ShortcutsLater, later, when_free
 from freecad.elastica_wb.live.sketches import (
-    AGAIN_MS,
     edited_sketch,
     followers,
     is_curve,
@@ -24,7 +23,7 @@ from freecad.elastica_wb.live.sketches import (
     wants_overlay,
 )
 
-PAUSE_MS = 300  # after the last recompute
+PAUSE_MS = 300  # after the last recompute, undo or redo
 SOUGHT_MS = 50  # until work in another thread is asked for again
 
 
@@ -182,6 +181,9 @@ class Changes:
         self._called: dict[tuple[str, str], str] = {}
         self._held: dict[tuple[str, str], set[str]] = {}
         self._changed: dict[str, dict[str, set[str]]] = {}
+        self._undone: dict[str, tuple[dict[str, set[str]], set[str]]] = {}
+        self._after_undone = later(lambda: when_free(self._recompute_undone), PAUSE_MS)
+        self._shortcuts = ShortcutsLater()
 
     def slotCreatedObject(self, obj: Any) -> None:
         """A sketch made from this workbench has the overlay."""
@@ -226,8 +228,14 @@ class Changes:
         """Do the same as after an undo."""
         self._after_undo(document)
 
+    def slotBeforeRecomputeDocument(self, document: Any) -> None:
+        """FreeCAD lets shortcuts through in a recompute."""
+        if any(map(is_ours, document.Objects)):
+            self._shortcuts.watch()
+
     def slotRecomputedDocument(self, document: Any) -> None:
         """FreeCAD leaves out what is made from something that failed."""
+        self._shortcuts.leave()
         _shared("give_up", document)
 
     def slotDeletedObject(self, obj: Any) -> None:
@@ -237,13 +245,26 @@ class Changes:
             _stop()
 
     def _after_undo(self, document: Any) -> None:
-        changed = self._changed.get(document.Name, {})
+        """Note what a step changed; the recompute waits, as the next step may delete what is recomputed."""
+        step = self._changed.pop(document.Name, {})
         self._changed.clear()
-        ours = [obj for obj in document.Objects if is_ours(obj)] if changed else []
-        if ours:
-            QtCore.QTimer.singleShot(0, lambda: recompute(_stale(ours, changed)))
+        if step:
+            changed, half = self._undone.setdefault(document.Name, ({}, set()))
+            for name, properties in step.items():
+                changed.setdefault(name, set()).update(properties)
+            ours = filter(is_ours, document.Objects)
+            half.update(obj.Name for obj in ours if not is_strip(obj) and _is_half_undone(obj, step))
+        self._after_undone.start()
         if _session() is not None:
             self._soon()
+
+    def _recompute_undone(self) -> None:
+        undone, self._undone = self._undone, {}
+        for name, (changed, half) in undone.items():
+            document = App.listDocuments().get(name)
+            ours = [] if document is None else [obj for obj in document.Objects if is_ours(obj)]
+            if ours:
+                recompute(_stale(ours, changed, half))
 
     def _after_paste(self) -> None:
         """What was left behind is not followed any more: FreeCAD 0.20 makes nothing anew that is pasted."""
@@ -265,7 +286,8 @@ class Changes:
         session = _session()
         if session is not None:
             session.refresh()
-            recompute(followers(session.sketch))
+            if not self._after_undone.isActive():
+                recompute(followers(session.sketch))
 
 
 def _is_importing(document: Any) -> bool:
@@ -324,14 +346,14 @@ def _hide_failed(sketch: Any) -> None:
         _shared("hide_failed", sketch)
 
 
-def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
+def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
     """What was not made from what it asks for now, and what is made from that.
 
-    Curves are made anew where what they follow is not as it was, and so is what failed before that.
+    Curves are made anew where what they follow is not as it was, and so is what failed before that. `half` names
+    objects that a step brought back without their shape, or the other way round.
     """
     from freecad.elastica_wb.features.strip import is_stale
 
-    ours = [obj for obj in ours if lives(obj)]
     regrouped = any("Group" in names for names in changed.values())
     asked = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
     stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, asked)]
@@ -344,8 +366,7 @@ def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
         follows = any(source.Name in names for source in obj.OutList)
         failed = "Invalid" in obj.State and (follows or obj.Name in changed)
         stands_elsewhere = regrouped or any(one.Name in changed for one in _containers_of(obj))
-        half = _is_half_undone(obj, changed)
-        if failed or (follows and is_curve(obj)) or half or stands_elsewhere or obj in restored:
+        if failed or (follows and is_curve(obj)) or obj.Name in half or stands_elsewhere or obj in restored:
             stale.append(obj)
     users = {user for obj in stale for user in obj.InListRecursive}
     return stale + [obj for obj in ours if obj in users and obj not in stale]

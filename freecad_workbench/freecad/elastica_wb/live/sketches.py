@@ -10,13 +10,12 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.lifetime import FEATURES, lives
-from freecad.elastica_wb.host.qt import QtCore
+from freecad.elastica_wb.host.qt import when_free
 
 MEMORY = "ElasticaLive"
 """Property of a sketch that remembers whether it has the overlay."""
 
 STRIPS, CURVES, MODELS, NESTS = (f"{FEATURES}{name}" for name in ("strip", "curves", "model", "nest"))
-AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
 
 listeners: list[Callable[[bool], None]] = []
 """Told whether there is an overlay now."""
@@ -63,7 +62,7 @@ def recompute(strips: list[Any]) -> None:
         return
     document = alive[0].Document
     if document.Recomputing:
-        QtCore.QTimer.singleShot(AGAIN_MS, lambda: recompute(alive))
+        when_free(lambda: recompute(alive))
         return
     for strip in alive:
         strip.touch()
