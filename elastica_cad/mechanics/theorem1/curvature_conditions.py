@@ -140,8 +140,12 @@ PLACE_DIGITS = 6
 """Digits to which a place (mm) is rounded, so that the same curve from two programs begins at the same place."""
 
 ALIKE = 1e-6
-"""Relative difference of curvatures below which two places count as equally flat, and of parameters below which
-a place is a knot."""
+"""Relative difference of curvatures below which two places count as equally flat."""
+
+
+NEAR_KNOT_SHARE = 1e-5
+"""Distance from a knot, as a share of the domain, up to which a closed curve begins at the knot: the curvature of a
+shorter span is rounding."""
 
 
 def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
@@ -169,9 +173,8 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     low, high = curve.domain
     t = float(curve.parameter(np.array(s)))
     drawn, curve = curve.provenance, _closed_exactly(curve)
-    # a span of rounding size would have no curvature to speak of
     knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
-    t = knot if abs(knot - t) <= ALIKE * (high - low) else t
+    t = knot if abs(knot - t) <= NEAR_KNOT_SHARE * (high - low) else t
     if t <= low or t >= high:
         return curve.drawn_as(drawn)
     first, second = curve.trimmed(t, high), curve.trimmed(low, t)

@@ -131,7 +131,7 @@ def work():
     until(lambda: live.session().overlay.shown()["width"])
     live_at_rest()
     answers["overlay"] = live.session().overlay.shown()
-    answers["verdict"] = live.session().card.answer.words
+    answers["verdict"] = live.session().card.heading.text()
     picture("3-drawn.png")
     pole = tuple(splines(sketch)[0].getPole(3))
     x, y = on_screen(*pole[:2])

@@ -48,6 +48,14 @@ UPRIGHT = PlaneCurve.ellipse((0, 0), (90, 60), start=0, end=2 * np.pi)
 CLOSED = {"upright": UPRIGHT, "circle": CIRCLE, "ellipse": ELLIPSE, "oval": OVAL, "squarish": SQUARISH}
 
 
+@pytest.mark.parametrize("beyond", [-1e-4, 3e-5, 1e-4])
+def test_a_curve_that_begins_beside_a_knot_has_no_step_there(beyond):
+    oval = periodic(lambda angle: 100 + 12 * np.cos(2 * angle), 14, 3)
+    begun = begin_at(oval, float(oval.arc_length(np.array([oval.domain[0] + 5 + beyond]))[0]))
+    assert begun.seam.continuity == 2
+    assert not any("steps" in warning for warning in check_equilibrium(begun).warnings)
+
+
 def waisted():
     """A pen curve with two waists, of Bezier pieces whose handles line up."""
     half = [

@@ -57,7 +57,7 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
         yield Fault(note("tips over sideways"), str(strip.sideways), "SidewaysMargin", curve_helps=False)
     for warning in strip.rod.warnings:
         if isinstance(warning, Refusal) and warning.kind == "kinks" and warning.severity == "warning":
-            yield Fault(note("kinks in its width"), warning, "NarrowestWidth", curve_helps=False)
+            yield Fault(note("kinks in its width"), warning, "NarrowestWidth")
 
 
 def width_fault(length: float, width: float | None) -> Fault | None:
