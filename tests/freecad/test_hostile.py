@@ -68,7 +68,7 @@ def test_odd_weights(document, drawn, weights):
         ("Quantity", 0, ""),
         ("NaturalCurvature", float("nan"), "finite"),
         ("NaturalCurvature", float("inf"), "finite"),
-        ("EngravedText", "x" * 3000, ""),
+        ("EngravedText", "x" * 3000, "200"),
         ("EngravedText", "../äöü漢字\"'<>&", ""),
         ("EngravedText", "two\nlines", "printed"),
         ("Columns", 0, "columns"),
