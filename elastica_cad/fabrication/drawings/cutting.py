@@ -146,8 +146,8 @@ class HoldingTabs:
     """
 
     width: Annotated[float, Asked("Width of a bridge.", "mm", above=0)] = 0.5
-    spacing: Annotated[float, Asked("Largest distance between two bridges.", "mm", above=0)] = 100.0
-    least: Annotated[int, Asked("How many bridges each loop has at least.", least=1)] = 2
+    spacing: Annotated[float, Asked("Largest distance between two bridges.", "mm", least=1)] = 100.0
+    least: Annotated[int, Asked("How many bridges each loop has at least.", least=1, most=1000)] = 2
     inner: Annotated[bool, Asked("Interrupt inner cuts too.")] = False
 
     def __post_init__(self) -> None:

@@ -256,9 +256,11 @@ def end_plates(
     *,
     ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     together: bool = False,
-    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = PLAY_MM,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)] = 8.0,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY_MM,
+    clearance: Annotated[
+        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
+    ] = CLEARANCE_MM,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
     name: Annotated[str, Asked("Name of its files.")] = "ring",
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,

@@ -189,10 +189,16 @@ def base_plate(
     sheet: Sheet | str,
     *,
     frame: Frame | None = None,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = BASE_PLAY_MM,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
-    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0)] = None,
-    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = BASE_BORDER_MM,
+    play: Annotated[
+        float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)
+    ] = BASE_PLAY_MM,
+    clearance: Annotated[
+        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
+    ] = CLEARANCE_MM,
+    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0, most=1000)] = None,
+    border: Annotated[
+        float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
+    ] = BASE_BORDER_MM,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
     ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     name: Annotated[str, Asked("Name of its files.")] = "base",

@@ -134,11 +134,13 @@ def slotted_frame(
     sheet: Sheet | str,
     *,
     ribs: Annotated[int, Asked("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
-    depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=1)] = 20.0,
-    tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=1)] = 12.0,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0)] = PLAY_MM,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
-    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0)] = 8.0,
+    depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
+    tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY_MM,
+    clearance: Annotated[
+        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
+    ] = CLEARANCE_MM,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)] = 8.0,
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,

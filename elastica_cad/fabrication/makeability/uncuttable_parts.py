@@ -174,8 +174,8 @@ class _Chords:
         return self.start[chord] + place[:, None] * self.way[chord], chord
 
 
-FAR_WIDER = 2.0
-"""A strip wider than this many lengths of the stock is refused as too large, without a search for thin places."""
+FAR_LARGER = 2.0
+"""A part larger than this many lengths of the stock is refused as too large, without a search for thin places."""
 
 TIMES_AS_LONG = 4.0
 """Least ratio of length to width when a narrower strip is suggested; at half of that it would bend as a plate."""
@@ -268,10 +268,11 @@ def find_strip_faults(
     for i, (layer, least, stock) in enumerate(zip(strip.layers, leasts, stocks, strict=True)):
         called = name if i == 0 else f"{name}, backing"
         length, width = _size(strip)
-        if width < FAR_WIDER * stock[0]:
+        long = min(length, stock[0] if joined else np.inf)
+        if max(long, width) < FAR_LARGER * stock[0]:
             web = min(least, shop.bridge_for(layer.sheet))
             found += _thin_strip(called, strip, layer, least, web, wavers=wavers)
-        found += _too_large(called, min(length, stock[0] if joined else np.inf), width, layer.sheet, stock)
+        found += _too_large(called, long, width, layer.sheet, stock)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament:
         allowed = style.least_ligament
@@ -307,9 +308,10 @@ def find_plate_faults(
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
+    far_larger = max(length, width) >= FAR_LARGER * stock[0]
     return (
         *_faults_at(
-            name, find_thin_places([outline], holes, least), least, sheet,
+            name, () if far_larger else find_thin_places([outline], holes, least), least, sheet,
             note("leave more room between the slots: a larger ring or plate, fewer or narrower strips, a "
             "wider border"),
             (note("the edge"), *called, *(note("a hole") for _ in holes[len(called):])),

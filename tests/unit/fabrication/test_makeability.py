@@ -212,3 +212,9 @@ def test_every_rib_between_many_slots_is_found_with_the_width_that_is_narrowest(
     np.testing.assert_allclose([place.width for place in places], 0.3, atol=1e-9)
     wide = find_thin_places([Path.rectangle(30, 8)], slots, 0.25)
     assert not wide
+
+
+def test_a_plate_far_larger_than_its_stock_is_refused_for_its_size_alone():
+    plate, near_the_edge = Path.rectangle(1e5, 1e5), Path.rectangle(10, 10, corner=(0.1, 50))
+    (fault,) = find_plate_faults("base", Sheet.named("mdf-3"), plate, [near_the_edge])
+    assert "larger than the stock" in fault.what
