@@ -314,9 +314,11 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
     def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
         """Where a joint is put on the end; the base class leaves open where angles are counted from."""
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
-        super().relative_to(
-            other, angle=None if angle is None else require_number(angle, "the angle", "degrees")
-        )
+        if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:
+            raise InputError(
+                "the angle is {angle:g} degrees: give 0 to {most:g}", angle=angle, most=self.travel.length
+            )
+        super().relative_to(other, angle=angle)
         return self._home * bd.Rotation(0, 0, self._angle) * other.relative_location.inverse()
 
 

@@ -9,7 +9,14 @@ from typing import Annotated, Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, numbers, require_number, require_positive, require_record
+from elastica_cad._values import (
+    is_number,
+    numbers,
+    require_flag,
+    require_number,
+    require_positive,
+    require_record,
+)
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
@@ -191,6 +198,7 @@ class Flexure:
         require_record(self.pair, TwoStateRod, "the pair", "a TwoStateRod, as two_state_rod gives")
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_record(self.pad, Pad, "the pad", "a Pad")
+        require_flag(self.printed, "printed")
         if self.least_thickness is not None:
             require_positive(self.least_thickness, "the least thickness")
         if not is_number(self.fillet) or self.fillet:

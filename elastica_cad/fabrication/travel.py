@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
-from elastica_cad._values import require_record
+from elastica_cad._values import require_number, require_record
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
 from elastica_cad.fabrication.strip.styles import Bends
 from elastica_cad.mechanics.bending.bend_forward import Movement, as_steps, bend, bend_path, has_snapped
@@ -130,6 +131,7 @@ class Travel:
 
     def tell_place(self, at: float) -> Refusal:
         """Return the words for a place on the movement, mm of travel or degrees of turn."""
+        at = require_number(at, "the place", "degrees" if self.is_turn else "mm")
         if self.is_turn:
             return note("{degrees:.4g} degrees of turn", degrees=at)
         return note("{at:.4g} of travel", at=Length(round(at, 2)))
@@ -288,6 +290,8 @@ def bend_strip(
     """
     require_record(strip, Strip, "what is bent", "a Strip")
     rods = bend_path(strip.rod_to_bend, path, side=side)
+    if not rods:
+        raise InputError("the path holds no place: give the places that the end is moved to")
     B = strip.bending_stiffness
     end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
     own = strip.rod.position[-1] - strip.rod.position[0]

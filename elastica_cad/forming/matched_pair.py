@@ -9,6 +9,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_one_of
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.unit_speed import integrate_tangents
@@ -127,10 +128,10 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
         require_bendable(curve)
         if curve.is_closed:
             raise InputError("a closed curve has no ends to be held: open it somewhere")
+    if not is_one_of(keep, ("ends", "shape")):
+        raise InputError("keep is {keep!r}: give 'ends' or 'shape'", keep=keep)
     if keep == "shape":
         return _scaled(first, second)
-    if keep != "ends":
-        raise InputError("keep is {keep!r}: give 'ends' or 'shape'", keep=keep)
     drawn = _Drawn.of(first), _Drawn.of(second)
     alike = _are_alike(*drawn)
     if alike:

@@ -21,6 +21,8 @@ ARCH = ec.PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
         (lambda: Measuring.of(0), "give a Strip"),
         (lambda: smooth_curve(ARCH, widths=()), "widths are .*: give two positive numbers"),
         (lambda: smooth_curve(ARCH, natural_curvature="pom-1"), "natural_curvature is"),
+        (lambda: ec.two_state_rod(ARCH, ARCH, limits=np.zeros((0, 2))), "limits is a ndarray"),
+        (lambda: ec.matched_pair(ARCH, ARCH, keep=np.zeros((0, 2))), "keep is array"),
         (lambda: ec.two_state_rod(ARCH, ARCH, free=np.zeros((2, 2))), "free is array"),
     ],
 )

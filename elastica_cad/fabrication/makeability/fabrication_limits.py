@@ -53,16 +53,16 @@ class FabricationLimits:
         Asked(
             "Narrowest strip, tab or tongue that can be made; that of the sheet unless given.",
             "mm",
-            above=0,
+            least=0.05,
             group="limits",
         ),
     ] = None
     least_ligament: Annotated[
         float | None,
-        Asked("Least material between the holes of a perforated strip.", "mm", above=0, group="limits"),
+        Asked("Least material between the holes of a perforated strip.", "mm", least=0.05, group="limits"),
     ] = None
     least_bridge: Annotated[
-        float | None, Asked("Least material between the cuts of a plate.", "mm", above=0, group="limits")
+        float | None, Asked("Least material between the cuts of a plate.", "mm", least=0.05, group="limits")
     ] = None
     stock: Annotated[
         tuple[float, float] | None, Asked("Sides of the largest sheet.", "mm", above=0, group="limits")

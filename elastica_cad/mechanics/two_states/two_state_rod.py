@@ -197,7 +197,7 @@ def two_state_rod(
     >>> round(clip.ratio / optimal_rod(arch).ratio, 6)
     1.0
     """
-    limits = limits or PairLimits()
+    limits = PairLimits() if limits is None else limits
     require_record(limits, PairLimits, "limits", "a PairLimits record, or None")
     count = DEFAULT_SAMPLES if samples is None else whole_number(samples, "samples", 3)
     for name, value, known in (
