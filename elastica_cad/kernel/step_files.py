@@ -24,7 +24,7 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets, frame_beside
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, list_things
-from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.formats.curve_files.edges import Run
 from elastica_cad.formats.curve_files.number_gate import check_size
 from elastica_cad.formats.curve_files.placed_curve import drawing_plane, place_chain
 from elastica_cad.formats.file_access.write_files import write_atomically
@@ -352,8 +352,8 @@ def read_step_drawing(file: Path, *, scale: float = 1.0) -> DrawnFile:
     return DrawnFile(file, curves, dict(sorted(skipped.items())))
 
 
-def _scaled(chain: Sequence[Edge], scale: float) -> PlaneCurve:
-    curve = place_chain(chain, drawing_plane(chain))
+def _scaled(chain: Run, scale: float) -> PlaneCurve:
+    curve, _ = place_chain(chain, drawing_plane)
     check_size(scale * curve.control_points)
     return curve if scale == 1.0 else curve.transformed(np.diag([scale, scale, 1.0]))
 

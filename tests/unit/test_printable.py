@@ -45,7 +45,7 @@ FILES = {
     "two.svg": svg(["A" + XML_NAME, "B" + XML_NAME]),
     "curves.json": json.dumps({"schema": NAME}),
     "design.toml": f"schema = 1\n[[strips]]\n'{BACKWARDS}{RED}' = 1\n",
-    "head.csv": f"x,y\n0,{NAME}\n",
+    "head.csv": f"x,y\n0,{BACKWARDS}\n",
     f"{NAME.replace('/', '')}.svg": svg(["A", "B"]),
 }
 

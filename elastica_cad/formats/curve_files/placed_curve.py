@@ -1,6 +1,7 @@
 """Edges in space as plane curves: their plane, and the curve in it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import pairwise
 from math import dist
 
@@ -128,8 +129,9 @@ def placed_curve(
         raise InputError(_why_not_one(runs))
     turn = AS_DRAWN if turned is None else np.asarray(turned, dtype=float)
     run = runs[0]
-    frame = _side_of(run, turn) if plane is None else _within(run, plane)
-    return place_chain(run, frame, holes[0]), frame
+    return place_chain(
+        run, partial(_side_of, turned=turn) if plane is None else partial(_within, plane=plane), holes[0]
+    )
 
 
 def edge_chains(edges: Sequence[Edge]) -> list[Run]:
@@ -137,8 +139,10 @@ def edge_chains(edges: Sequence[Edge]) -> list[Run]:
     return join_runs([(edge,) for edge in edges], JOIN).chains
 
 
-def place_chain(run: Sequence[Edge], frame: Frame, holes: Sequence[Run] = ()) -> PlaneCurve:
-    """Return the curve of one chain of edges in the coordinates of a frame; refuse corners."""
+def place_chain(
+    run: Run, frame_of: Callable[[Run], Frame], holes: Sequence[Run] = ()
+) -> tuple[PlaneCurve, Frame]:
+    """Return the curve of one chain of edges and its frame; refuse corners."""
     # of a closed wire the last edge goes on in the first
     closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= JOIN
     for before, after in pairwise((*run, *run[:1]) if closed else run):
@@ -160,11 +164,12 @@ def place_chain(run: Sequence[Edge], frame: Frame, holes: Sequence[Run] = ()) ->
                 y=y,
                 z=z,
             )
+    frame = frame_of(run)
     across = frame.axes[:2]
     flat, *drilled = [
         tuple(edge.mapped(across, -across @ frame.origin) for edge in part) for part in (run, *holes)
     ]
-    return curve_from_run(flat, tolerance=JOIN, holes=drilled)
+    return curve_from_run(flat, tolerance=JOIN, holes=drilled), frame
 
 
 def _why_not_one(runs: Sequence[Run]) -> str:

@@ -174,7 +174,7 @@ def _stepped() -> Iterator[Case]:
         (0.3, "three arcs", 30.0),
     ):
         name = f"{curve}, {width:g} mm wide"
-        asked = {"max_width": width, "ignore_limits": True}
+        asked = {"max_width": width, "ignore_limits": True, "smooth": 0.0}
         yield Case(f"steps of width, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.0, asked)
 
 
