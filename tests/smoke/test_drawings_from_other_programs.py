@@ -64,10 +64,10 @@ def test_freecad_saves_one_curve_as_a_drawing_and_as_a_model(tmp_path):
     script.write_text(IN_FREECAD.format(folder=str(tmp_path)))
     subprocess.run(["freecadcmd", str(script)], check=True, capture_output=True, timeout=120)
     (drawn,) = read_curves(tmp_path / "f.svg")
-    assert smooth_curve(drawn).fairing is not None  # a pen's path
+    assert smooth_curve(drawn).fairing is not None  # its curvature jumps
     pytest.importorskip("OCP")
     (model,) = read_curves(tmp_path / "f.step")
-    assert smooth_curve(model).curve is model  # a kernel's edges never move
+    assert smooth_curve(model).curve.length == pytest.approx(smooth_curve(drawn).curve.length, rel=1e-6)
     assert model.length == pytest.approx(drawn.length, rel=1e-9)
 
 
