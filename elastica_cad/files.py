@@ -137,7 +137,7 @@ def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
         from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:
         raise _no_kernel(path) from error
-    return read_step_drawing(path, scale=1.0 if unit is None else look_up_unit(unit))
+    return read_step_drawing(path, unit=unit)
 
 
 def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> "Surface":

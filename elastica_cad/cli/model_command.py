@@ -116,8 +116,8 @@ def _suggestion(design: Design, problem: ElasticaError) -> str:
 def _read_told(path: Path, *, unit: str | None = None) -> CurveList:
     """The curves of a file, told where their size is in doubt."""
     curves = read_curves(path, unit=unit)
-    told = f"{path.name}: {curves.file.size}"
-    if curves.file.size and told not in voice().notes:  # many strips may be drawn in one file
+    told = f"{path.name}: {curves.file.unit.note}"
+    if curves.file.unit.note and told not in voice().notes:  # many strips may be drawn in one file
         warn(told)
     return curves
 

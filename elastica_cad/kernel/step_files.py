@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.model.assembly import Holder, assembly_parts, bent_names, shape_parts
 from elastica_cad.fabrication.model.material_colors import Color, sheet_color
@@ -26,7 +27,8 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, list_things
 from elastica_cad.formats.curve_files.edges import Run
 from elastica_cad.formats.curve_files.number_gate import check_size
-from elastica_cad.formats.curve_files.placed_curve import drawing_plane, place_chain
+from elastica_cad.formats.curve_files.placed_curve import drawing_plane, flatten_run, place_chain
+from elastica_cad.formats.curve_files.read_report import ReadUnit, kinds_of
 from elastica_cad.formats.file_access.write_files import write_atomically
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -332,8 +334,8 @@ def write_strip_step(
     write_step(parts, path, name=name, force=force)
 
 
-def read_step_drawing(file: Path, *, scale: float = 1.0) -> DrawnFile:
-    """The curves of a STEP (or BREP) file one by one, `scale` times as large; what is no curve is counted.
+def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
+    """The curves of a STEP (or BREP) file one by one, in mm; what is no curve is counted.
 
     Edges that belong to faces are not curves of strips.
 
@@ -348,8 +350,20 @@ def read_step_drawing(file: Path, *, scale: float = 1.0) -> DrawnFile:
         raise InputError(
             "the file holds no free edges or wires: export the curves themselves, not solids or faces" + found
         )
-    curves = [DrawnCurve(i, partial(_scaled, chain, scale)) for i, chain in enumerate(chains, start=1)]
-    return DrawnFile(file, curves, dict(sorted(skipped.items())))
+    scale = look_up_unit(unit or "mm")
+    curves = [
+        DrawnCurve(
+            i,
+            partial(_scaled, chain, scale),
+            kinds=kinds_of(chain),
+            chain=tuple(edge.mapped(scale * np.eye(3), np.zeros(3)) for edge in chain),
+            flatten=partial(flatten_run, tolerance=0.0),
+        )
+        for i, chain in enumerate(chains, start=1)
+    ]
+    stated = ReadUnit("mm", "assumed" if file.suffix.lower() == ".brep" else "stated", "STEP")
+    known = ReadUnit.requested(unit) if unit else stated
+    return DrawnFile(file, curves, dict(sorted(skipped.items())), unit=known)
 
 
 def _scaled(chain: Run, scale: float) -> PlaneCurve:

@@ -524,7 +524,7 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
             {"called": f"{name} {one.number} {one.name}".rstrip(), "curve": curve_table(one.curve)}
             for one in drawn
         ],
-        "notes": list(curves.notes),
+        "notes": [f"Read {curves.file.report(drawn)}.", *curves.notes],
     }
 
 

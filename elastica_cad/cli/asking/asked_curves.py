@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 import click
 
 from elastica_cad.cli.asking.options import join_options
-from elastica_cad.cli.running.voice import warn
+from elastica_cad.cli.running.voice import say, voice, warn
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.files import read_drawing
@@ -245,11 +245,16 @@ def drawn_curves(
         No such curve; the file is named.
     """
     drawing = read_drawing(path, unit=unit, corners=corners)
-    for told in (drawing.size, drawing.left_out, *drawing.remarks, *(drawing.gaps if corners else ())):
+    for told in (drawing.unit.note, drawing.left_out, *drawing.remarks, *(drawing.gaps if corners else ())):
         if told:
             warn(f"{path.name}: {told}")
-    if not drawing.chosen(number, layer):
+    chosen = drawing.chosen(number, layer)
+    if not chosen:
         drawing.one(number, layer, how)
+    report = drawing.report(chosen)
+    if report is not None:
+        voice().read = report.as_dict()
+        say(f"Read  {report}")
     return drawing
 
 

@@ -43,6 +43,7 @@ class Voice:
     record: dict[str, Any] | list[dict[str, Any]] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     files: list[str] = field(default_factory=list)
+    read: dict[str, Any] = field(default_factory=dict)
     since: float = field(default_factory=time.perf_counter)
     step: str = "working"
 
@@ -53,7 +54,7 @@ class Voice:
 
     def begin(self) -> None:
         """Forget all that an earlier run of the command said."""
-        self.record, self.notes, self.files = {}, [], []
+        self.record, self.notes, self.files, self.read = {}, [], [], {}
         self.since, self.step = time.perf_counter(), "working"
 
     def conclude(self) -> None:
@@ -61,11 +62,12 @@ class Voice:
         _clear_step()
         if not self.as_json:
             return
+        read = {"read": self.read} if self.read else {}
         if isinstance(self.record, list):
-            _print_json([{"schema": self.schema, **one} for one in self.record])
+            _print_json([{"schema": self.schema, **read, **one} for one in self.record])
         else:
             told = {"notes": self.notes, "files": self.files}
-            _print_json({"schema": self.schema, **self.record, **told})
+            _print_json({"schema": self.schema, **read, **self.record, **told})
 
     def refuse(self, said: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
         """Print why there is no answer, then a suggestion, which is searched for until Ctrl-C."""

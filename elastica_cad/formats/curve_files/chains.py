@@ -18,11 +18,14 @@ from elastica_cad.geometry.curve_editing.polylines import (
     smooth_through,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.pen_curves.measured_points import TOLD_MM, MeasuredPoints
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
 from elastica_cad.geometry.polynomials.splines import bezier_spans, interpolation_sites
 from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.refusals import Length
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
@@ -476,12 +479,14 @@ def curve_from_points(
             curve = smooth_through(points, tolerance)
         except NotConvergedError:
             curve = _polyline(points)
+        _require_near(curve, points, tolerance)
         return curve.drawn_as(replace(drawn, measured=measured))
     allowed = allowed_distance(points) if sides else np.inf
     pieces = [
         piece for i, j in pairwise(cuts) for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed)
     ]
     if len(pieces) == 1:
+        _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
     # noise cannot be told from corners
@@ -489,6 +494,23 @@ def curve_from_points(
         replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, waver=0.0))
     )
     return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
+
+
+def _require_near(curve: PlaneCurve, points: FloatArray, tolerance: float) -> None:
+    """Refuse a curve that leaves the points to which it was fitted by more than `allowed_distance`."""
+    allowed = allowed_distance(points)
+    if tolerance > allowed:
+        _require_distance(float(distances(Spline(curve), points).max()), allowed)
+
+
+def _require_distance(distance: float, allowed: float) -> None:
+    if distance > allowed:
+        raise InputError(
+            "the smooth curve leaves the drawing by {distance:.3g}, more than {allowed:.3g}: draw a spline, or "
+            "more points where the drawing bends",
+            distance=Length(distance),
+            allowed=Length(allowed),
+        )
 
 
 def _polyline(points: FloatArray) -> PlaneCurve:
@@ -514,6 +536,7 @@ def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list
     curve, distance = fit_polyline(points, tolerance)
     corners = _corners(points, LEAST_TURN) if distance > allowed else []
     if not corners:
+        _require_distance(distance, allowed)
         return [curve]
     cuts = [0, *corners, len(points) - 1]
     return [smooth_through(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]

@@ -16,6 +16,7 @@ from elastica_cad.formats.curve_files.chains import (
 )
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
+from elastica_cad.formats.curve_files.read_report import ReadReport, ReadUnit, kinds_of
 from elastica_cad.formats.curve_files.stroke_outlines import stroke_width
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, split_at_corners
@@ -41,6 +42,12 @@ class DrawnCurve:
         Which of how many pieces of a curve that was cut at its corners, from 1.
     joints : (str, str)
         Names of the corners at its ends where another piece goes on, "J1"; empty elsewhere.
+    kinds : mapping
+        Number of its shapes in the file, by kind: {"spline": 1}.
+    chain : Run
+        Its edges as drawn; empty where it was not drawn by edges.
+    flatten : callable, optional
+        Brings edges in space into the plane of the curve.
     """
 
     number: int
@@ -51,6 +58,9 @@ class DrawnCurve:
     piece: int = 1
     pieces: int = 1
     joints: tuple[str, str] = ("", "")
+    kinds: Mapping[str, int] = field(default_factory=dict)
+    chain: Run = field(default=(), repr=False)
+    flatten: Callable[[Run], Run] | None = field(default=None, repr=False)
 
     @cached_property
     def curve(self) -> PlaneCurve:
@@ -108,9 +118,8 @@ class DrawnFile:
     curves : sequence of DrawnCurve
     skipped : mapping
         What was left out, by name, and how often: {"TEXT": 3}.
-    size : str
-        How large its units were taken, as one sentence, where that is not written in it, or makes its curves of a
-        size that strips do not have; else empty.
+    unit : ReadUnit
+        Its unit, and how that is known.
     gaps : tuple of str
         Where curves meet, or nearly meet, and were not joined, one sentence each.
     remarks : tuple of str
@@ -125,7 +134,7 @@ class DrawnFile:
     path: Path
     curves: Sequence[DrawnCurve]
     skipped: Mapping[str, int] = field(default_factory=dict)
-    size: str = ""
+    unit: ReadUnit = field(default_factory=ReadUnit)
     gaps: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
 
@@ -151,6 +160,10 @@ class DrawnFile:
     def bad(self) -> tuple[DrawnCurve, ...]:
         """The curves whose numbers describe no valid curve, such as one without length."""
         return tuple(one for one in self.curves if one.problem)
+
+    def report(self, curves: Sequence[DrawnCurve] | None = None) -> ReadReport | None:
+        """Return what was read of some curves, of all by default; None if none of them is valid."""
+        return ReadReport.of(self.curves if curves is None else curves, self.unit)
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
         """The curves of that number or id, and on that layer; all where neither is given."""
@@ -232,7 +245,7 @@ class CurveList(list[PlaneCurve]):
             for one in self.file.bad
         ]
         return (
-            *(text for text in (self.file.size, self.file.left_out) if text),
+            *(text for text in (self.file.unit.note, self.file.left_out) if text),
             *self.file.remarks,
             *self.file.gaps,
             *bad,
@@ -248,7 +261,7 @@ def collect_curves(
     tolerance: float,
     fit_tolerance: float,
     shown: Provenance | None = None,
-    flat: Callable[[Run, float], Run] | None = None,
+    flat: Callable[..., Run] | None = None,
     corners: bool = True,
 ) -> DrawnFile:
     """Join runs of edges whose ends meet, and return the curves of the file that draws them.
@@ -289,7 +302,16 @@ def collect_curves(
 
     sources = [chain[0].source or Source() for chain in chains]
     curves = [
-        DrawnCurve(number, partial(make, chain, drilled), source.name, source.layer, source.id)
+        DrawnCurve(
+            number,
+            partial(make, chain, drilled),
+            source.name,
+            source.layer,
+            source.id,
+            kinds=kinds_of(chain),
+            chain=chain,
+            flatten=flat and partial(flat, tolerance=tolerance),
+        )
         for number, (chain, drilled, source) in enumerate(zip(chains, holes, sources, strict=True), start=1)
     ]
     near = near_ends(chains, tolerance)

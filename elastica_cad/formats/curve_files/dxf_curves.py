@@ -24,6 +24,7 @@ from elastica_cad.formats.curve_files.number_gate import (
     half_last_place,
 )
 from elastica_cad.formats.curve_files.placed_curve import flatten_run
+from elastica_cad.formats.curve_files.read_report import ReadUnit
 from elastica_cad.formats.file_access.source_file import quiet_log
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import note
@@ -110,6 +111,9 @@ _INSUNITS = {
 }  # fmt: skip
 """Millimetres in the units that $INSUNITS numbers; 0 is "no unit"."""
 
+_NAMES = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
+"""Usual units that $INSUNITS numbers."""
+
 _OWN_UNIT = b"all lengths in mm"
 """The comment at the top of R12 files that this program writes, which have no $INSUNITS."""
 
@@ -139,7 +143,7 @@ def read_dxf_drawing(
     """
     document = _opened(file)
     _refuse_many_inserts(document)
-    scale, assumed = (look_up_unit(unit), "") if unit else _unit_of(document, file)
+    scale, known = (look_up_unit(unit), ReadUnit.requested(unit)) if unit else _unit_of(document, file)
     rounding = scale * _dxf_rounding(file)
     skipped: Counter[str] = Counter()
     shown = Provenance(
@@ -153,7 +157,7 @@ def read_dxf_drawing(
             nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
             fit_tolerance=fit_tolerance, shown=shown, corners=corners,
         )  # fmt: skip
-    return replace(drawn, size=assumed) if assumed else drawn
+    return replace(drawn, unit=known)
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
@@ -253,20 +257,25 @@ def _opened(path: Path) -> "Drawing":
     return document
 
 
-def _unit_of(document: "Drawing", file: Path) -> tuple[float, str]:
-    """Millimetres in a drawing unit, and a note where that is assumed."""
+def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
+    """Millimetres in a drawing unit, and how that is known."""
     code = _unit_code(document)
     with file.open("rb") as opened:
-        if code or _OWN_UNIT in opened.read(200):
-            return _INSUNITS[code], ""
+        if code:
+            name = _NAMES.get(code, f"{_INSUNITS[code]:g} mm")
+            return _INSUNITS[code], ReadUnit(name, "stated", "$INSUNITS")
+        if _OWN_UNIT in opened.read(200):
+            return 1.0, ReadUnit("mm", "stated", "a comment")
     if document.header.get("$MEASUREMENT") == 0:
         with np.errstate(over="ignore", invalid="ignore"), suppress(InputError):
             points = [edge.points for run in _runs(document, 1.0, 0.0, Counter()) for edge in run]
             size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
             if 0 < size < _INCHES_BELOW:
                 reason = note("it names none, has $MEASUREMENT = 0 and is {size:.3g} units large", size=size)
-                return MM_PER_INCH, note(_ASSUMED, unit="in", reason=reason, other="mm")
-    return 1.0, note(_ASSUMED, unit="mm", reason=note("it names none ($INSUNITS)"), other="in")
+                assumed = note(_ASSUMED, unit="in", reason=reason, other="mm")
+                return MM_PER_INCH, ReadUnit("in", note=assumed)
+    assumed = note(_ASSUMED, unit="mm", reason=note("it names none ($INSUNITS)"), other="in")
+    return 1.0, ReadUnit("mm", note=assumed)
 
 
 def _unit_code(document: "Drawing") -> int:

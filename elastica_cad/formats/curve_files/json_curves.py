@@ -13,6 +13,7 @@ from elastica_cad._values import require_record, several
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_degree, check_size
+from elastica_cad.formats.curve_files.read_report import ReadUnit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 CURVES_SCHEMA = "elastica-curves/1"
@@ -61,13 +62,16 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
             curves_schema=CURVES_SCHEMA,
         )
     scale = _scale(data, unit)
+    known = ReadUnit.requested(unit) if unit else ReadUnit(str(data.get("units", "mm")), "stated", "units")
     if "curve" in data:
-        return DrawnFile(file, [DrawnCurve(1, partial(_curve, data["curve"], "curve", scale))])
+        curve = DrawnCurve(1, partial(_curve, data["curve"], "curve", scale), kinds={"spline": 1})
+        return DrawnFile(file, [curve], unit=known)
     curves = data.get("curves")
     if not isinstance(curves, list) or not curves:
         raise InputError("holds no curves: 'curves' must be a list of records")
     makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
-    return DrawnFile(file, [DrawnCurve(i, make) for i, make in enumerate(makers, start=1)])
+    drawn = [DrawnCurve(i, make, kinds={"spline": 1}) for i, make in enumerate(makers, start=1)]
+    return DrawnFile(file, drawn, unit=known)
 
 
 def _scale(data: dict[str, Any], unit: str | None) -> float:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from elastica_cad.formats.curve_files.number_gate import (
     half_last_place,
 )
 from elastica_cad.formats.curve_files.point_tables import PointTable, Row, read_row, read_text
+from elastica_cad.formats.curve_files.read_report import ReadUnit
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
@@ -59,22 +61,31 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
     by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
     noise = rounded / np.sqrt(3) if by_rule else 0.0
-    makers: list[tuple[str, Callable[[], PlaneCurve]]] = []
+    makers: list[tuple[str, int, Callable[[], PlaneCurve]]] = []
     for name, rows in table.columns:
         try:
             blocks = _blocks(rows, scale)
         except InputError as problem:
             if len(table.columns) == 1:
                 raise
-            makers.append((name, partial(_raise, problem)))
+            makers.append((name, 0, partial(_raise, problem)))
             continue
         digits = Provenance(rounding=rounded, name=name)
-        makers += [(name, partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks]
+        makers += [
+            (name, len(block), partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks
+        ]
     told = note(
         "its numbers were read as inches, with fractions or as feet-inches-eighths: give the unit if they are none"
     )
-    curves = [DrawnCurve(number, make, name) for number, (name, make) in enumerate(makers, start=1)]
-    return DrawnFile(file, curves, size=table.note or (told if inches and table.unit is None else ""))
+    curves = [
+        DrawnCurve(number, make, name, kinds={"point": count})
+        for number, (name, count, make) in enumerate(makers, start=1)
+    ]
+    if table.unit:
+        known = ReadUnit.requested(unit) if unit else ReadUnit(table.unit, "stated", note("the heading"))
+    else:
+        known = ReadUnit("in", "guessed", note=told) if inches else ReadUnit("mm")
+    return DrawnFile(file, curves, unit=replace(known, note=table.note or known.note))
 
 
 def read_path_points(file: Path) -> FloatArray:
@@ -145,7 +156,8 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
     knots = np.arange(-degree, count + 1, dtype=float)
     curve = PlaneCurve(knots, points, degree, provenance=digits)
-    return DrawnFile(file, [DrawnCurve(1, lambda: curve)])
+    known = ReadUnit.requested(unit) if unit else ReadUnit("mm")
+    return DrawnFile(file, [DrawnCurve(1, lambda: curve, kinds={"spline": 1})], unit=known)
 
 
 def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:

@@ -16,6 +16,7 @@ from elastica_cad.errors import InputError, MissingDependencyError, how_to_insta
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
+from elastica_cad.formats.curve_files.read_report import ReadUnit
 from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import (
     CLIPPED,
@@ -63,7 +64,7 @@ def read_svg_drawing(
         Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
     """
     tree = svg_tree(file)
-    size, pixel = ("", _PX) if unit else _program(tree)
+    known, pixel = (ReadUnit.requested(unit), _PX) if unit else _program(tree)
     scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
@@ -79,7 +80,7 @@ def read_svg_drawing(
         nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
         corners=corners, shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
     )  # fmt: skip
-    return replace(drawn, size=size, remarks=(*drawn.remarks, *shapes.remarks()))
+    return replace(drawn, unit=known, remarks=(*drawn.remarks, *shapes.remarks()))
 
 
 _IN_POINTS = (
@@ -106,8 +107,8 @@ _OF_OTHER_UNIT = (
 _OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
 
 
-def _program(tree: SvgTree) -> tuple[str, float]:
-    """A sentence and the size of a pixel, mm, where the program that drew it has one of its own.
+def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
+    """How the unit is known, and the size of a pixel, mm, where the program that drew it has one of its own.
 
     Illustrator and Affinity do without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
     """
@@ -115,15 +116,18 @@ def _program(tree: SvgTree) -> tuple[str, float]:
     sized = any(length and length[1] in PHYSICAL for _, length in sizes)
     other = next((text for text, _ in sizes if re.search(r"\d\s*(?!px)[a-z]+\s*$", text.lower())), "")
     if not sized and (_ILLUSTRATOR in tree.head or _is_exported_for_screens(tree)):
-        return _IN_POINTS, _PT
+        return ReadUnit("pt", "guessed", note=_IN_POINTS), _PT
     if _AFFINITY in tree.head and not sized:
-        return _OF_AFFINITY, _PX
+        return ReadUnit("px", "guessed", note=_OF_AFFINITY), _PX
     version = re.match(r"0\.(\d+)", tree.root.get(_INKSCAPE, ""))
     if version and int(version[1][:2]) < 92 and not (sized and tree.root.get("viewBox")):
-        return _OF_INKSCAPE, MM_PER_INCH / 90
-    if sized or (tree.root.get(_INKSCAPE) and not other):
-        return "", _PX
-    return note(_OF_OTHER_UNIT, size=quoted(other)) if other else _WITHOUT_UNIT, _PX
+        return ReadUnit("px", "guessed", note=_OF_INKSCAPE), MM_PER_INCH / 90
+    if sized:
+        name = next(length[1] for _, length in sizes if length and length[1] in PHYSICAL)
+        return ReadUnit(name, "stated", "width and height"), _PX
+    if tree.root.get(_INKSCAPE) and not other:
+        return ReadUnit("px", "guessed"), _PX
+    return ReadUnit("px", note=note(_OF_OTHER_UNIT, size=quoted(other)) if other else _WITHOUT_UNIT), _PX
 
 
 def _is_exported_for_screens(tree: SvgTree) -> bool:

@@ -69,7 +69,9 @@ def test_one_curve_of_several_gets_the_whole_verdict(drawing, tmp_path, choice):
     )
     said, expected = (elastica("check", *words).stdout for words in ((drawing, *choice), (alone,)))
     assert "The widest place of a plain strip" in expected
-    assert said == f"drawn.svg, curve 3 (bow, layer Notes) of 3:\n{expected}"
+    read, verdict = expected.split("\n", maxsplit=1)
+    assert read == "Read  100.0 x 30.0 mm (mm, from width and height), 1 spline, exact"
+    assert said == f"{read}\ndrawn.svg, curve 3 (bow, layer Notes) of 3:\n{verdict}"
     told = elastica("check", drawing, "--curve", "corner")
     assert told.exit_code == 2
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told.stderr

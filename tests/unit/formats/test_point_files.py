@@ -218,7 +218,7 @@ def test_a_table_of_offsets_has_a_curve_for_every_column(tmp_path):
     assert sheer.sample(2).position == pytest.approx(25.4 * np.array([(0, 40.625), (96, 34.75)]), abs=1e-6)
     assert breadth.sample(2).position[1] == pytest.approx((72 * 25.4, 26.375 * 25.4), abs=1e-6)
     assert np.hypot(*(sheer.sample(4001).position - 25.4 * np.array((24, 37.0625))).T).min() < 0.3
-    assert not drawing.size  # its heading says feet
+    assert not drawing.unit.note  # its heading says feet
 
 
 def test_fractions_are_inches(tmp_path):
@@ -227,7 +227,7 @@ def test_fractions_are_inches(tmp_path):
     drawing = read_drawing(file)
     (curve,) = drawing.read()
     assert curve.sample(2).position[1] == pytest.approx((11 * 25.4, 0), abs=1e-6)
-    assert drawing.size
+    assert drawing.unit.note
     (cm,) = read_drawing(file, unit="cm").read()
     assert cm.length == pytest.approx(curve.length / 2.54)
 
@@ -338,7 +338,7 @@ def test_thousands_in_quotes_are_reported(tmp_path):
     path = tmp_path / "points.csv"
     path.write_text(table(style='"{:,}"'.format, points=[(1000, 2050), (1250, 2260), (1500, 2310)]))
     drawing = read_drawing(path)
-    assert drawing.size == "its numbers have signs between thousands: 1,000 was read as 1000"
+    assert drawing.unit.note == "its numbers have signs between thousands: 1,000 was read as 1000"
     assert drawing.read()[0].bounds[1] == pytest.approx((1500, 2310), abs=1)
 
 

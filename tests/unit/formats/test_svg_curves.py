@@ -262,8 +262,8 @@ def test_illustrator_counts_in_points(tmp_path, size):
     assert found[0].control_points[0] == pytest.approx(
         (30, -150), abs=0.01
     )  # mm, as the ruler of Illustrator says
-    assert found.notes == (found.file.size,)
-    assert "say --unit px" in found.file.size
+    assert found.notes == (found.file.unit.note,)
+    assert "say --unit px" in found.file.unit.note
     pixels = read_curves(file, unit="px")
     assert pixels[0].length == pytest.approx(0.75 * found[0].length)
     assert pixels.notes == ()
@@ -339,11 +339,11 @@ def test_the_pixels_of_affinity_are_told(tmp_path):
     head = 'width="100%" height="100%" viewBox="0 0 2480 3508" xmlns:serif="http://www.serif.com/"'
     body = '<path d="M336.22,1889.76C336.22,472.441 2698.43,472.441 2698.43,1889.76"/>'
     file.write_text(f'<svg {head} xmlns="http://www.w3.org/2000/svg">{body}</svg>')
-    assert "96 DPI" in read_drawing(file).size
+    assert "96 DPI" in read_drawing(file).unit.note
     file.write_text(
         f'<svg {head.replace("100%", "210mm", 1)} xmlns="http://www.w3.org/2000/svg">{body}</svg>'
     )
-    assert "96 DPI" not in read_drawing(file).size
+    assert "96 DPI" not in read_drawing(file).unit.note
 
 
 @pytest.mark.parametrize(
