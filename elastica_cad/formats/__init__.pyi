@@ -8,6 +8,7 @@ from elastica_cad.formats.curve_files.json_curves import (
 )
 from elastica_cad.formats.curve_files.write_curves import write_curves as write_curves
 from elastica_cad.formats.design_files.design_file import Design as Design, read_design as read_design
+from elastica_cad.formats.design_files.kit_spec import Cutting as Cutting
 from elastica_cad.formats.drawing_files.drawing_style import CURVES as CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf as encode_dxf
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS as DXF_VERSIONS

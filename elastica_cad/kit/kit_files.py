@@ -12,9 +12,8 @@ import numpy as np
 
 from elastica_cad._counts import and_more, counted
 from elastica_cad._garbage_collection import rare_collections
-from elastica_cad._values import require_path
+from elastica_cad._values import require_path, require_record
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
-from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.holding_template import holding_template
@@ -24,7 +23,7 @@ from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct, file_word
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec
+from elastica_cad.formats.design_files.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
 from elastica_cad.formats.file_access.write_files import check_folder, write_json, write_text, write_together
 from elastica_cad.formats.reports.model_report import compose_start_page
 from elastica_cad.geometry.paths.path import Path as ClosedPath
@@ -144,8 +143,7 @@ def save_model(
     *,
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
-    kerf: float | None = DEFAULT_KERF_MM,
-    holding: HoldingTabs | None = None,
+    cutting: Cutting = DEFAULT_CUTTING,
     step: bool = True,
     pictures: bool = True,
     parts: bool = True,
@@ -166,10 +164,8 @@ def save_model(
         Of the sheets that are cut, mm.
     margin : float
         Least distance between parts, mm.
-    kerf : float or None
-        Width of the cut, mm; None for each sheet's own.
-    holding : HoldingTabs, optional
-        Bridges that hold parts in the sheet; none unless given.
+    cutting : Cutting
+        Kerf, curves, bridges, guide lines and recipient of the cutting files, from `elastica_cad.formats`.
     step, pictures, parts : bool
         Write the assembly (with a CAD kernel), the pictures (with matplotlib), every part in files of its own.
     force : bool
@@ -203,7 +199,7 @@ def save_model(
     ...     print(save_model(model, folder, step=False, pictures=False).summary)
     arch: 1 strip on 1 sheet
     """
-    cutting = Cutting(kerf=kerf, holding=holding)
+    require_record(cutting, Cutting, "cutting", "a Cutting, such as Cutting(kerf=0.15)")
     spec = KitSpec(Nesting(sheet_size, margin), cutting, shop=shop, ignore_limits=ignore_limits)
     if not isinstance(model, Model):
         raise InputError(

@@ -25,7 +25,7 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.design_file import Design, design_of, parse_design
-from elastica_cad.formats.design_files.pair_table import pair_of
+from elastica_cad.formats.design_files.pair_table import cutting_of, pair_of
 from elastica_cad.formats.file_access.source_file import read_below
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, advise
@@ -558,10 +558,11 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
     )
     if "pair" in request["design"]:
         spec = _pair_spec(request)
-        written = write_pair(PairKit(spec, spec.make(), name), folder / name)
+        cutting = cutting_of(request["design"])
+        written = write_pair(PairKit(spec, spec.make(), name, cutting), folder / name)
         if kind == "kit":
             return Download(f"{name}.zip", _zipped(folder))
-        path = folder / name / f"{name}.{kind}"
+        path = folder / name / cutting.file_name(name, kind)
         if path not in written:
             raise InputError("a part with two states has no {file} file here", file=kind)
         return Download(path.name, path.read_bytes())

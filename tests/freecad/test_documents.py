@@ -20,7 +20,12 @@ from freecad.elastica_wb.curves.sketch_curves import (
     lost_constraints,
     sketch_curve,
 )
-from freecad.elastica_wb.export.cutting_files import KINDS, tell_later_features, write_cutting_files
+from freecad.elastica_wb.export.cutting_files import (
+    KINDS,
+    cutting_of,
+    tell_later_features,
+    write_cutting_files,
+)
 from freecad.elastica_wb.features import flat, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host import sheet_store as library
@@ -288,6 +293,20 @@ def test_a_dragged_pole(document, sketch):
 
 def test_a_hidden_pole_makes_the_drag_unusable(document, sketch):
     assert not Dragged(sketch, [(0, 0), (0, 0), (150, 0)]).usable
+
+
+def test_files_without_guide_lines_and_without_ezdxf(document, sketch, tmp_path: Path, monkeypatch):
+    feature = strip.create(document, sketch)
+    feature.EngravedText = "A1"
+    document.recompute()
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    for marks in (True, False):
+        cutting, folder = cutting_of(marks=marks), tmp_path / str(marks)
+        *drawn, listed = write_cutting_files([feature], folder, kinds=("dxf", "nest", "csv"), cutting=cutting)
+        stems = ("A1_birch-plywood-0.8_0.8mm_x1", "nest-1-birch-plywood-0.8")
+        assert [file.name for file in drawn] == [f"{stem}-mm.dxf" for stem in stems]
+        assert [b"  8\nMARK\n" in file.read_bytes() for file in drawn] == [marks, marks]
+        assert drawn[0].name in listed.read_text()
 
 
 def test_cutting_files(document, sketch, tmp_path: Path, request):

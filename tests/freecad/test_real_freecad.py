@@ -170,6 +170,7 @@ def test_a_drag_and_every_command(tmp_path):
     assert "combined" in found["tolerance"]
     assert "elasto-gravity length" in found["coupon"]
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
+    assert found["marked"] == [True, False]
     assert "exists already" in found["export refused"]
     assert "tick the box" in found["export refused"]
     assert found["about an axis"][1]

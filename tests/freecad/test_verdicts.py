@@ -8,7 +8,7 @@ from math import cos, pi, sin
 import ezdxf
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb.export.cutting_files import write_cut
+from freecad.elastica_wb.export.cutting_files import cutting_of
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.host.words import together
 from freecad.elastica_wb.live.curve_picture import curve_picture
@@ -18,6 +18,7 @@ from freecad.elastica_wb.solving.strip_faults import strip_faults
 
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.files import save
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -149,7 +150,9 @@ def test_dxf_without_ezdxf(monkeypatch, tmp_path, check_drawing_file):
     made = solve_strip(asked(ARCH, label="A1"))
     with monkeypatch.context() as bare:
         bare.setitem(sys.modules, "ezdxf", None)
-        path = write_cut(made.drawing(), tmp_path / "A1.dxf", version="R2010")
+        cutting = cutting_of(version="R2010")
+        path = save(made.drawing(), tmp_path / cutting.file_name("A1", "dxf"), **cutting.options(made.sheet))
+    assert path.name == "A1-mm.dxf"
     document = ezdxf.readfile(path)
     assert document.dxfversion == "AC1009"
     loops = [curve for curve in check_drawing_file(path) if curve.layer == "CUT_OUTER"]

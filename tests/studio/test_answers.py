@@ -224,7 +224,10 @@ def test_saving_keeps_the_comments_of_a_design():
 def test_two_curves_become_one_part(tmp_path):
     first = {"spline": [[0, 0], [30, 8], [90, 8], [120, 0]], "degree": 3}
     second = {"spline": [[0, 0], [30, -8], [90, -8], [120, 0]], "degree": 3}
-    pair = {"schema": 1, "name": "clip", "pair": {"sheet": "pom-2", "first": first, "second": second}}
+    cut = {"for": "service", "marks": False}
+    pair = {
+        "schema": 1, "name": "clip", "cut": cut, "pair": {"sheet": "pom-2", "first": first, "second": second},
+    }  # fmt: skip
     told = answer({"do": "pair", "design": pair})
     heights = [np.array(state["position"])[:, 1] for state in told["states"]]
     assert heights[0].max() == pytest.approx(-heights[1].min(), abs=0.05)
@@ -235,7 +238,8 @@ def test_two_curves_become_one_part(tmp_path):
     given = answer({"do": "file", "kind": "dxf", "design": pair})
     with pytest.raises(SystemExit, match=r"^0$"):
         main(["pair", str(path), "-o", str(tmp_path / "out"), "-q"])
-    assert given.content == without_command((tmp_path / "out" / "clip.dxf").read_bytes())
+    assert given.name == "clip-mm.dxf"
+    assert given.content == without_command((tmp_path / "out" / given.name).read_bytes())
 
 
 @pytest.mark.campaign

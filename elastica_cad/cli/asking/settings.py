@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.formats.design_files.design_schema import told
 from elastica_cad.formats.design_files.key_paths import paths_of, put, require_path_of
-from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.design_files.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.formats.design_files.model_tables import DesignKeys
 from elastica_cad.formats.design_files.records import title, written
 from elastica_cad.formats.design_files.strip_table import StripKeys
@@ -53,16 +53,15 @@ class FileKeys:
     ] = False
 
 
-_CUTTING = Cutting()
-
-
 @dataclass(frozen=True)
 class CommandKeys(StripKeys):
     """All keys of `elastica strip`: those of a strip in a design file, and which files are written."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
     curve: Annotated[CurveKeys, Asked("Which curve of the file.", group="curve")] = CurveKeys()
-    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files", common=True)] = _CUTTING
+    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files", common=True)] = (
+        DEFAULT_CUTTING
+    )
     files: Annotated[FileKeys, Asked("Which files are written.", group="files")] = FileKeys()
 
 
@@ -81,7 +80,7 @@ class PairKeys:
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
-    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files")] = _CUTTING
+    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files")] = DEFAULT_CUTTING
 
 
 KEYS_OF: Mapping[str, Record] = {

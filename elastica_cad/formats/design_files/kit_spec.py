@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from elastica_cad.declared import Asked, Field, declared
+from elastica_cad.declared import Asked, Field, declared, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM, HoldingTabs, separate_parts
 from elastica_cad.fabrication.drawings.drawing import Drawing
@@ -39,11 +39,10 @@ class Cutting:
 
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)
     recipient: Annotated[
-        str,
+        Literal["workshop", "service"],
         Asked(
             "Who cuts: a service cuts every line, so each file holds one part and nothing but its cuts.",
             group="files",
-            written=Literal["workshop", "service"],
         ),
     ] = "workshop"
     marks: Annotated[
@@ -83,6 +82,7 @@ class Cutting:
     ] = None
 
     def __post_init__(self) -> None:
+        require_declared(Cutting, vars(self), "cutting")
         if self.service and self.holding is not None:
             raise InputError(
                 "cut.holding interrupts the outlines, and cut.for = service needs closed ones: leave out one of "
@@ -132,6 +132,8 @@ class Cutting:
             "marks": self.marks,
         }
 
+
+DEFAULT_CUTTING = Cutting()
 
 HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
 

@@ -1515,6 +1515,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Machines that cut every line would cut the tabs off at their guide lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide lines and names of mating strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Where the files go; asked for where it is empty</source>
         <translation type="unfinished"></translation>
     </message>

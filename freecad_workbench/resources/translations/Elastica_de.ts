@@ -1511,6 +1511,14 @@
         <translation>Wie weit Bögen und Linien vom Spline abweichen dürfen</translation>
     </message>
     <message>
+        <source>Machines that cut every line would cut the tabs off at their guide lines</source>
+        <translation>Maschinen, die jede Linie schneiden, würden die Laschen an ihren Hilfslinien abschneiden</translation>
+    </message>
+    <message>
+        <source>Guide lines and names of mating strips</source>
+        <translation>Hilfslinien und Namen der Gegenstreifen</translation>
+    </message>
+    <message>
         <source>Where the files go; asked for where it is empty</source>
         <translation>Wohin die Dateien kommen; wird gefragt, wenn es leer ist</translation>
     </message>

@@ -1511,6 +1511,14 @@
         <translation>圆弧和直线可偏离样条的距离</translation>
     </message>
     <message>
+        <source>Machines that cut every line would cut the tabs off at their guide lines</source>
+        <translation>会切割每条线的机器将在辅助线处把端片切断</translation>
+    </message>
+    <message>
+        <source>Guide lines and names of mating strips</source>
+        <translation>辅助线和配合板条的名称</translation>
+    </message>
+    <message>
         <source>Where the files go; asked for where it is empty</source>
         <translation>文件存放处；为空时会询问</translation>
     </message>

@@ -300,6 +300,14 @@ def export_command(strip):
     answers["files"] = sorted(p.name for p in (OUT / "files").iterdir())
     choose(strip)
     panel = open_panel("Elastica_Export")
+    panel.form.folder.setText(str(OUT / "bare"))
+    panel.form.marks.setChecked(False)
+    assert panel.accept()
+    answers["marked"] = [
+        b"MARK" in next((OUT / name).glob("*.svg")).read_bytes() for name in ("files", "bare")
+    ]
+    choose(strip)
+    panel = open_panel("Elastica_Export")
     panel.form.folder.setText(str(OUT / "files"))
     panel.form.dxf.setChecked(False)
     assert not panel.accept(), "files that exist are not overwritten unasked"

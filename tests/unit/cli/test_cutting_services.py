@@ -1,4 +1,4 @@
-"""Files for cutting services, which cut every line: from the commands, read again with ezdxf."""
+"""Files for cutting services, which cut every line: from the commands and Python, read again with ezdxf."""
 
 import zipfile
 
@@ -7,6 +7,10 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
+from elastica_cad.errors import InputError
+from elastica_cad.files import read_curves
+from elastica_cad.formats import Cutting, read_design
+from elastica_cad.kit.kit_files import save_model
 
 KIT = """schema = 1
 name = "kit"
@@ -80,3 +84,23 @@ def test_a_kit_for_a_service_holds_parts_alone_and_packs_what_is_cut(tmp_path):
     assert run(*words, "-o", out, "--force").exit_code == 0
     assert (out / "kit-cut.zip").read_bytes() == first
     assert "--no-parts leaves nothing to cut" in run(*words, "--no-parts", "-o", out, "--force").output
+
+
+def test_save_model_writes_cutting_files_as_the_record_says(tmp_path):
+    (tmp_path / "kit.toml").write_text(KIT.partition("[base]")[0])
+    model = read_design(tmp_path / "kit.toml", read_curves).model()
+
+    def layers(cutting, folder, suffix=""):
+        save_model(model, tmp_path / folder, cutting=cutting, step=False, pictures=False)
+        (part,) = (tmp_path / folder / "parts").glob(f"K_*_x1{suffix}.dxf")
+        return {one.dxf.layer for one in entities(part)}
+
+    assert "MARK" in layers(Cutting(), "marked")
+    assert layers(Cutting(marks=False, version="R12"), "bare", "-mm") == {"CUT_OUTER", "ENGRAVE"}
+    assert layers(Cutting("service"), "ordered", "-mm") == {"CUT_OUTER"}
+
+
+@pytest.mark.parametrize("values", [{"recipient": "shop"}, {"marks": 1}, {"tolerance": 0}])
+def test_a_record_of_wrong_values_is_refused(values):
+    with pytest.raises(InputError, match=f"cutting {next(iter(values))} is"):
+        Cutting(**values)

@@ -24,16 +24,15 @@ from freecad.elastica_wb.host.words import Unit, Words, user_language
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
-from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.model.material_colors import sheet_color
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.write_files import write_together
 from elastica_cad.formats.reports.strip_report import tell_blank
+from elastica_cad.kit.cutting_files import cutting_files
 
 
 def tell_later_features(obj: Any) -> list[str]:
@@ -52,11 +51,9 @@ def tell_later_features(obj: Any) -> list[str]:
 KINDS = ("dxf", "svg", "step", "csv", "nest")
 
 
-def write_cut(drawing: Drawing, path: Path, *, version: str, **options: Any) -> Path:
-    """Write a drawing as DXF or SVG, as `write_drawing` does; without ezdxf a DXF file is of version R12."""
-    return write_drawing(
-        drawing, path, version=version if find_spec("ezdxf") else "R12", force=True, **options
-    )
+def cutting_of(*, version: str = "R2010", **options: Any) -> Cutting:
+    """Return the options of cutting files; without ezdxf, DXF files are of version R12."""
+    return Cutting(version=version if find_spec("ezdxf") else "R12", **options)
 
 
 def write_cutting_files(
@@ -65,10 +62,7 @@ def write_cutting_files(
     *,
     kinds: Iterable[str] = KINDS,
     sheet_size: tuple[float, float] = (600.0, 400.0),
-    kerf: float = DEFAULT_KERF_MM,
-    curves: str = "spline",
-    tolerance: float = 0.02,
-    version: str = "R2010",
+    cutting: Cutting | None = None,
     force: bool = False,
     step: Step | None = None,
 ) -> list[Path]:
@@ -84,36 +78,39 @@ def write_cutting_files(
     NotConvergedError
         `step` said no.
     """
-    kinds, cuts = list(kinds), cuts_of(sources)
+    kinds, cuts, cutting = list(kinds), cuts_of(sources), cutting or cutting_of()
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
     pieces = [cut.piece for cut in cuts]
     # labels that differ may be the same word once it can stand in a file name
     stems = distinct(piece.file_stem for piece in pieces)
-    drawings = {stem: piece.drawing for stem, piece in zip(stems, pieces, strict=True)}
+    drawings = [(stem, piece.drawing, piece.sheet) for stem, piece in zip(stems, pieces, strict=True)]
     if "nest" in kinds:
-        drawings |= {sheet.name: sheet for sheet in nest_pieces(pieces, sheet_size=sheet_size, kerf=kerf)}
+        nests = nest_pieces(pieces, sheet_size=sheet_size, kerf=cutting.kerf)
+        drawings += [(nest.name, nest, nest.sheet) for nest in nests]
     flat = [kind for kind in ("dxf", "svg") if kind in kinds]
+    files = {
+        name: write
+        for stem, drawing, sheet in drawings
+        for name, write in cutting_files(replace(drawing, name=stem), stem, cutting, sheet).items()
+        if name.rpartition(".")[2] in kinds
+    }
     bodies = [obj for obj in counted(sources) if not is_base_plate(obj)] if "step" in kinds else []
     steps = [f"{word}.step" for word in distinct(file_word(obj.Label) for obj in bodies)]
-    names = [f"{stem}.{kind}" for stem in drawings for kind in flat] + steps
-    names += ["cut-list.csv"] if "csv" in kinds else []
-    options = {"kerf": kerf, "curves": curves, "tolerance": tolerance, "version": version}
+    names = [*files, *steps, *(["cut-list.csv"] if "csv" in kinds else [])]
     with write_together(folder, names, force=force) as workshop:
-        for done, (stem, drawing) in enumerate(drawings.items()):
+        for done, (name, write) in enumerate(files.items()):
             go_on(step, done, "no file was written")
-            named = replace(drawing, name=stem)
-            if "dxf" in kinds:
-                write_cut(named, workshop / f"{stem}.dxf", **options)
-            if "svg" in kinds:
-                write_cut(named, workshop / f"{stem}.svg", **options)
-        for done, (obj, name) in enumerate(zip(bodies, steps, strict=True), len(drawings)):
+            write(workshop / name)
+        for done, (obj, name) in enumerate(zip(bodies, steps, strict=True), len(files)):
             go_on(step, done, "no file was written")
             _write_step(obj, workshop / name)
         if "csv" in kinds:
             kind = flat[0] if flat else "dxf"
-            files = {piece.name: f"{stem}.{kind}" for stem, piece in zip(stems, pieces, strict=True)}
-            (workshop / "cut-list.csv").write_text(_listed(cuts, files), encoding="utf-8")
+            cut_from = {
+                piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=True)
+            }
+            (workshop / "cut-list.csv").write_text(_listed(cuts, cut_from), encoding="utf-8")
     return [Path(folder) / name for name in names]
 
 

@@ -4,7 +4,9 @@
 """The panel of the coupon: a strip to cut, and what its droop says about the sheet."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from freecad.elastica_wb.features.proxy import keep_sheets
@@ -14,7 +16,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.host.words import decimal_point
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.file_dialogs import ask_file, save_drawing
+from freecad.elastica_wb.panels.widgets.file_dialogs import ask_file, usual_cutting
 from freecad.elastica_wb.recording import recorded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
@@ -22,6 +24,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.files import save
 from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
 from elastica_cad.refusals import Length, note, sentences
 
@@ -74,12 +77,13 @@ class CouponPanel(Panel):
 
     def write(self) -> None:
         """Write the cutting file of the coupon."""
-        drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
-        path = ask_file(
-            translate("Elastica", "Save the coupon"), f"{drawing.name}.dxf", "DXF (*.dxf);;SVG (*.svg)"
-        )
+        sheet, cutting = sheet_called(self.form.sheet.currentText()), usual_cutting()
+        drawing = coupon_drawing(sheet)
+        usual = cutting.file_name(drawing.name, "dxf")
+        path = ask_file(translate("Elastica", "Save the coupon"), usual, "DXF (*.dxf);;SVG (*.svg)")
         if path:
-            self.tell(f"{translate('Elastica', 'wrote')} {save_drawing(drawing, path)}")
+            written = save(replace(drawing, name=Path(path).stem), path, force=True, **cutting.options(sheet))
+            self.tell(f"{translate('Elastica', 'wrote')} {written}")
 
     def keep(self) -> None:
         """Save the calibrated sheet among the user's own."""

@@ -8,7 +8,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from freecad.elastica_wb.export.cutting_files import KINDS, tell_later_features, write_cutting_files
+from freecad.elastica_wb.export.cutting_files import (
+    KINDS,
+    cutting_of,
+    tell_later_features,
+    write_cutting_files,
+)
 from freecad.elastica_wb.features.model import is_model, overlaps_of
 from freecad.elastica_wb.features.pieces import counted, cuts_of, told_blanks_of
 from freecad.elastica_wb.host import preferences
@@ -108,10 +113,13 @@ class ExportPanel(Panel):
                 folder,
                 kinds=kinds,
                 sheet_size=(self.value("sheetWidth"), self.value("sheetHeight")),
-                kerf=self.value("kerf"),
-                curves=self.value("curves"),
-                tolerance=self.value("tolerance"),
-                version=self.form.version.currentText(),
+                cutting=cutting_of(
+                    kerf=self.value("kerf"),
+                    curves=self.value("curves"),
+                    tolerance=self.value("tolerance"),
+                    version=self.form.version.currentText(),
+                    marks=self.form.marks.isChecked(),
+                ),
                 force=self.form.force.isChecked(),
                 step=go_on,
             )
