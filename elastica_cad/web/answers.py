@@ -518,13 +518,17 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
         _refuse_files(tables)
         return {"design": drawable(tables, path, _no_file)}
     curves = read_curves(path)
-    drawn = [one for one in curves.file if not one.problem]
     return {
         "curves": [
-            {"called": f"{name} {one.number} {one.name}".rstrip(), "curve": curve_table(one.curve)}
-            for one in drawn
+            {
+                "called": f"{name} {one.number} {one.name}".rstrip(),
+                "curve": curve_table(one.curve),
+                "read": str(curves.file.report([one])),
+            }
+            for one in curves.file
+            if not one.problem
         ],
-        "notes": [f"Read {curves.file.report(drawn)}.", *curves.notes],
+        "notes": list(curves.notes),
     }
 
 

@@ -127,6 +127,7 @@ def test_a_drag_and_every_command(tmp_path):
     assert not {keys.split(",")[0] for keys in ours} & {keys.split(",")[0] for keys in others}
     assert "mm" in found["strip panel"]
     assert "can take this curve" in found["check"]
+    assert found["check"].startswith("Read: ")
     assert found["check overlay"]["comb"] > 100
     assert found["nearest is realizable"]
     before, changed, after = found["nearest after undo"]

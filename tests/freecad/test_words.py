@@ -34,9 +34,9 @@ SPOKEN = """
     fabrication/interlocking/interlock.py fabrication/makeability fabrication/model/strip_model.py
     fabrication/sheets/nesting.py fabrication/slots fabrication/solids/bent_boundary.py
     fabrication/solids/strip_solids.py fabrication/strip fabrication/strip_checks.py
-    fabrication/strip_spec.py formats/curve_files/chains.py formats/curve_files/edges.py
-    formats/curve_files/placed_curve.py formats/design_files/kit_spec.py formats/file_access/write_files.py
-    formats/reports/strip_report.py
+    fabrication/strip_spec.py formats/curve_files/chains.py formats/curve_files/drawn_file.py
+    formats/curve_files/edges.py formats/curve_files/placed_curve.py formats/curve_files/read_report.py
+    formats/design_files/kit_spec.py formats/file_access/write_files.py formats/reports/strip_report.py
 """
 """Where the core makes what a user of the workbench or of the studio reads."""
 

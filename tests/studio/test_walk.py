@@ -149,8 +149,13 @@ def test_a_file_is_dropped_on_the_drawing(server, tmp_path, kind):
         studio.open(server.address)
         studio.drop(tmp_path / f"arch.{kind}")
         studio.until(lambda: studio.verdict().startswith("It can be made"))
-        length = float(studio.text(".numbers dd:nth-of-type(1)").removesuffix(" mm"))
+        (left, bottom), (right, top) = curve.bounds
+        read = studio.text(".numbers dd:nth-of-type(1)")
+        assert read.startswith(f"{right - left:.1f} x {top - bottom:.1f} mm (mm, ")
+        length = float(studio.text(".numbers dd:nth-of-type(2)").removesuffix(" mm"))
         assert length == pytest.approx(curve.length, rel=1e-3)
+        studio.press(studio.point(3), (0, 15))
+        studio.until(lambda: "read" not in studio.text(".numbers dt"))
 
 
 @pytest.mark.campaign

@@ -245,9 +245,8 @@ def drawn_curves(
         No such curve; the file is named.
     """
     drawing = read_drawing(path, unit=unit, corners=corners)
-    for told in (drawing.unit.note, drawing.left_out, *drawing.remarks, *(drawing.gaps if corners else ())):
-        if told:
-            warn(f"{path.name}: {told}")
+    for text in drawing.notes:
+        warn(f"{path.name}: {text}")
     chosen = drawing.chosen(number, layer)
     if not chosen:
         drawing.one(number, layer, how)

@@ -49,6 +49,7 @@ _CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
 _Joints: TypeAlias = dict[
     tuple[int, int], tuple[int, int]
 ]  # end (run, 0 start or 1 end) -> the end it touches
+_Place: TypeAlias = tuple[int, float]  # number of an edge in a run, and its parameter
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +61,8 @@ class JoinedRuns:
     chains : list of Run
     overlaps : tuple of (Source, Source, str)
         Shapes that lie on another shape of at least their length: the shape, the other one, and "left out" if both
-        have one layer and name, else "kept"; "in part" if only one end of each lies on the other.
+        have one layer and name, else "kept". If they overlap in part, "joined" to their union, or "in part" if
+        they have other layers or names, or if a third shape meets them there.
     closed : tuple of float
         Widths, mm, of the gaps that were closed because the digits of the file explain them.
     widest : float
@@ -289,6 +291,7 @@ def _without_overlaps(
 
     ends = _ends(runs).reshape(len(runs), 2, -1)
     sources = [_source_of(run) for run in runs]
+    in_part: list[tuple[int, int]] = []
     called = [(source.layer, source.is_named and source.name) for source in sources]
     sizes = np.array([sum(edge.size for edge in run) for run in runs])
     tree = cKDTree(ends.mean(axis=1))
@@ -315,22 +318,68 @@ def _without_overlaps(
                 overlaps.append((sources[i], sources[j], "left out" if same else "kept"))
                 if same:
                     dropped.add(i)
-            elif any(touching) and _overlap_in_part(runs[i], runs[j], tolerance):
-                overlaps.append((sources[i], sources[j], "in part"))
-    return [run for i, run in enumerate(runs) if i not in dropped], tuple(overlaps)
+            elif any(touching):
+                in_part.append((i, j))
+    limits: dict[int, list[_Place]] = {}
+    least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))  # a shorter one is a gap by rounding
+    alone = cKDTree(_ends([runs[i] for i in range(len(runs)) if i not in dropped]))
+    for i, j in in_part:
+        cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
+        for side, place, met in cuts:
+            meeting = alone.query_ball_point([ends[i, side], met], tolerance, return_length=True)
+            is_union = called[i] == called[j] and meeting.max() == 1
+            overlaps.append((sources[i], sources[j], "joined" if is_union else "in part"))
+            if is_union:
+                first, last = limits.setdefault(i, [*_whole(runs[i])])
+                limits[i] = [first, min(last, place)] if side else [max(first, place), last]
+    cut = [
+        _part(run, *limits.get(i, _whole(run))) if i in limits else run
+        for i, run in enumerate(runs)
+        if i not in dropped
+    ]
+    return [run for run in cut if sum(edge.size for edge in run) > tolerance], tuple(overlaps)
 
 
-def _overlap_in_part(run: Run, longer: Run, tolerance: float) -> bool:
-    """Return True if the runs have a stretch in common, from an end of one to an end of the other."""
-    ends, others = _ends([run]), _ends([longer])
-    mine = [end for end in ends if _is_on_run(end[None], longer, tolerance)]
-    its = [end for end in others if _is_on_run(end[None], run, tolerance)]
-    if len(mine) != 1 or len(its) != 1 or dist(mine[0], its[0]) <= tolerance:
-        return False
-    fine = np.concatenate([edge.at(edge.stations()) for edge in run])
-    far = dist(mine[0], its[0])
-    between = fine[np.all([np.linalg.norm(fine - end, axis=1) < far for end in (mine[0], its[0])], axis=0)]
-    return bool(len(between)) and _is_on_run(between, longer, tolerance)
+def _common_parts(
+    run: Run, longer: Run, tolerance: float, least: float
+) -> list[tuple[int, _Place, FloatArray]]:
+    """Return the ends (0 start, 1 end) from which the run lies on a longer run up to an end of that, for more than
+    `least` mm, with the place in the run and the end of the longer run."""
+    found = []
+    on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]
+    for side in (0, 1):
+        for place, end in sorted(on_run, key=lambda one: one[0], reverse=bool(side)):
+            first, last = _whole(run)
+            common = _part(run, place, last) if side else _part(run, first, place)
+            if sum(e.size for e in common) > least and _is_on_run(_probes(common), longer, tolerance):
+                found.append((side, place, end))
+                break
+    return found
+
+
+def _whole(run: Run) -> tuple[_Place, _Place]:
+    """Return the first and the last place of a run."""
+    return (0, float(run[0].spans.edges[0])), (len(run) - 1, float(run[-1].spans.edges[-1]))
+
+
+def _place_of(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
+    """Return the place in the run that is nearest to a point (d,), if it is within `tolerance` mm."""
+    nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
+    away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
+    return (k, t) if away <= tolerance else None
+
+
+def _part(run: Run, first: _Place, last: _Place) -> Run:
+    """Return the run from one place to another; empty if the last is before the first."""
+    parts = []
+    for k in range(first[0], last[0] + 1):
+        low, high = run[k].spans.edges[[0, -1]]
+        low, high = first[1] if k == first[0] else low, last[1] if k == last[0] else high
+        if low < high:
+            knots, points = _clamped(run[k], run[k].degree, low, high)
+            weights = None if run[k].weights is None else points[:, -1]
+            parts.append(Edge(knots, points[:, :-1] / points[:, -1:], run[k].degree, weights, run[k].source))
+    return tuple(parts)
 
 
 def _is_on_run(points: FloatArray, run: Run, tolerance: float) -> bool:
@@ -338,17 +387,17 @@ def _is_on_run(points: FloatArray, run: Run, tolerance: float) -> bool:
     for edge in run:
         low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
         near = np.all((points >= low) & (points <= high), axis=1)
-        near[near] = _distances_to(edge, points[near]) <= tolerance
+        near[near] = _nearest(edge, points[near])[0] <= tolerance
         points = points[~near]
     return not len(points)
 
 
-def _distances_to(edge: Edge, points: FloatArray) -> FloatArray:
-    """Distances (n,), mm, of points (n, d) from an edge."""
+def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) there."""
     from scipy.spatial import cKDTree
 
     if not len(points):
-        return np.zeros(0)
+        return np.zeros(0), np.zeros(0)
     stations = edge.stations()
     nearest = cKDTree(edge.at(stations)).query(points)[1]
     low, high = stations[np.maximum(nearest - 1, 0)], stations[np.minimum(nearest + 1, len(stations) - 1)]
@@ -358,7 +407,7 @@ def _distances_to(edge: Edge, points: FloatArray) -> FloatArray:
         away = np.linalg.norm(edge.at(t.ravel()).reshape(*t.shape, -1) - points[:, None], axis=2)
         best = away.argmin(axis=1)
         low, high = t[rows, np.maximum(best - 1, 0)], t[rows, np.minimum(best + 1, 8)]
-    return np.asarray(away[rows, best])
+    return away[rows, best], t[rows, best]
 
 
 def _probes(run: Run) -> FloatArray:
@@ -615,13 +664,15 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
     return Edge(knots, points, degree, weights)
 
 
-def _clamped(edge: Edge, degree: int) -> tuple[FloatArray, FloatArray]:
-    """The same edge clamped and of a higher or equal degree: knots, homogeneous control points.
+def _clamped(
+    edge: Edge, degree: int, low: float = -np.inf, high: float = np.inf
+) -> tuple[FloatArray, FloatArray]:
+    """Return the edge between two parameters, clamped and of a degree no lower: knots, homogeneous control points.
 
     The raised spline space holds the edge, so interpolation at its Greville abscissae returns the edge
     itself.
     """
-    first, last = edge.spans.edges[[0, -1]]
+    first, last = np.clip(edge.spans.edges[[0, -1]], low, high)
     inner = edge.knots[(edge.knots > first) & (edge.knots < last)]
     values, counts = np.unique(inner, return_counts=True)
     counts = np.minimum(counts, edge.degree) + degree - edge.degree

@@ -1,11 +1,15 @@
 """The curves of a file one by one: each is judged for itself, and what is no curve is counted and named."""
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import islice
 from pathlib import Path
 
+import numpy as np
+
+from elastica_cad._counts import counted
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.curve_files.chains import (
     JoinedRuns,
@@ -16,10 +20,12 @@ from elastica_cad.formats.curve_files.chains import (
 )
 from elastica_cad.formats.curve_files.edges import Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
-from elastica_cad.formats.curve_files.read_report import ReadReport, ReadUnit, kinds_of
+from elastica_cad.formats.curve_files.read_report import EXACT_MM, ReadReport, ReadUnit, kinds_of
 from elastica_cad.formats.curve_files.stroke_outlines import stroke_width
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve, split_at_corners
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.refusals import Length, Listed, Point, note
 
@@ -120,10 +126,8 @@ class DrawnFile:
         What was left out, by name, and how often: {"TEXT": 3}.
     unit : ReadUnit
         Its unit, and how that is known.
-    gaps : tuple of str
-        Where curves meet, or nearly meet, and were not joined, one sentence each.
     remarks : tuple of str
-        What the drawing shows otherwise than it was read, or is probably not meant as a strip, one sentence each.
+        Sentences on curves that were not joined, that the drawing shows otherwise, or that are probably no strips.
 
     Raises
     ------
@@ -135,7 +139,6 @@ class DrawnFile:
     curves: Sequence[DrawnCurve]
     skipped: Mapping[str, int] = field(default_factory=dict)
     unit: ReadUnit = field(default_factory=ReadUnit)
-    gaps: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -148,13 +151,10 @@ class DrawnFile:
         return len(self.curves)
 
     @property
-    def left_out(self) -> str:
-        """One sentence on what was skipped; empty when nothing was."""
-        return (
-            note("left out, for they are no curves: {things}", things=list_things(self.skipped))
-            if self.skipped
-            else ""
-        )
+    def notes(self) -> tuple[str, ...]:
+        """Sentences on the unit, on what was skipped, and the remarks."""
+        left_out = note("left out, for they are no curves: {things}", things=list_things(self.skipped))
+        return (*filter(None, [self.unit.note, left_out if self.skipped else ""]), *self.remarks)
 
     @property
     def bad(self) -> tuple[DrawnCurve, ...]:
@@ -163,7 +163,7 @@ class DrawnFile:
 
     def report(self, curves: Sequence[DrawnCurve] | None = None) -> ReadReport | None:
         """Return what was read of some curves, of all by default; None if none of them is valid."""
-        return ReadReport.of(self.curves if curves is None else curves, self.unit)
+        return report_on(self.curves if curves is None else curves, self.unit)
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
         """The curves of that number or id, and on that layer; all where neither is given."""
@@ -185,16 +185,13 @@ class DrawnFile:
             None, or several.
         """
         found = self.chosen(which, layer)
-        plural = "curve" if len(self.curves) == 1 else "curves"
         how = how.format(count=len(self.curves))
         if not found:
             asked = " on layer ".join(word for word in (which or "", layer or "") if word)
             raise InputError(
-                "{path} holds {count} {plural}, and {asked} is not among them: choose one with "
-                "{how}; {known}",
+                "{path} holds {curves}, and {asked} is not among them: choose one with {how}; {known}",
                 path=self.path,
-                count=len(self.curves),
-                plural=plural,
+                curves=counted(len(self.curves), "curve"),
                 asked=asked,
                 how=how,
                 known=_known(self.curves),
@@ -239,17 +236,64 @@ class CurveList(list[PlaneCurve]):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """One sentence for each kind of thing in the file that the reader left out."""
+        """The notes of the file, and a sentence on each curve that is not valid."""
         bad = [
             note("{called} is left out: {problem}", called=one.called, problem=one.problem)
             for one in self.file.bad
         ]
-        return (
-            *(text for text in (self.file.unit.note, self.file.left_out) if text),
-            *self.file.remarks,
-            *self.file.gaps,
-            *bad,
-        )
+        return (*self.file.notes, *bad)
+
+
+def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None:
+    """Return the report on those curves that are valid; None if none is."""
+    good = [one for one in curves if not one.problem]
+    if not good:
+        return None
+    places = np.concatenate([one.curve.sample(_PLACES).position for one in good])
+    width, height = np.ptp(places, axis=0).tolist()
+    kinds: Counter[str] = Counter()
+    found = {"joined": False, "fitted": False, "turned": False, "smoothed": False}
+    distance = 0.0
+    for one in good:
+        kinds.update(one.kinds)
+        drawn, flat = one.curve.provenance, one.chain
+        if one.flatten is not None:
+            flat = one.flatten(one.chain)
+            found["turned"] |= _is_turned(one.chain, flat)
+        away = _distance(one.curve, flat)
+        pointwise = "point" in one.kinds and not one.curve.is_straight
+        found["fitted"] |= pointwise or ("polyline" in one.kinds and away > EXACT_MM)
+        found["joined"] |= len({id(edge.source or edge) for edge in one.chain}) > 1
+        found["smoothed"] |= drawn is not None and drawn.healed > EXACT_MM
+        distance = max(distance, away)
+    return ReadReport(
+        (width, height), unit, kinds, tuple(name for name, is_so in found.items() if is_so), distance
+    )
+
+
+_PLACES = 401  # of a curve, at which its size is measured
+_MOST_POINTS = 200  # of the drawing, whose distance is measured
+_TURNED = 1e-3  # slope of a drawing's plane from which it counts as turned
+
+
+def _is_turned(chain: Run, flat: Run) -> bool:
+    """Return True if x and y of a flattened chain are not those of the drawing."""
+    drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
+    return bool(np.abs(drawn - read).max() > _TURNED * np.ptp(read, axis=0).max())
+
+
+def _distance(curve: PlaneCurve, flat: Run) -> float:
+    """Return the largest distance of what is drawn, edges in the plane or points, from the curve, mm."""
+    record = curve.provenance
+    if flat:
+        if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):
+            return 0.0
+        points = np.concatenate([edge.at(edge.stations()) for edge in flat])
+    elif record is not None and record.measured is not None:
+        points = record.measured.points
+    else:
+        return 0.0
+    return float(distances(Spline(curve), points[:: -(-len(points) // _MOST_POINTS)]).max())
 
 
 def collect_curves(
@@ -327,6 +371,7 @@ def collect_curves(
         "into one path in the drawing program, or remove their names",
         pairs=Listed(pairs),
     )] if pairs else []  # fmt: skip
+    meeting = (*names, *_joining_notes(joined, tolerance), *gaps[:_SHOWN])
     widths = [stroke_width(chain, tolerance) for chain in chains]
     outlines = [note(
         "{curve} looks like the outline of a stroke about {width:.2g} wide: draw the centre line of the stroke, "
@@ -337,8 +382,7 @@ def collect_curves(
         path,
         curves,
         dict(sorted(skipped.items())),
-        gaps=(*names, *_joining_notes(joined, tolerance), *gaps[:_SHOWN]),
-        remarks=tuple(outlines[:_SHOWN]),
+        remarks=(*outlines[:_SHOWN], *(meeting if corners else ())),
     )
 
 
@@ -366,6 +410,7 @@ def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
 _OVERLAPS = {
     "left out": "drawn twice, so the longer shape counts: {pairs}",
     "kept": "drawn twice with different layers or names, so both count: {pairs}",
+    "joined": "drawn twice in part, so their union is one curve: {pairs}",
     "in part": "drawn twice in part, and both count: {pairs}. Trim one of them in the drawing",
 }
 """Sentences about shapes that lie on each other."""

@@ -32,8 +32,13 @@ def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
     InputError
         The edges leave a common plane by more than `tolerance` mm and by more than the noise of a drawing.
     """
-    axes = drawing_plane(run, tolerance).axes[:2]
-    return tuple(edge.mapped(axes, (0.0, 0.0)) for edge in run)
+    return in_plane(run, drawing_plane(run, tolerance))
+
+
+def in_plane(run: Sequence[Edge], frame: Frame) -> Run:
+    """Return the run of edges (m, 3) in the coordinates of a plane (m, 2)."""
+    axes = frame.axes[:2]
+    return tuple(edge.mapped(axes, -axes @ frame.origin) for edge in run)
 
 
 def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
@@ -165,10 +170,7 @@ def place_chain(
                 z=z,
             )
     frame = frame_of(run)
-    across = frame.axes[:2]
-    flat, *drilled = [
-        tuple(edge.mapped(across, -across @ frame.origin) for edge in part) for part in (run, *holes)
-    ]
+    flat, *drilled = [in_plane(part, frame) for part in (run, *holes)]
     return curve_from_run(flat, tolerance=JOIN, holes=drilled), frame
 
 

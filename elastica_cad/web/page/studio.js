@@ -280,7 +280,8 @@ class Studio {
     this.drawing.show({ answer, ghost: answer?.other ?? null });
     this.judge();
     showFlat(this.flat, answer?.flat, answer && `${t("Flat strip")}, ${answer.length} mm`);
-    this.tabulate(!answer || answer.refused ? [] : this.rows(answer));
+    const read = this.read && same(this.read.curve, this.curve()) ? [["read", this.read.text]] : []; // until the curve is changed
+    this.tabulate([...read, ...(!answer || answer.refused ? [] : this.rows(answer))]);
     if (answer?.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
       if (!this.whole.checked) this.alone();
@@ -534,16 +535,17 @@ class Studio {
     const answer = await this.ask({ do: "read", name: file.name, text: await file.text() });
     if (!answer) return;
     if (answer.design) this.history.replace(answer.design);
-    else if (answer.curves.length === 1) this.take(answer.curves[0].curve);
-    else this.ask1(this.t("Choose a curve"), ...answer.curves.map(({ called, curve }) => html("button", { type: "button", onclick: () => {
+    else if (answer.curves.length === 1) this.take(answer.curves[0]);
+    else this.ask1(this.t("Choose a curve"), ...answer.curves.map((one) => html("button", { type: "button", onclick: () => {
       this.dialog.close();
-      this.take(curve);
-    } }, called)));
-    if (answer.notes?.length) this.tell(answer.notes.join(" "));
+      this.take(one);
+    } }, one.called)));
+    if (answer.notes?.length) this.tell(answer.notes.join(" · "));
     this.drawing.fit();
   }
 
-  take(curve) {
+  take({ curve, read }) {
+    if (read) this.read = { curve, text: read };
     this.history.change((design) => { put(design, this.place(design), curve); });
     this.drawing.fit();
   }

@@ -344,6 +344,6 @@ def test_of_many_kinds_that_are_left_out_the_first_are_named(tmp_path):
         document.layers.add(f"L{number}").off()
         space.add_line((0, 0), (9, 9), dxfattribs={"layer": f"L{number}"})
     document.saveas(tmp_path / "a.dxf")
-    told = read_drawing(tmp_path / "a.dxf").left_out
+    (told,) = read_drawing(tmp_path / "a.dxf").notes
     assert told.endswith("and 494 of other kinds")
     assert len(told) < 300

@@ -74,10 +74,57 @@ def test_a_curve_drawn_twice_is_reported_in_whatever_form(drawing):
     assert two.notes[0].startswith("drawn twice with different layers or names, so both count")
 
 
-def test_shapes_that_overlap_in_part_are_reported_and_both_kept(drawing):
-    curves = drawing(lambda space: (space.add_arc((0, 0), 90, 0, 60), space.add_arc((0, 0), 90, 47, 130)))
+@pytest.mark.parametrize("ends", [((0, 60), (47, 130)), ((47, 130), (0, 60)), ((0, 129.9), (0.1, 130))])
+def test_shapes_that_overlap_in_part_become_their_union(drawing, ends):
+    curves = drawing(lambda space: [space.add_arc((5, 7), 90, *angles) for angles in ends])
+    assert [curve.length for curve in curves] == pytest.approx([90 * np.radians(130)], rel=1e-7)
+    assert np.hypot(*(curves[0].sample(401).position - (5, 7)).T) == pytest.approx(90, abs=1e-5)
+    assert not curves[0].has_corners
+    (text,) = curves.notes
+    assert text.startswith("drawn twice in part, so their union is one curve: ARC ")
+
+
+def test_overlapping_lines_polylines_and_arcs_of_a_ring_become_one_curve(drawing):
+    line = drawing(lambda space: [space.add_line((x, x), (x + 60, x + 60)) for x in (0, 40, 93)])
+    assert [curve.length for curve in line] == pytest.approx([153 * np.sqrt(2)])
+    ring = drawing(lambda space: [space.add_arc((0, 0), 50, *at) for at in ((10, 220), (180, 50))])
+    assert [curve.length for curve in ring] == pytest.approx([100 * np.pi])
+    assert ring[0].is_closed
+    chain = [(0, 0), (50, 0, -0.3), (90, 10, 0), (140, 10)]
+    union = drawing(
+        lambda space: (space.add_lwpolyline(chain, format="xyb"), space.add_line((100, 10), (220, 10)))
+    )
+    alone = drawing(lambda space: space.add_lwpolyline(chain, format="xyb"))
+    assert [curve.length for curve in union] == pytest.approx([alone[0].length + 80])
+
+
+def test_parts_of_one_spline_that_overlap_become_the_spline(drawing):
+    whole = np.array([(0, 0), (40, 80), (140, 80), (180, 0)], float)
+
+    def part(low, high):
+        return [sum(w * p for w, p in zip(np.convolve(np.convolve(*pair[:2]), pair[2]), whole, strict=True))
+                for pair in ([(1 - t, t) for t in ends] for ends in (
+                    (low, low, low), (low, low, high), (low, high, high), (high, high, high)))]  # fmt: skip
+
+    curves = drawing(lambda space: [space.add_open_spline(part(*at)) for at in ((0, 0.6), (0.45, 1))])
+    assert [curve.length for curve in curves] == pytest.approx([228.1001], abs=1e-3)
+
+
+@pytest.mark.parametrize("layers", ["AB", "00"])
+def test_overlapping_shapes_of_two_layers_or_with_a_third_at_their_ends_are_reported_and_kept(
+    drawing, layers
+):
+    def draw(space):
+        for layer, angles in zip(layers, ((0, 60), (47, 130)), strict=True):
+            space.add_arc((0, 0), 90, *angles, dxfattribs={"layer": layer})
+        if layers == "00":
+            angle = np.radians(60)
+            end = 90 * np.array([np.cos(angle), np.sin(angle)])
+            space.add_line(end, 2 * end)
+
+    curves = drawing(draw)
     assert len(curves) == 2
-    assert curves.notes[0].startswith("drawn twice in part, and both count: ARC 2F")
+    assert sum("drawn twice in part, and both count" in text for text in curves.notes) == 1
 
 
 def test_shapes_that_touch_or_cross_do_not_overlap(drawing):

@@ -10,7 +10,7 @@ import FreeCAD as App
 import numpy as np
 import Part
 from freecad.elastica_wb.host.refusal import why_not_made
-from freecad.elastica_wb.shapes.part_shapes import plane_curve, spline_geometry
+from freecad.elastica_wb.shapes.part_shapes import plane_curve, report_on_edges, spline_geometry
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
@@ -62,6 +62,22 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
 
 def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
     """The only curve of a sketch in its own x and y; `geometry` replaces what the sketch holds."""
+    curve, frame = plane_curve(_drawn_in(sketch, geometry))
+    if abs(frame.z_axis[2] - 1) > 1e-12:
+        raise InputError("{sketch} is not plane", sketch=sketch.Label)
+    return curve
+
+
+def read_line(link: Any, geometry: list[Any] | None = None) -> str:
+    """Return the line on what was read of a link (object, names of edges); `geometry` as in `sketch_curve`."""
+    source, edges = link
+    whole = is_sketch(source) and not edges
+    drawn = _drawn_in(source, geometry) if whole else _edges(source, edges)
+    return note("Read: {report}.", report=str(report_on_edges(drawn)))
+
+
+def _drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
+    """The curves of a sketch, or of `geometry`, that are not construction geometry."""
     everything = list(sketch.Geometry) if geometry is None else geometry
     drawn = [
         g for i, g in enumerate(everything) if not isinstance(g, Part.Point) and not sketch.getConstruction(i)
@@ -70,10 +86,7 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
         raise InputError(
             "{sketch} {why}: draw a spline in it", sketch=sketch.Label, why=note(_why_empty(sketch))
         )
-    curve, frame = plane_curve(drawn)
-    if abs(frame.z_axis[2] - 1) > 1e-12:
-        raise InputError("{sketch} is not plane", sketch=sketch.Label)
-    return curve
+    return drawn
 
 
 def is_blank(sketch: Any) -> bool:

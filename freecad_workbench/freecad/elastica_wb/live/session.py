@@ -10,7 +10,13 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, is_blank, sketch_curve
+from freecad.elastica_wb.curves.sketch_curves import (
+    curve_into,
+    drawn_curve,
+    is_blank,
+    read_line,
+    sketch_curve,
+)
 from freecad.elastica_wb.features.strip_request import nearest_spec_of, spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.lifetime import sensor
@@ -70,6 +76,7 @@ class Session:
         self._asks: StripSpec | None = None
         self._allows: RodSpec | None = None
         self._curve: Any = None
+        self._geometry: list[Any] | None = None
         self._sensor: Any = None
         self._node: Any = None
         self._dragged: Dragged | None = None
@@ -161,7 +168,7 @@ class Session:
         self._answer.stop()
         self._forget_nearest()
         try:
-            self._curve = sketch_curve(self.sketch, geometry)
+            self._curve, self._geometry = sketch_curve(self.sketch, geometry), geometry
             spec = self._spec()
             if self._scale is None:
                 self._scale = comb_scale(self._curve)
@@ -192,13 +199,13 @@ class Session:
             strip = solve_strip(spec)
         except FAILURES as error:
             self.overlay.show_width(())
-            self._say(refusal_answer(explained(error)))
+            self._say_read(refusal_answer(explained(error)))
             if preferences.get("LiveNearest"):
                 self._ask()
             return
         self.overlay.show_width(width_lines(strip))
         answer = strip_answer(strip)
-        self._say(answer)
+        self._say_read(answer)
         if answer.verdict is not Verdict.CAN and answer.curve_helps and preferences.get("LiveNearest"):
             self._ask()
 
@@ -246,6 +253,11 @@ class Session:
                 asks, allows = spec_of(strip, drawn), nearest_spec_of(strip, drawn)
             self._asks, self._allows = asks, allows
         return self._asks
+
+    def _say_read(self, answer: Answer) -> None:
+        """Show an answer with the line of what was read of the sketch."""
+        read = read_line((self.sketch, ()), self._geometry)
+        self._say(replace(answer, sentence=sentences([answer.sentence, read], "\n")))
 
     def _say(self, answer: Answer) -> None:
         poles = NO_POLES if self._curve is None else self._curve.control_points

@@ -4,9 +4,11 @@
 """Kernel-neutral records as shapes of FreeCAD's Part, and its edges as plane curves."""
 
 import os
+import re
 import tempfile
+from collections import Counter
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import FreeCAD as App
@@ -16,8 +18,11 @@ import Part
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
+from elastica_cad.formats.curve_files.chains import holes_on_chains
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, report_on
 from elastica_cad.formats.curve_files.edges import Edge
-from elastica_cad.formats.curve_files.placed_curve import placed_curve
+from elastica_cad.formats.curve_files.placed_curve import edge_chains, in_plane, placed_curve
+from elastica_cad.formats.curve_files.read_report import ReadReport, ReadUnit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
@@ -115,10 +120,37 @@ def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
     InputError
         Nothing drawn, several curves, corners, or edges that are not plane.
     """
+    return placed_curve(_drawn_edges(drawn))
+
+
+def report_on_edges(drawn: Iterable[Any]) -> ReadReport | None:
+    """Return the report on the curve that edges or Part geometry make; None if they make none.
+
+    Raises
+    ------
+    InputError
+        As `plane_curve`.
+    """
+    drawn = list(drawn)
+    edges = _drawn_edges(drawn)
+    curve, frame = placed_curve(edges)
+    ((chain,), _) = holes_on_chains(edge_chains(edges))
+    flatten = partial(in_plane, frame=frame)
+    read = DrawnCurve(1, lambda: curve, kinds=Counter(map(_kind, drawn)), chain=chain, flatten=flatten)
+    return report_on([read], ReadUnit("mm", "stated", "the document"))
+
+
+def _kind(item: Any) -> str:
+    """Return the kind of an edge or of Part geometry as in a `ReadReport`."""
+    name = (item.Curve if isinstance(item, Part.Edge) else item).TypeId
+    return "line" if "Line" in name else "arc" if re.search("Circle|Ellipse", name) else "spline"
+
+
+def _drawn_edges(drawn: Iterable[Any]) -> list[Edge]:
     edges = [_drawn_edge(item) for item in drawn]
     if not edges:
         raise InputError("there is no curve: draw a spline for the strip to follow")
-    return placed_curve(edges)
+    return edges
 
 
 def _drawn_edge(item: Any) -> Edge:

@@ -5,7 +5,7 @@
 
 from typing import Any
 
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch, read_line
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.sheet_store import sheet_called
@@ -30,7 +30,7 @@ class CheckPanel(Panel):
         super().__init__()
         self.check = None
         try:
-            curve = drawn_curve((source, edges)).curve
+            curve, read = drawn_curve((source, edges)).curve, read_line((source, edges))
             sheet = sheet_called(preferences.default_sheet())
             spec = StripSpec(curve, sheet, max_width=preferences.get("MaxWidth"))
             self.check = spec.rod_spec.check
@@ -45,6 +45,6 @@ class CheckPanel(Panel):
                 words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
             except ElasticaError as error:
                 words.append(str(error))
-        self.tell(sentences(words, "\n\n"))
+        self.tell(sentences([read, *words], "\n\n"))
         if is_sketch(source) and not edges:
             live.start(source)
