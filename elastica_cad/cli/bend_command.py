@@ -30,7 +30,7 @@ from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.design_files.records import Reader, fields_of
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.file_access.write_files import write_text, write_together
-from elastica_cad.formats.reports.strip_request import FinishedStrip, read_request
+from elastica_cad.formats.reports.strip_request import SOLVED, FinishedStrip, read_request
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
@@ -115,7 +115,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     named = chosen["sheet"] is not None or finished is not None
     if chosen["gravity"] and not named:
         raise InputError("--gravity needs to know the material: add --sheet NAME")
-    if chosen["down"] is not None and not chosen["gravity"]:
+    heavy = finished is not None and finished.spec.gravity
+    if chosen["down"] is not None and not (chosen["gravity"] or heavy):
         raise InputError(IDLE_DOWN)
     if chosen["thickness"] is not None and not named:
         raise InputError("--thickness is of a material: add --sheet NAME")
@@ -165,21 +166,26 @@ def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
     record = read_request(path)
     if record is None:
         return None
-    idle = next((one for one in ("nearest", "smooth") if chosen[one] not in (None, False)), None)
-    if idle is not None:
-        raise InputError(
-            "--{idle} is of a drawn CURVE, and the strip of a report is finished: leave it out", idle=idle
-        )
+    _refuse_settled({one for one in ("nearest", "smooth") if chosen[one] not in (None, False)})
     (asked,) = asked_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
     return FinishedStrip.read(record, asked.curve)
+
+
+def _refuse_settled(idle: set[str]) -> None:
+    for name in sorted(idle):
+        raise InputError(
+            "{name} is of a drawn CURVE, and the strip of a report is finished: leave it out", name=name
+        )
 
 
 def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str, Any]) -> FinishedStrip:
     """The strip of a report with what options and settings replace."""
     spec = finished.spec
-    table = with_settings(given_of(chosen, ("sheet", "thickness", "max_width")), settings)
-    if chosen["gravity"]:
-        table["gravity"] = list(chosen["down"] or (0.0, -1.0))
+    given = given_of(chosen, ("sheet", "thickness", "max_width"))
+    if chosen["gravity"] or chosen["down"] is not None:
+        given["gravity"] = list(chosen["down"] or (0.0, -1.0))
+    table = with_settings(given, settings)
+    _refuse_settled(set(table) & set(SOLVED) - {"ignore_limits"})
     sheet = asked_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
     if "sheet" not in table and "thickness" in table:
         sheet = sheet.with_thickness(table["thickness"])
@@ -189,7 +195,8 @@ def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str
         for one in fields_of(BentKeys)
         if one.name in table and one.name not in ("sheet", "thickness")
     }
-    return finished.changed(**fields, **({} if sheet is spec.material else {"sheet": sheet}))
+    fields |= {} if sheet is spec.material else {"sheet": sheet}
+    return finished.changed(**fields) if fields else finished
 
 
 def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:

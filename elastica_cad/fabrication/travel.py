@@ -203,9 +203,14 @@ class Travel:
             falls &= self.travel[1:] <= self.snaps_at
         return float(self.travel[int(np.argmax(falls))]) if falls.any() else None
 
+    @cached_property
+    def _at_rest(self) -> Rod:
+        """The strip before it is moved, also under a weight that it was not designed for."""
+        return bend(self.strip.rod_to_bend)
+
     def _first(self, fails: Callable[[Rod], bool]) -> float | None:
         """First place of `path_length` where a shape fails; between steps the ends move in straight lines."""
-        rods = (self.strip.rod_to_bend, *self.rods)
+        rods = (self._at_rest, *self.rods)
         k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
         if not k:
             return None if k is None else 0.0

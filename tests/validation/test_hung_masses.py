@@ -145,6 +145,12 @@ def ratios(curve, at, grams_per_mm, widths):
         yield strip.rod.ratio
 
 
+@pytest.mark.parametrize("samples", [51, 201])
+def test_few_nodes_do_not_widen_a_strip(samples):
+    strip = made(DRAWN, 150.0, 1.0, 30.0, samples=samples)
+    assert 30 - 1e-4 < strip.width.extremes[1] <= 30
+
+
 @pytest.mark.parametrize("kind", [arches, waves])
 def test_the_ratio_depends_on_mass_over_width_alone(kind):
     curve, at = next(kind(3))

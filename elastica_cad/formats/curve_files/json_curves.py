@@ -61,8 +61,11 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
             "holds no record with the schema {curves_schema!r}: give a file that elastica wrote",
             curves_schema=CURVES_SCHEMA,
         )
-    scale = _scale(data, unit)
-    known = ReadUnit.requested(unit) if unit else ReadUnit(str(data.get("units", "mm")), "stated", "units")
+    _require_schema(data)
+    given = data.get("units", "mm")
+    stated = str(given.get("length", "mm") if isinstance(given, dict) else given)
+    scale = look_up_unit(unit or stated)
+    known = ReadUnit.requested(unit) if unit else ReadUnit(stated, "stated", "units")
     if "curve" in data:
         curve = DrawnCurve(1, partial(_curve, data["curve"], "curve", scale), kinds={"spline": 1})
         return DrawnFile(file, [curve], unit=known)
@@ -74,8 +77,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     return DrawnFile(file, drawn, unit=known)
 
 
-def _scale(data: dict[str, Any], unit: str | None) -> float:
-    """Millimetres in one unit of the file."""
+def _require_schema(data: dict[str, Any]) -> None:
     schema = data.get("schema")
     name, _, version = str(schema).partition("/")
     if name not in ("elastica-curves", "elastica-report"):
@@ -89,10 +91,6 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
         raise InputError(
             "has the schema {schema}, which is newer than this program: update it", schema=quoted(schema)
         )
-    given = data.get("units", "mm")
-    if isinstance(given, dict):
-        given = given.get("length", "mm")
-    return look_up_unit(unit or str(given))
 
 
 def _curve(record: Any, where: str, scale: float) -> PlaneCurve:

@@ -21,14 +21,15 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
+from elastica_cad.mechanics.loads.rest_curvature import RestCurvature, nodal_curvature
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.plain_section import WidthLaw
+from elastica_cad.mechanics.material.plain_section import PlainSection, WidthLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_library import NominalRatio
 from elastica_cad.mechanics.material.stiffness_law import LaidLeaves, Leaf, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_balance import carried_weight
 
 RECORDS = {
     one.__name__: one
@@ -58,11 +59,14 @@ class FinishedStrip:
         Over the least stiffness, along the strip.
     bending_stiffness : float
         Where the stiffness is least, N mm2.
+    designed : StripSpec, optional
+        The request in the report, if `spec` is a changed one.
     """
 
     spec: StripSpec
     stiffness: Profile
     bending_stiffness: float
+    designed: StripSpec | None = None
 
     @classmethod
     def read(cls, record: Any, curve: PlaneCurve) -> "FinishedStrip":
@@ -85,23 +89,69 @@ class FinishedStrip:
             ) from problem
 
     def changed(self, **fields: Any) -> "FinishedStrip":
-        """Return the strip with other values of some fields of its request, and of the same stiffness."""
+        """Return the strip with other values of some fields of its request, and of the same stiffness.
+
+        One width replaces both widths, a law replaces widths and style and is replaced by them, and a strip
+        without gravity has no loads.
+        """
         sheet, law = fields.get("sheet"), self.spec.law
-        if sheet is not None and law is not None:
+        sized = {"max_width", "min_width", "style"} & set(fields)
+        if "law" in fields:
+            ends = tuple(Tab(tab.length) for tab in self.spec.ends)
+            fields = {
+                "max_width": None,
+                "min_width": None,
+                "style": Plain(),
+                "slots": (),
+                "ends": ends,
+                **fields,
+            }
+        elif sized and law is not None:
+            fields = {"law": None, **fields}
+        elif sheet is not None and law is not None:
             fields = {"law": replace(law, sheet=sheet), **fields}  # type: ignore[type-var]
-        return replace(self, spec=self.spec.changed(**fields))
+        if sized - {"style"}:
+            fields = {"max_width": None, "min_width": None, **fields}
+        if not fields.get("gravity", True):
+            fields = {"loads": (), **fields}
+        return replace(self, spec=self.spec.changed(**fields), designed=self.designed or self.spec)
 
     def make(self) -> Strip:
         """Return the strip, whose stiffness is that of the report."""
-        asked = self.spec.rod_spec
+        spec, designed = self.spec, self.designed or self.spec
+        asked = spec.rod_spec
         laid = isinstance(asked.section, LaidLeaves)  # in steps, which no rod is solved for
-        rod = replace(asked, section=None if laid else asked.section).solve()
+        # a law and the layers of a heavy laminate settle weight and size by themselves
+        solved = spec if spec.law is not None or asked.layers is not None else designed
+        rod = replace(solved.rod_spec, section=None if laid else solved.rod_spec.section).solve()
         assert isinstance(rod, Rod)  # a request without limits
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=SAME_SHARE):
             rod = rod.with_stiffness(self.stiffness)
-        if rod.bending_stiffness is not None or laid:
-            rod = replace(rod, section=asked.section, bending_stiffness=self.bending_stiffness)
-        return self.spec.make(rod)
+        scale = self.bending_stiffness
+        if spec is not designed and solved is spec:
+            scale = rod.bending_stiffness or scale
+        elif spec is not designed:
+            size = _size(spec, rod)
+            scale = size if designed.law is not None else scale * size / _size(designed, rod)
+            weight = asked.weight
+            if weight is not None and asked.gravity is not None:
+                weight = carried_weight(weight, asked.gravity, scale)
+            rod = replace(
+                rod, gravity=asked.gravity, weight=weight, section=asked.section,
+                natural_curvature=nodal_curvature(asked.natural_curvature, rod.s),
+            )  # fmt: skip
+        if rod.bending_stiffness is not None or rod.weight is not None or laid:
+            rod = replace(rod, section=asked.section, bending_stiffness=scale)
+            if isinstance(spec.style, Plain) and spec.law is None:  # the stiffness settles the widths
+                widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
+                spec = spec.changed(max_width=(1 + SAME_SHARE) * widest, min_width=None)
+        return spec.make(rod)
+
+
+def _size(spec: StripSpec, rod: Rod) -> float:
+    """Least bending stiffness, N mm2, of a strip of the request that carries nothing."""
+    unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
+    return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 
 
 def read_request(path: Path) -> Any:

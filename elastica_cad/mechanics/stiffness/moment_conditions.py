@@ -607,7 +607,8 @@ class ConditionedRows:
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
         """Panels and places x of the nodes at which alone the ratio is judged, where that is asked for."""
-        return None if self.asked.samples is None else self.panels.locate(self.asked.nodes.t)
+        everywhere = self.asked.samples is None or self.asked.largest_stiffness is not None
+        return None if everywhere else self.panels.locate(self.asked.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
         """Return, of many optima, the one that does not change when the drawing is turned.

@@ -219,8 +219,8 @@ def optimal_rod(
     natural_curvature : float or RestCurvature
         kappa_0, 1/mm, or that of a blank bent beforehand; the rod then has kappa_0 at its nodes.
     samples : int, optional
-        Nodes of the rod, and the only places where its ratio is judged. Unless given, the ratio is that of
-        the continuous curve and the rod has 601 nodes.
+        Nodes of the rod, and without `largest_stiffness` the only places where its ratio is judged. Unless
+        given, the ratio is that of the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
         Weight in newtons instead of a proportional one; with `own=True` the strip's own weight, which is
         B / gravity.length^3 per length and stiffness, is added to it.

@@ -2,7 +2,7 @@
 
 import json
 from contextlib import chdir
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from typing import get_args, get_type_hints
 
 import numpy as np
@@ -13,19 +13,27 @@ from elastica_cad.cli.commands import elastica
 from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.fabrication.travel import bend_strip
-from elastica_cad.files import read_curves
+from elastica_cad.files import read_curves, read_drawing
 from elastica_cad.formats.reports.strip_request import RECORDS, SOLVED, FinishedStrip, request_record
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import LeavesLaw
+from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, ThicknessLaw
 
 ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 SINE = PlaneCurve.fit(
     np.column_stack([100 * (t := np.linspace(0, np.pi, 60)), 60 * np.sin(t)]), tolerance=1e-4
 )
+
+
+@pytest.fixture(autouse=True)
+def without_pictures(monkeypatch):
+    """As without matplotlib, for speed."""
+    monkeypatch.setattr("elastica_cad.cli.bend_command.find_spec", lambda _: None)
 
 
 def typed(line, cwd):
@@ -89,9 +97,86 @@ def test_an_option_replaces_what_the_report_says(tmp_path):
     assert steel == pytest.approx(bend_strip(strip, [(250.0, 0.0)]).end_moment[0], rel=0.01)
 
 
+@pytest.fixture(scope="module")
+def loaded(tmp_path_factory):
+    """Folder with reports of an arch under a mass, without a mass, and of a law."""
+    folder = tmp_path_factory.mktemp("loaded")
+    load = {"gravity": True, "loads": [PointMass(90, 60)], "compensate": False}
+    for name, options in {
+        "heavy": {"max_width": 30, **load},
+        "light": {"max_width": 30, "compensate": False},
+        "thick": {"law": ThicknessLaw(Sheet.named("birch-plywood-0.8"), 0.3, 1.2, width=20)},
+    }.items():
+        report(StripSpec(SINE, "birch-plywood-0.8", samples=201, **options), folder / f"{name}.json")
+    return folder
+
+
+def travel(line, folder):
+    found = bent(f"bend {line} -o bent", folder)
+    return {**found["travel"], "size": found["shapes"][0]["size"], "ratio": found["ratio"]}
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "factor"),
+    [  # half the mass on half the width is the same shape; so are other words for one change
+        ("heavy.json --max-width 15", "heavy.json --set loads=[{at=90,mass=120}]", 0.5),
+        ("heavy.json --set min_width=5 --set loads=[{at=90,mass=1e-6}]", "heavy.json --set loads=[]", None),
+        ("heavy.json --sheet birch-plywood-3 --thickness 1", "heavy.json --thickness 1", 1.0),
+        ("heavy.json --set gravity=false", "heavy.json --set gravity=false --max-width 60", 0.5),
+        ("heavy.json --down 1 0", "heavy.json --gravity --down 1 0", 1.0),
+        ("light.json --max-width 15", "light.json --set max_width=15", 1.0),
+        ("light.json --gravity", "light.json --set gravity=true", 1.0),
+        ("thick.json --max-width 20", "light.json --max-width 20", 1.0),
+    ],
+)
+def test_options_on_a_report_agree_with_each_other(loaded, first, second, factor):
+    one, other = travel(first, loaded), travel(second, loaded)
+    assert one["size"] == pytest.approx(other["size"], rel=2e-4)
+    if factor is not None:
+        assert one["energy_Nmm"] == pytest.approx(factor * np.array(other["energy_Nmm"]), rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    "more", ["", " --set natural_curvature=0.002", " --set gravity=false", " --set loads=[]"]
+)
+def test_a_report_under_another_load_comes_to_rest(loaded, more):
+    """Against the rod of the strip, bent in Python."""
+    spec = StripSpec(
+        SINE, "birch-plywood-0.8", max_width=30, samples=201, gravity=True, loads=[PointMass(90, 60)]
+    )
+    rod = spec.make().rod
+    rest = {
+        "": rod,
+        " --set natural_curvature=0.002": replace(rod, natural_curvature=0.002),
+        " --set gravity=false": replace(rod, gravity=None, weight=None),
+        " --set loads=[]": replace(rod, weight=replace(rod.weight, masses=())),
+    }[more]
+    expected = np.ptp(bend(rest).position, axis=0)
+    assert travel(f"heavy.json{more}", loaded)["size"] == pytest.approx(expected, rel=1e-4)
+    moved = np.abs(expected - np.ptp(rod.position, axis=0)).max()
+    assert (moved > 0.1) == bool(more)
+
+
+def test_a_mass_that_no_width_carries_bends_the_strip_of_a_report(loaded):
+    told = typed("bend light.json --gravity --set loads=[{at=90,mass=9e4}] -o bent --force", loaded)
+    assert told.exit_code == 0, told.output
+    assert "it snaps" in told.output
+
+
+def test_a_law_replaces_the_widths_of_a_report(loaded):
+    law = "--set law.kind=thickness --set law.limits=[0.3,1.2] --set law.width=20"
+    assert travel(f"light.json {law}", loaded)["energy_Nmm"] == pytest.approx(
+        travel("thick.json", loaded)["energy_Nmm"], rel=1e-4
+    )
+
+
+def test_the_unit_of_a_report_is_that_of_its_lengths(loaded):
+    assert read_drawing(loaded / "heavy.json").unit.name == "mm"
+
+
 def test_what_a_finished_strip_has_no_use_for_is_refused(tmp_path):
     report(StripSpec(SINE, "pom-0.5", max_width=30), tmp_path / "sine.json")
-    for idle in ("nearest", "smooth 0.1"):
+    for idle in ("nearest", "smooth 0.1", "set limits.margin=5", "set keep.length=true"):
         made = typed(f"bend sine.json --{idle}", tmp_path)
         assert made.exit_code == 2
         assert "the strip of a report is finished" in made.stderr
