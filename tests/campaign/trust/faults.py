@@ -101,35 +101,43 @@ def kills(count, rng, folder):
     return {"kills": count, "mixed sets": between, "left behind": len(left(folder)), "wrong": wrong}
 
 
-def kills_and_a_day(count, rng, folder):
-    """Kill runs at random moments and set the clock of what they left back by a day: the next run removes it."""
+def kills_and_a_day(count, folder):
+    """Kill runs at moments spread over their writing; a day later, the next run removes what they left."""
     put_strangers(folder)
     (folder / "bow.txt").write_text(BOW)
-    quietly(command(*STRIP), folder).communicate()
+    words = command(*STRIP, "--no-step", "--no-pictures")
     strangers = {name.split("/")[-2] for name in STRANGERS if "/" in name}
-    since = time.monotonic()
-    quietly(command(*STRIP), folder).communicate()
-    took = time.monotonic() - since
 
     def homes():
         return [one for one in folder.rglob(".elastica-*") if one.is_dir() and one.name not in strangers]
 
-    for _ in range(count):
-        process, before = quietly(command(*STRIP), folder), len(homes())
-        late = time.monotonic() + took
-        while len(homes()) == before and process.poll() is None and time.monotonic() < late:
-            pass  # most moments of a run have no folder yet
-        time.sleep(rng.uniform(0, 0.2) * took)
+    def writing():
+        """Start a run and return it when it has made its folder, or has ended."""
+        before, process = len(homes()), quietly(words, folder)
+        while len(homes()) == before and process.poll() is None:
+            time.sleep(0.001)
+        return process
+
+    quietly(words, folder).communicate()
+    process, since = writing(), time.monotonic()
+    process.communicate()
+    took, killed = time.monotonic() - since, 0
+    for number in range(count):
+        process = writing()
+        time.sleep(took * number / count)
         process.kill()
         process.communicate()
-    quietly(command(*STRIP), folder).communicate()
+        killed += process.returncode == -signal.SIGKILL
+    quietly(words, folder).communicate()
     kept = len(homes())
     for one in homes():
         os.utime(one, (time.time() - 25 * 3600,) * 2)
-    quietly(command(*STRIP), folder).communicate()
-    after, lost = [one.name for one in homes()], lost_strangers(folder)
-    wrong = [{"left": after, "lost": lost}] if after or lost else []
-    return {"kills before a day": count, "left behind": kept, "a day later": len(after), "wrong": wrong}
+    quietly(words, folder).communicate()
+    after, lost = homes(), lost_strangers(folder)
+    # a run killed before it locked its folder leaves an empty one, which nothing may remove
+    locked = [one.name for one in after if any(path.is_dir() for path in one.iterdir())]
+    wrong = [{"left": locked, "lost": lost}] if locked or lost else []
+    return {"killed before a day": killed, "left": kept, "a day later": len(after), "wrong": wrong}
 
 
 def kills_of_new_kits(count, rng, folder):
@@ -243,7 +251,7 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    for name, usual in (("kills", 200), ("full", 20), ("pairs", 20), ("lost", 20), ("seed", 1)):
+    for name, usual in (("kills", 200), ("days", 40), ("full", 20), ("pairs", 20), ("lost", 20), ("seed", 1)):
         parser.add_argument(f"--{name}", type=int, default=usual)
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
     asked = parser.parse_args()
@@ -254,7 +262,7 @@ def main():
         lambda folder: two_writers(asked.pairs, folder),
         lambda folder: kills(asked.kills, rng, folder),
         lambda folder: kills_of_new_kits(asked.kills, rng, folder),
-        lambda folder: kills_and_a_day(asked.kills, rng, folder),
+        lambda folder: kills_and_a_day(asked.days, folder),
     ):
         with TemporaryDirectory() as folder:
             found.append(part(Path(folder)))
