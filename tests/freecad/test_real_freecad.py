@@ -426,6 +426,8 @@ def test_quick_undo_and_redo_of_a_model(tmp_path):
         assert undone == [names[-1:], 12, []], gap
         assert redone == [names, 37, [], pytest.approx(volume)], gap
     assert found["refused"] == []
+    assert found["within"] == {"wheel": 0, "timer": 0}
+    assert found["turns"] > 0
 
 
 @pytest.mark.campaign

@@ -10,6 +10,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import FreeCAD as App
 import numpy as np
 from drawn_splines import spline
+from freecad.elastica_wb.host.qt import kind_of
 from inside import (
     ARCH,
     answers,
@@ -28,6 +29,7 @@ from inside import (
     wait,
     window,
 )
+from PySide import QtCore
 
 GAPS_MS = [int(gap) for gap in os.environ.get("ELASTICA_TEST_GAPS", "30 120 450").split()]
 """Pauses between keys: shorter than that before a recompute, and so long that the next key falls into it."""
@@ -55,10 +57,31 @@ def strips(document):
     return [one for one in document.Objects if one.Name.startswith("Strip")]
 
 
+class Recomputes(QtCore.QObject):
+    """Counts turns of the wheel over the view and timers within recomputes, and all turns."""
+
+    def __init__(self, document):
+        super().__init__()
+        self.document, self.within, self.turns = document, {"wheel": 0, "timer": 0}, 0
+        viewport().installEventFilter(self)
+        self.timer = QtCore.QTimer()
+        self.timer.timeout.connect(lambda: self.note("timer"))
+        self.timer.start(5)
+
+    def note(self, name):
+        self.within[name] += self.document.Recomputing
+
+    def eventFilter(self, _watched, event):
+        if kind_of(event) == QtCore.QEvent.Wheel:
+            self.turns += 1
+            self.note("wheel")
+        return False
+
+
 def quick(document, key, gap):
-    """A key three times, and the window until the document rests: what the document then holds."""
+    """A key and the wheel three times, and the window until the document rests: what the document then holds."""
     click(viewport())
-    keys = ["key", key, "sleep", str(gap / 1000)] * STEPS
+    keys = ["key", key, "sleep", str(gap / 1000), *["click", "4", "click", "5"] * 3] * STEPS
     process = subprocess.Popen(["xdotool", *keys])
     until(lambda: process.poll() is not None)
 
@@ -88,10 +111,11 @@ def work():
     wait(1500)
     model = document.Model
     answers["made"] = [document.UndoNames, len(document.Objects), model.Joints, model.Shape.Volume]
-    before = len(report())
+    before, recomputes = len(report()), Recomputes(document)
     answers["rounds"] = [
         [gap, quick(document, "ctrl+z", gap), quick(document, "ctrl+shift+z", gap)] for gap in GAPS_MS
     ]
+    answers["within"], answers["turns"] = recomputes.within, recomputes.turns
     answers["refused"] = [line for line in report()[before:].splitlines() if "recomput" in line]
 
 

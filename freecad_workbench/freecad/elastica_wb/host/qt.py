@@ -17,10 +17,10 @@ except ImportError:
 
 __all__ = [
     "EscapeKey",
+    "InputLater",
     "QtCore",
     "QtGui",
     "QtWidgets",
-    "ShortcutsLater",
     "kind_of",
     "later",
     "surface_of",
@@ -83,11 +83,11 @@ def kind_of(event: Any) -> Any | None:
     return event.type() if isinstance(event, QtCore.QEvent) else None
 
 
-class ShortcutsLater(QtCore.QObject):
-    """Puts shortcuts off until nothing is computed.
+class InputLater(QtCore.QObject):
+    """Puts shortcuts and timers off until nothing is computed, and ignores the wheel.
 
-    FreeCAD's progress bar keeps keys and mouse from the window, but not shortcuts. An undo in a recompute cannot
-    delete objects, and its step is lost.
+    FreeCAD's progress bar keeps keys and mouse buttons from the window, but not these. An undo in a recompute
+    cannot delete objects, and its step is lost. Timers that repaint windows and show the bar go on.
     """
 
     def watch(self) -> None:
@@ -99,14 +99,20 @@ class ShortcutsLater(QtCore.QObject):
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Keep a shortcut for later."""
-        held = kind_of(event) == QtCore.QEvent.Shortcut and isinstance(watched, ACTION) and is_busy()
-        if held:
+        """Hold back an event; a timer that is held back fires again after its interval."""
+        kind = kind_of(event)
+        if kind == QtCore.QEvent.Shortcut and isinstance(watched, ACTION) and is_busy():
             when_free(watched.trigger)
-        return held
+            return True
+        return (
+            kind in (QtCore.QEvent.Wheel, QtCore.QEvent.Timer)
+            and is_busy()
+            and not isinstance(watched, QtGui.QWindow)
+            and not isinstance(watched.parent(), QtWidgets.QProgressBar)
+        )
 
 
-class EscapeKey(ShortcutsLater):
+class EscapeKey(InputLater):
     """Notes that Escape was pressed, whoever has the keyboard."""
 
     watching = 0

@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.lifetime import is_ours, lives
-from freecad.elastica_wb.host.qt import AGAIN_MS, QtCore, QtWidgets, ShortcutsLater, later, when_free
+from freecad.elastica_wb.host.qt import AGAIN_MS, InputLater, QtCore, QtWidgets, later, when_free
 from freecad.elastica_wb.live.sketches import (
     edited_sketch,
     followers,
@@ -183,7 +183,7 @@ class Changes:
         self._changed: dict[str, dict[str, set[str]]] = {}
         self._undone: dict[str, tuple[dict[str, set[str]], set[str]]] = {}
         self._after_undone = later(lambda: when_free(self._recompute_undone), PAUSE_MS)
-        self._shortcuts = ShortcutsLater()
+        self._input = InputLater()
 
     def slotCreatedObject(self, obj: Any) -> None:
         """A sketch made from this workbench has the overlay."""
@@ -231,11 +231,11 @@ class Changes:
     def slotBeforeRecomputeDocument(self, document: Any) -> None:
         """FreeCAD lets shortcuts through in a recompute."""
         if any(map(is_ours, document.Objects)):
-            self._shortcuts.watch()
+            self._input.watch()
 
     def slotRecomputedDocument(self, document: Any) -> None:
         """FreeCAD leaves out what is made from something that failed."""
-        self._shortcuts.leave()
+        self._input.leave()
         _shared("give_up", document)
 
     def slotDeletedObject(self, obj: Any) -> None:
