@@ -8,9 +8,6 @@ from collections.abc import Iterable
 from contextvars import ContextVar
 from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
-OUTPUT_CLOSED = 141
-"""Exit code after the reader of the output has ended: 128 and the number of SIGPIPE."""
-
 MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
 """The running command, for the files that it writes; empty in a script."""
 

@@ -1,4 +1,7 @@
-"""The `elastica` command."""
+"""The `elastica` command.
+
+Nothing large is imported before `main`, because only `main` ends quietly after Ctrl-C.
+"""
 
 import gc
 import os
@@ -6,17 +9,13 @@ import sys
 import warnings
 from typing import TYPE_CHECKING
 
+from elastica_cad._exit_codes import INTERRUPTED, OUTPUT_CLOSED
 from elastica_cad._garbage_collection import RARE_COLLECTIONS
-from elastica_cad._shell import OUTPUT_CLOSED
-from elastica_cad.errors import how_to_install
 
 if TYPE_CHECKING:
     import click
 
 __all__ = ["main"]
-
-INTERRUPTED = 130
-"""Exit code after Ctrl-C, as shells have it: 128 and the number of the signal."""
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -95,6 +94,8 @@ def _command() -> "click.Group":
     try:
         import click  # noqa: F401 - only its presence is asked
     except ImportError:
+        from elastica_cad.errors import how_to_install
+
         sys.exit(f"the elastica command needs click: {how_to_install('click')}")
     from elastica_cad.cli.commands import elastica
 

@@ -10,7 +10,8 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad._shell import MADE_BY, OUTPUT_CLOSED, command_of_drawings
+from elastica_cad._exit_codes import OUTPUT_CLOSED
+from elastica_cad._shell import MADE_BY, command_of_drawings
 from elastica_cad.cli.asking.options import UNITS, Length, option_name
 from elastica_cad.cli.running.suggestions import TYPED, suggestion_below
 from elastica_cad.cli.running.voice import echo, progress_shown, remake_on_change, voice, warn

@@ -56,7 +56,7 @@ def mirror(
 
 def rotate(
     placed: Sequence[Placed],
-    count: Annotated[int, Asked("How many in all.", least=1)],
+    count: Annotated[int, Asked("How many in all.", least=1, most=1000)],
     *,
     axis: Annotated[ArrayLike, Asked("Direction of the axis.", written=Triple)] = (0.0, 0.0, 1.0),
     point: Annotated[ArrayLike, Asked("A point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
@@ -77,7 +77,7 @@ def rotate(
 
 def repeat(
     placed: Sequence[Placed],
-    count: Annotated[int, Asked("How many in all.", least=1)],
+    count: Annotated[int, Asked("How many in all.", least=1, most=1000)],
     step: Annotated[ArrayLike, Asked("From one to the next.", "mm", written=Triple)],
 ) -> tuple[Placed, ...]:
     """The strips `count` times, the first where they are, each `step` (3,) mm further."""

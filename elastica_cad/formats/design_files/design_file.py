@@ -5,7 +5,7 @@ what they say, are in `keys`.
 """
 
 import tomllib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from os import PathLike
 from pathlib import Path
@@ -311,6 +311,7 @@ def _read_strips(
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
+    labels: set[str] = set()
     for table in top.tables("strips"):
         sections: tuple[SectionCurve | None, ...] = ()
         with slips.gathering():
@@ -335,8 +336,9 @@ def _read_strips(
                 else:
                     failed.append(problem)
         with slips.gathering():
-            _require_labels(entries[:first], entries[first:], top.where)
+            _require_labels(labels, entries[first:], top.where)
             entries[first:] = _side_by_side(entries[first:])
+        labels.update(entry.label for entry in entries[first:])
     if failed and not entries:
         raise failed[0]
     return entries, (
@@ -362,9 +364,9 @@ def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
     ]
 
 
-def _require_labels(before: Sequence[StripEntry], entries: Sequence[StripEntry], where: str) -> None:
+def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where: str) -> None:
     """Refuse one label for two strips, but for copies of one part, which are in one table."""
-    taken, alike = {entry.label for entry in before}, dict[str, Any]()
+    alike = dict[str, Any]()
     for entry in entries:
         if entry.label in taken or alike.setdefault(entry.label, _likeness(entry)) != _likeness(entry):
             raise InputError(

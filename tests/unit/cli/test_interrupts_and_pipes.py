@@ -48,3 +48,25 @@ def test_a_command_that_takes_long_shows_its_step(monkeypatch, tmp_path):
                 pass
         screen.seek(0)
         assert screen.read().startswith("made strip A (3 of 9) ... 0 s")
+
+
+PRESSED = """
+import sys
+
+
+class Pressed:
+    def find_spec(self, name, *_):
+        if name == "elastica_cad.errors":
+            raise KeyboardInterrupt
+
+
+sys.meta_path.insert(0, Pressed())
+from elastica_cad.cli import main
+
+main(["sheets"])
+"""
+
+
+def test_ctrl_c_in_the_first_imports_ends_a_command_quietly():
+    run = subprocess.run([sys.executable, "-c", PRESSED], check=False, capture_output=True)
+    assert (run.returncode, run.stdout, run.stderr) == (130, b"", b"")

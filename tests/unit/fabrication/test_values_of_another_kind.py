@@ -137,14 +137,17 @@ SLIPS = {
     "the normal of a mirror is 'z': give three finite numbers": lambda: Model([Placed(STRIP)]).mirrored(
         (0, 0, 0), "z"
     ),
-    "pattern count is '3': it must be a whole number from 1": lambda: Model([Placed(STRIP)]).rotated("3"),
+    "pattern count is '3': it must be a whole number from 1 up to 1000": lambda: Model(
+        [Placed(STRIP)]
+    ).rotated("3"),
     "the axis of a rotation is 1.0: give three": lambda: Model([Placed(STRIP)]).rotated(3, axis=1.0),
     "the point of a rotation is 5: give three": lambda: Model([Placed(STRIP)]).rotated(3, point=5),
     "rotation step is '1': it must be a number, in rad": lambda: Model([Placed(STRIP)]).rotated(3, step="1"),
     "pattern count is 2.5": lambda: Model([Placed(STRIP)]).repeated(2.5, (0, 0, 5)),
     "the step of a pattern is 5: give three": lambda: Model([Placed(STRIP)]).repeated(2, 5),
-    "a pattern of 1 strips, 1000000 times: a model holds": lambda: Model([Placed(STRIP)]).repeated(
-        10**6, (0, 0, 5)
+    "pattern count is 1001": lambda: Model([Placed(STRIP)]).rotated(1001),
+    "a pattern of 101 strips, 1000 times: a model holds": lambda: Model([Placed(STRIP)] * 101).repeated(
+        1000, (0, 0, 5)
     ),
     "arc radius is '2': give a finite number": lambda: Path.circle((0, 0), "2"),
     "the bulge of an arc is '1': give": lambda: Arc.from_bulge((0, 0), (1, 1), "1"),
