@@ -249,8 +249,7 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
     good = [one for one in curves if not one.problem]
     if not good:
         return None
-    places = np.concatenate([one.curve.sample(_PLACES).position for one in good])
-    width, height = np.ptp(places, axis=0).tolist()
+    width, height = np.ptp([corner for one in good for corner in one.curve.bounds], axis=0).tolist()
     kinds: Counter[str] = Counter()
     found = {"joined": False, "fitted": False, "turned": False, "smoothed": False}
     distance = 0.0
@@ -271,7 +270,6 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
     )
 
 
-_PLACES = 401  # of a curve, at which its size is measured
 _MOST_POINTS = 200  # of the drawing, whose distance is measured
 _TURNED = 1e-3  # slope of a drawing's plane from which it counts as turned
 

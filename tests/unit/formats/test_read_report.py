@@ -34,6 +34,12 @@ def test_a_spline_is_read_exactly_in_the_unit_of_its_file(dxf, unit, line):
     assert str(drawing.report()) == line
 
 
+def test_the_size_of_a_curve_with_corners_reaches_to_its_corners(dxf):
+    corners = [(0, 0), (97.3, 131.7), (203.1, -17.9)]
+    drawing = read_drawing(dxf(lambda space: [space.add_line(*corners[k : k + 2]) for k in (0, 1)]))
+    assert drawing.report().size == pytest.approx((203.1, 149.6))
+
+
 def test_a_unit_that_an_option_gives_is_stated(dxf):
     report = read_drawing(dxf(lambda space: space.add_open_spline(SPLINE)), unit="cm").report()
     assert (report.unit.name, report.unit.known) == ("cm", "stated")
