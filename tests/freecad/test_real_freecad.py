@@ -214,7 +214,7 @@ def test_in_german(tmp_path):
     assert widths == pytest.approx([25.5, 12.25, 15])
     assert [text.split()[0].rstrip("0") for text in texts][:2] == ["25,5", "12,25"]
     assert found["kept"] == pytest.approx(15)
-    assert found["curves"] == [["Spline", "Bogen", "Polylinie"], "spline"]
+    assert found["curves"] == [["Spline", "Bézier", "Bogen", "Polylinie"], "spline"]
     assert re.search(r"\d,\d+ mm", found["numbers"])
     assert not re.search(r"\d\.\d", found["numbers"] + found["message"])
     assert found["preferences"] == "birch-plywood-0.8"

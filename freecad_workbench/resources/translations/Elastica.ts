@@ -1151,6 +1151,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>bezier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>polyline</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1147,6 +1147,10 @@
         <translation>Bogen</translation>
     </message>
     <message>
+        <source>bezier</source>
+        <translation>Bézier</translation>
+    </message>
+    <message>
         <source>polyline</source>
         <translation>Polylinie</translation>
     </message>

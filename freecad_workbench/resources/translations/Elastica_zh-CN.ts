@@ -1147,6 +1147,10 @@
         <translation>圆弧</translation>
     </message>
     <message>
+        <source>bezier</source>
+        <translation>贝塞尔</translation>
+    </message>
+    <message>
         <source>polyline</source>
         <translation>折线</translation>
     </message>
