@@ -136,6 +136,8 @@ campaign-mutants: $(VENV)/test-installed
 
 campaign-fuzz: $(VENV)/test-installed
 	-$(RECORD) "fuzz: files" $(TRUST).files --cases 100000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+	-$(RECORD) "fuzz: typed files" $(TRUST).typed --files 2000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
+	-$(RECORD) "fuzz: lost curves" $(TRUST).lost_curves --files 500 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
 	-$(RECORD) "fuzz: commands" $(TRUST).commands --runs 3000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
 	-$(RECORD) "fuzz: nonsense in Python" $(TRUST).nonsense --calls 20000 --seed $(SEED)
 	-$(RECORD) "fuzz: compiled code" $(TRUST).kernels --cases 20000

@@ -181,7 +181,8 @@ class Studio:
 
         saves = request.get("do") == "save" and not request.get("copy")
         line = text.replace("\n", " ").encode()  # a line feed of JSON is a space, and ends a worker's line
-        self._workers.ask(page, request, line, written if saves else send)
+        if not self._workers.ask(page, head_of(request), line, written if saves else send):
+            await send(b"text", _refused(request, "this page asks too much at once: wait for its answers"))
 
 
 def _written(path: Path, content: bytes) -> bytes:

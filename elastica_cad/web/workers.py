@@ -14,6 +14,9 @@ LONGEST_S = {"file": 180.0, "model": 60.0, "nearest": 60.0, "sheets": 60.0, "ben
 
 USUAL_S = 15.0
 
+MOST_WAITING = 12
+"""Different questions of one page that wait at once; the page itself asks fewer."""
+
 PACKAGES = Path(__file__).parents[2]
 """Folder of this package, which in a checkout is not among Python's folders."""
 
@@ -47,12 +50,18 @@ class Workers:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
-    def ask(self, page: int, request: dict[str, Any], line: bytes, send: Send) -> None:
-        """Queue a question; an equal one of the same page that still waits is forgotten."""
-        key = (page, f"{request.get('do')} {request.get('kind', '')}")
+    def ask(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
+        """Queue a question, and drop an equal one of the same page that still waits.
+
+        Return False if too many others of the page wait.
+        """
+        key = (page, f"{head.get('do')} {head.get('kind', '')}")
         if key not in self._waiting:
+            if sum(waiting == page for waiting, _ in self._waiting) >= MOST_WAITING:
+                return False
             self._arrived.release()
-        self._waiting[key] = request, line, send
+        self._waiting[key] = head, line, send
+        return True
 
     def forget(self, page: int) -> None:
         """Drop what a page that has gone still waits for."""
@@ -65,10 +74,10 @@ class Workers:
             while True:
                 process = process or await _started(self._saved)
                 await self._arrived.acquire()
-                request, line, send = self._waiting.pop(next(iter(self._waiting)))
+                head, line, send = self._waiting.pop(next(iter(self._waiting)))
                 if not line:
                     continue
-                seconds = LONGEST_S.get(str(request.get("do")), USUAL_S)
+                seconds = LONGEST_S.get(str(head.get("do")), USUAL_S)
                 try:
                     kind, content = await asyncio.wait_for(_answered(process, line), seconds)
                 except (TimeoutError, asyncio.IncompleteReadError, OSError, ValueError) as problem:
@@ -76,7 +85,7 @@ class Workers:
                     process = None
                     late = isinstance(problem, TimeoutError)
                     told = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
-                    kind, content = b"text", self._refused(request, f"this {told}: ask for something smaller")
+                    kind, content = b"text", self._refused(head, f"this {told}: ask for something smaller")
                 with suppress(Exception):  # the page has gone meanwhile
                     await send(kind, content)
         finally:

@@ -100,6 +100,20 @@ def test_the_newest_of_equal_questions_is_answered(server):
     assert len(answered) < 60  # others were overtaken
 
 
+def test_a_page_that_asks_without_end_holds_up_no_other(server):
+    with server.page() as page, server.page() as other:
+        for n in range(500):
+            page.talk.send(
+                json.dumps({"do": "edit", "kind": str(n), "id": n, "design": design(), "remove": 3})
+            )
+        assert "curve" in other.ask("edit", design=design(), remove=3)
+        answers = [page.answer() for _ in range(500)]
+    assert {one["id"] for one in answers} == set(range(500))
+    refused = [one["refused"]["message"] for one in answers if "refused" in one]
+    assert 0 < len(refused) < 500
+    assert set(refused) == {"this page asks too much at once: wait for its answers"}
+
+
 def test_only_the_named_design_is_read_and_saved(tmp_path):
     path = tmp_path / "arch.toml"
     path.write_text('# mine\nschema = 1\nname = "a"\nsheet = "pom-1"\nmax_width = 20\n[[strips]]\n'

@@ -40,6 +40,8 @@ ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError,
 
 MODEL_SPACE = np.eye(4)  # placement of what is in no block
 
+_CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
+
 FLAT_HELIX = 1e-6  # height of a HELIX over its radius, below which it is a flat spiral
 
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
@@ -145,7 +147,7 @@ def read_dxf_drawing(
     _refuse_many_inserts(document)
     scale, known = (look_up_unit(unit), ReadUnit.requested(unit)) if unit else _unit_of(document, file)
     rounding = scale * _dxf_rounding(file)
-    skipped: Counter[str] = Counter()
+    skipped = _on_paper(document)
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
@@ -158,6 +160,17 @@ def read_dxf_drawing(
             fit_tolerance=fit_tolerance, shown=shown, corners=corners,
         )  # fmt: skip
     return replace(drawn, unit=known)
+
+
+def _on_paper(document: "Drawing") -> Counter[str]:
+    """Number of curves on each paper layout, which are not read."""
+    papers = (layout for layout in document.layouts if layout.is_any_paperspace)
+    return Counter(
+        f"on paper layout {layout.name}"
+        for layout in papers
+        for entity in layout
+        if entity.dxftype() in _CURVES
+    )
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
@@ -192,7 +205,10 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
             skipped[f"{kind} that breaks off or makes no sense"] += 1
             continue
         good += 1
-        yield mapped
+        if any(edge.size for edge in mapped):
+            yield mapped
+        else:
+            skipped[f"{kind} of no length"] += 1
     if bad and not good:
         raise bad[0]
 
@@ -340,7 +356,10 @@ def _entities(
                 yield entity, placement, layer
         elif depth < DEEPEST_BLOCK:
             try:
-                block = entity.block() or ()
+                block = entity.block()
+                if block is None:
+                    skipped["INSERT of a block that the file does not hold"] += 1
+                    continue
                 copies = list(entity.multi_insert()) if entity.mcount > 1 else [entity]
                 placements = [np.array(list(copy.matrix44().rows())).T for copy in copies]
             except (*ODDITIES, DXFError):

@@ -1,6 +1,7 @@
 """The page with which a bent strip is measured, and the readings that come back."""
 
 import json
+from collections.abc import Mapping
 from itertools import pairwise
 from pathlib import Path as FilePath
 from typing import Any
@@ -17,6 +18,9 @@ from elastica_cad.geometry.paths.segments import Line
 
 WIDE_MM, LETTER_MM, LINE_MM = 180.0, 3.0, 6.0
 """Of the page: its width, its letters, its lines."""
+
+LARGEST = 1e6
+"""Of a length, mm, or an angle, degrees, in a report or a reading."""
 
 WORDS = {
     "chord": "from end to end of the free part",
@@ -48,12 +52,39 @@ def read_measuring(path: FilePath) -> Measuring:
         The file is no such report.
     """
     try:
-        return Measuring(**json.loads(path.read_text(encoding="utf-8"))["measuring"])
-    except (OSError, ValueError, KeyError, TypeError) as error:
+        record = json.loads(path.read_text(encoding="utf-8"))["measuring"]
+        causes = {cause: tuple(map(_measures, changes)) for cause, changes in record["causes"].items()}
+        measuring = Measuring(
+            tuple(map(_number, record["marks"])),
+            _measures(record["expected"]),
+            _measures(record["uncertain"]),
+            causes,
+            tuple((_number(x), _number(y)) for x, y in record["shape"]),
+        )
+        if not (
+            causes.keys() <= MEANINGS.keys()
+            and all(causes.values())
+            and min(measuring.uncertain.values()) > 0
+        ):
+            raise ValueError
+        if len(set(measuring.shape)) < 2:
+            raise ValueError
+        return measuring
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
         raise InputError(
             "{path} is no report of an open strip with what to measure: give the .json that `elastica strip` wrote",
             path=path,
         ) from error
+
+
+def _measures(given: Mapping[str, Any]) -> dict[str, float]:
+    return {name: _number(given[name]) for name in (*LENGTHS, *ANGLES)}
+
+
+def _number(value: Any) -> float:
+    if isinstance(value, bool) or not abs(value) <= LARGEST:
+        raise ValueError
+    return float(value)
 
 
 def read_readings(path: FilePath) -> dict[str, float]:
@@ -66,14 +97,15 @@ def read_readings(path: FilePath) -> dict[str, float]:
     """
     try:
         given = parse_toml(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
-    wrong = [
-        name for name, value in given.items() if isinstance(value, bool) or not isinstance(value, int | float)
-    ]
-    if wrong:
-        raise InputError("{path}: {name} is no number", path=path, name=wrong[0])
-    return {name: float(value) for name, value in given.items()}
+    readings = {}
+    for name, value in given.items():
+        try:
+            readings[name] = _number(value)
+        except (TypeError, ValueError) as error:
+            raise InputError("{path}: {name} is no number", path=path, name=name) from error
+    return readings
 
 
 def blank_readings(measuring: Measuring) -> str:

@@ -4,7 +4,8 @@ python -m tests.campaign.trust.commands --runs 3000 --seed 1 --minutes 60
 
 Each run is a process of its own, a copy of one that has loaded the command line; every tenth is typed in full. What
 counts as a fault: a traceback, a warning of Python's, an exit code other than 0, 1 and 2, more than 10 s of the
-processor for a refusal or 60 s for an answer, files left after a refusal, JSON that is none.
+processor for a refusal or 60 s for an answer, 10 s in which nothing is printed, more than 1.5 GB, files left after
+a refusal, JSON that is none.
 """
 
 import argparse
@@ -25,7 +26,8 @@ import click
 from tests.campaign.trust.corpus import originals
 from tests.campaign.trust.mutations import mutated
 
-LONGEST_REFUSAL_S, LONGEST_S = 10.0, 60.0
+LONGEST_REFUSAL_S, LONGEST_S, LONGEST_SILENCE_S = 10.0, 60.0, 10.0
+MOST_MIB = 1500
 MOST_MEMORY = 4 * 2**30
 ODD = "0 -1 0.5 1 3 12 20 40 200 1e9 1e200 -1e308 nan inf 1e-9 x 1.5in 3parsec 1,5 -- 0x10 1000000"
 NUMBERS = (*ODD.split(), "", "9" * 400)
@@ -103,9 +105,8 @@ def begin(folder, *kinds):
 
 
 def run(said, folder, typed):
-    """Exit code, standard output, standard error, processor seconds, MiB."""
+    """Exit code, standard output, standard error, processor seconds, MiB, longest silence in seconds."""
     streams = [(folder / name).open("w+b") for name in (".out", ".err")]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     copy = os.fork()
     if not copy:
         os.chdir(folder)
@@ -117,21 +118,24 @@ def run(said, folder, typed):
         if typed:
             os.execv(sys.executable, [sys.executable, "-m", "elastica_cad", *said])
         _as_typed(said)
-    end = time.monotonic() + 6 * LONGEST_S
-    while not (done := os.waitpid(copy, os.WNOHANG))[0]:
+    end, silence, printed, size = time.monotonic() + 6 * LONGEST_S, 0.0, time.monotonic(), 0
+    while not (done := os.wait4(copy, os.WNOHANG))[0]:
         if time.monotonic() > end:
             os.kill(copy, signal.SIGKILL)
-            done = os.waitpid(copy, 0)
+            done = os.wait4(copy, 0)
             break
+        before, size = size, sum(os.fstat(stream.fileno()).st_size for stream in streams)
+        printed = printed if size == before else time.monotonic()
+        silence = max(silence, time.monotonic() - printed)
         time.sleep(0.01)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
     texts = []
     for stream in streams:
         stream.seek(0)
         texts.append(stream.read().decode(errors="replace"))
         stream.close()
-    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return os.waitstatus_to_exitcode(done[1]), *texts, seconds, after.ru_maxrss // 1024
+    used = done[2]
+    seconds, mib = used.ru_utime + used.ru_stime, used.ru_maxrss // 1024
+    return os.waitstatus_to_exitcode(done[1]), *texts, seconds, mib, silence
 
 
 def _as_typed(said):
@@ -157,7 +161,7 @@ def _as_typed(said):
 
 def judged(said, folder, ended):
     """What is wrong with a run."""
-    code, out, err, seconds, _ = ended
+    code, out, err, seconds, mib, silence = ended
     found = []
     if code not in (0, 1, 2):
         found.append(f"exit code {code}")
@@ -167,6 +171,10 @@ def judged(said, folder, ended):
         found.append("Python's warning: " + err[-300:])
     if seconds > (LONGEST_REFUSAL_S if code == 2 else LONGEST_S):
         found.append(f"{seconds:.0f} s of the processor")
+    if silence > LONGEST_SILENCE_S and not {"--json", "-q", "--quiet"} & set(said):
+        found.append(f"nothing printed for {silence:.0f} s")
+    if mib > MOST_MIB:
+        found.append(f"{mib} MiB")
     left = [path.name for path in (folder / "out").rglob("*")] if (folder / "out").is_dir() else []
     if code == 2 and left:
         found.append(f"left behind: {left[:5]}")

@@ -8,7 +8,9 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
+from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.reports.measuring_sheet import read_measuring, read_readings
 
 
 @pytest.fixture(scope="module")
@@ -74,3 +76,51 @@ def test_a_file_that_is_no_report(tmp_path):
     told = run("compare", path)
     assert told.exit_code == 2
     assert "is no report of an open strip" in told.output
+
+
+def changed_records():
+    """What is wrong in the record of a report: its path of keys, and the value there."""
+    yield ("causes", "a clamp of none"), [dict.fromkeys(("chord",), 1.0)]
+    yield ("causes", "ends apart"), []
+    yield ("causes",), []
+    yield ("shape", 3), 7
+    yield ("shape",), [[1, 2]] * 9
+    yield ("marks", 1), "1"
+    yield ("expected", "chord"), True
+    for wrong in (float("nan"), float("inf"), -1e308, 10**400, None, [], "x"):
+        yield ("shape", 2, 1), wrong
+        yield ("uncertain", "height_1"), wrong
+        yield ("causes", "ends apart", 0, "chord"), wrong
+    yield ("uncertain", "chord"), 0
+
+
+@pytest.mark.parametrize(("keys", "value"), list(changed_records()))
+def test_a_damaged_report(report, tmp_path, keys, value):
+    record = json.loads(report.read_text())
+    *way, last = keys
+    table = record["measuring"]
+    for key in way:
+        table = table[key]
+    table[last] = value
+    damaged = tmp_path / "damaged.json"
+    damaged.write_text(json.dumps(record))
+    with pytest.raises(InputError, match="no report of an open strip"):
+        read_measuring(damaged)
+
+
+@pytest.mark.parametrize("text", ["[" * 20_000, '{"measuring": 7}', "7", '{"measuring": []}'])
+def test_a_report_of_another_kind(tmp_path, text):
+    file = tmp_path / "other.json"
+    file.write_text(text)
+    with pytest.raises(InputError, match="no report of an open strip"):
+        read_measuring(file)
+
+
+@pytest.mark.parametrize(
+    "text", ["chord = nan", "chord = inf", "chord = 1e300", f"chord = {10**400}", "chord = " + "[" * 20_000]
+)
+def test_readings_that_nobody_can_have_measured(tmp_path, text):
+    file = tmp_path / "readings.toml"
+    file.write_text(text)
+    with pytest.raises(InputError, match=r"readings\.toml"):
+        read_readings(file)

@@ -555,8 +555,31 @@ def test_a_file_cut_short_anywhere_is_refused_in_words_or_read(drawing, tmp_path
 
 
 def test_pieces_of_no_length_are_told(drawing):
-    with pytest.raises(InputError, match=r"holds no curve .*\(found only 1 of no length\)"):
+    with pytest.raises(InputError, match=r"holds no curve .*\(found only 1 LINE of no length\)"):
         drawing(lambda space, _: space.add_line((3, 3), (3, 3)))
+
+
+@pytest.mark.parametrize(
+    ("draw", "note"),
+    [
+        (lambda space, _: space.add_line((200, 0), (200, 0)), "1 LINE of no length"),
+        (lambda space, _: space.add_circle((200, 0), 0), "1 CIRCLE of no length"),
+        (lambda space, _: space.add_lwpolyline([(200, 0)]), "1 LWPOLYLINE of no length"),
+        (lambda space, _: space.add_polyline2d([(7, 7), (7, 7)]), "1 POLYLINE of no length"),
+        (
+            lambda space, _: space.add_blockref("none", (0, 0)),
+            "1 INSERT of a block that the file does not hold",
+        ),
+        (lambda _, document: document.paperspace().add_line((0, 0), (99, 0)), "1 on paper layout Layout1"),
+    ],
+)
+def test_what_is_not_read_is_named(drawing, draw, note):
+    def also(space, document):
+        space.add_arc((0, 0), 50, 10, 120)
+        draw(space, document)
+
+    (found,) = drawing(also).notes
+    assert note in found
 
 
 def test_nan_in_a_file_is_refused(drawing):
