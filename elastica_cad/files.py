@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, refuse_options_unlike
-from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
+from elastica_cad.formats.curve_files.chains import JOIN_TOLERANCE
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile
 from elastica_cad.formats.file_access.source_file import name_source, require_file
+from elastica_cad.geometry.curve_editing.polylines import FIT_TOLERANCE
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.drawings.drawing import Drawing

@@ -1,5 +1,4 @@
 from elastica_cad.formats.curve_files.chains import (
-    FIT_TOLERANCE as FIT_TOLERANCE,
     JOIN_TOLERANCE as JOIN_TOLERANCE,
 )
 from elastica_cad.formats.curve_files.json_curves import (
@@ -36,3 +35,4 @@ from elastica_cad.formats.reports.strip_report import (
     report_strip as report_strip,
 )
 from elastica_cad.formats.surface_files.mesh_files import read_mesh as read_mesh
+from elastica_cad.geometry.curve_editing.polylines import FIT_TOLERANCE as FIT_TOLERANCE

@@ -13,6 +13,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source, reverse_run
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, check_count, check_size, check_tolerance
 from elastica_cad.geometry.curve_editing.polylines import (
+    FIT_TOLERANCE,
     allowed_distance,
     fit_polyline,
     smooth_through,
@@ -28,7 +29,6 @@ from elastica_cad.geometry.running_sums import lengths_along
 from elastica_cad.refusals import Length
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
-FIT_TOLERANCE = 0.05  # mm
 NEAR_MM, NEAR_SHARE = 3.0, 0.1  # ends nearer than both, of the smaller curve, were perhaps meant to meet
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01  # largest gap by rounding that is closed: in mm, and of the smaller curve
 _ALONGSIDE = np.cos(np.radians(160.0))  # cosine between ends of two curves that run side by side

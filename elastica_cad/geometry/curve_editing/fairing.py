@@ -20,7 +20,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.curve_editing.polylines import fit_polyline
+from elastica_cad.geometry.curve_editing.polylines import FIT_TOLERANCE, fit_polyline
 from elastica_cad.geometry.curves.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Spline
@@ -306,9 +306,6 @@ PER_ROUNDING = 2 * np.sqrt(2.0)
 SMOOTHING_SHARE = 0.5
 """Share of the allowed distance that may be used for smoothing; the rest is left for making the curvature fair."""
 
-VERTEX_MM = 0.05
-"""Distance, mm, of a smoothed polyline from its vertices."""
-
 POLYLINE_SHARE = 0.1
 """Largest `smooth` that is suggested for a polyline, as a fraction of its size."""
 
@@ -339,7 +336,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     if not curve.has_corners or curve.degree < 2:
         return curve, 0.0
     if drawn is not None and drawn.vertices is not None:
-        fitted, moved = fit_polyline(drawn.vertices, VERTEX_MM)
+        fitted, moved = fit_polyline(drawn.vertices, FIT_TOLERANCE)
         return (fitted.drawn_as(drawn.of_part()), moved) if moved <= smooth else (curve, 0.0)
     healing = _healed(curve, SMOOTHING_SHARE * smooth)
     if not healing.healed:
@@ -364,9 +361,8 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     drawn = curve.provenance
     if drawn is not None and drawn.vertices is not None:
         with suppress(NotConvergedError):
-            needed = fit_polyline(drawn.vertices, VERTEX_MM)[1]
-            if needed <= POLYLINE_SHARE * np.ptp(drawn.vertices, axis=0).max():
-                return _one_figure(1.01 * needed, np.ceil)
+            needed = round_corners(curve, POLYLINE_SHARE * np.ptp(drawn.vertices, axis=0).max())[1]
+            return _one_figure(1.01 * needed, np.ceil) if needed else None
         return None
     corners = [one.angle for one in curve.tangent_breaks]
     if abs(curve.seam_turn) > CORNER_RAD:

@@ -8,6 +8,9 @@ from elastica_cad.geometry.polynomials.spline_fits import fit_spline
 from elastica_cad.geometry.running_sums import lengths_along
 
 DEGREE = 4
+FIT_TOLERANCE = 0.05
+"""Distance, mm, of a curve from the points that it is fitted to."""
+
 _EACH = 4  # samples of the curve for each side
 
 
