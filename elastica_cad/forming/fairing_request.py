@@ -131,12 +131,10 @@ class Smoothing:
         if rod is None:  # no outline yet, but the smoothed curve may have one
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
             return any(curvature_jump(curve, b)[0] > STEP_SHARE for b in breaks)
-        places = [*rod.profile.steps, *([(rod.length, 0.0)] if curve.is_closed else [])]
-        least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
         widest, narrowest = self.widths
-        width = narrowest if narrowest and not widest else (widest or USUAL_WIDTH) / rod.ratio
-        step = most - least
-        return bool(np.any((step > STEP_SHARE * most) & (width * step > STEP_MM)))
+        return outline_steps(
+            rod, narrowest * rod.ratio if narrowest and not widest else widest or USUAL_WIDTH
+        )
 
     def _is_as_good(self, curve: PlaneCurve) -> bool:
         """Return True if smoothing adds no inflection and takes no width away that counts."""
@@ -213,6 +211,14 @@ class Smoothing:
                 angle=sharpest, severity="warning",
             ))  # fmt: skip
         return tuple(found)
+
+
+def outline_steps(rod: Rod, widest: float) -> bool:
+    """Return True if the width of a strip, `widest` mm at most, steps by so much that its outline is smoothed."""
+    places = [*rod.profile.steps, *([(rod.length, 0.0)] if rod.curve.is_closed else [])]
+    least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
+    step = most - least
+    return bool(np.any((step > STEP_SHARE * most) & (widest / rod.ratio * step > STEP_MM)))
 
 
 def check_smooth(smooth: object) -> float | None:

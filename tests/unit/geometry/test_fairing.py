@@ -252,3 +252,14 @@ def test_smoothing_adds_no_inflection_and_narrows_no_strip():
         assert before is None or after < 1.05 * before
         left += not smoothing.moved
     assert 0 < left < 30
+
+
+def test_a_curve_that_smoothing_gives_more_inflections_stays_as_drawn():
+    """Of three inflections, with jumps of the curvature beside them: smoothed it has five."""
+    heights = (-7.84, 28.22, 16.81, -12.2, -30.58, -12.92, 11.2, 32.99, 18.35, -32.34, -19.84, 12.2)
+    control = np.column_stack([np.linspace(0.0, 300.0, 12), heights])
+    drawn = PlaneCurve([0] * 4 + [1, 1, 2, 2, 3, 3, 4, 4] + [5] * 4, control, 3)
+    assert may_step(drawn)
+    faired = fair_curve(drawn, usual_tolerance(drawn)).curve
+    assert (len(drawn.inflections), len(faired.inflections)) == (3, 5)
+    assert smooth_curve(drawn).curve is drawn

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from freecad.elastica_wb.solving.strip_cache import judged
 
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.forming.fairing_request import outline_steps
 from elastica_cad.mechanics.material.section_limits import StrainVerdict
 from elastica_cad.refusals import Length, Refusal, note
 
@@ -55,8 +56,8 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
         yield Fault(note("snaps into another shape"), sentence, "Margin")
     if strip.sideways.word == "unstable":
         yield Fault(note("tips over sideways"), str(strip.sideways), "SidewaysMargin", curve_helps=False)
-    for warning in strip.rod.warnings:
-        if isinstance(warning, Refusal) and warning.kind == "kinks" and warning.severity == "warning":
+    for warning in strip.rod.warnings if outline_steps(strip.rod, strip.width.extremes[1]) else ():
+        if isinstance(warning, Refusal) and warning.kind == "kinks":
             yield Fault(note("kinks in its width"), warning, "NarrowestWidth")
 
 
