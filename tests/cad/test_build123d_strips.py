@@ -183,6 +183,8 @@ class TestBuilderMode:
         with bd.BuildPart(), bd.Locations((0, 200, 0), (0, 400, 0)):
             made = BentStrip(edge, SHEET, **OPTIONS)
         second = made.copies[1]
+        total = sum(copied.strip.mass for copied in made.copies)
+        assert total == pytest.approx(made.volume * made.strip.sheet.density * 1e-6, rel=1e-4)
         assert place(second.bent(end=(130, 0)).joints["end"].location) == pytest.approx(
             [130, 400, 0], abs=1e-6
         )
