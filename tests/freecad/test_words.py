@@ -29,8 +29,8 @@ SPOKEN = """
     forming/plane_sections/mesh_sections.py forming/plane_sections/section_curves.py
     forming/plane_sections/section_lines.py forming/rod_spec.py forming/splitting.py forming/straight_ends.py
     fabrication/drawings/cutting.py fabrication/flexure.py fabrication/holders/end_fixtures.py
-    fabrication/holders/held_tabs.py fabrication/holders/plate_pairs.py fabrication/holders/plates.py fabrication/holding
-    fabrication/interlocking/collisions.py fabrication/model/stand.py kit/kit_contents.py
+    fabrication/holders/held_tabs.py fabrication/holders/plate_pairs.py fabrication/holders/plates.py
+    fabrication/holding fabrication/interlocking/collisions.py fabrication/model/stand.py kit/kit_contents.py
     fabrication/interlocking/interlock.py fabrication/makeability fabrication/model/strip_model.py
     fabrication/sheets/nesting.py fabrication/slots fabrication/solids/bent_boundary.py
     fabrication/solids/strip_solids.py fabrication/strip fabrication/strip_checks.py
