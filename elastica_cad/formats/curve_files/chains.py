@@ -293,7 +293,7 @@ def _without_overlaps(
     sources = [_source_of(run) for run in runs]
     in_part: list[tuple[int, int]] = []
     called = [(source.layer, source.is_named and source.name) for source in sources]
-    sizes = np.array([sum(edge.size for edge in run) for run in runs])
+    sizes = np.array([sum(edge.length for edge in run) for run in runs])
     tree = cKDTree(ends.mean(axis=1))
     order = np.argsort(-sizes.round(6), kind="stable")
     rank = np.argsort(order)

@@ -51,10 +51,11 @@ def test_wider_gaps_are_named_with_their_distance(drawing, millimetres):
     assert len(drawing(_arcs(millimetres, 73.125, layers="AB")).notes) == 0
 
 
-@pytest.mark.parametrize("part", [(20, 50), (0, 55), (31, 70)])
+@pytest.mark.parametrize("part", [(20, 50), (0, 55), (31, 70), (14, 184), (0, 188.5)])
 def test_of_shapes_that_lie_on_each_other_the_longer_one_counts(drawing, part):
-    curves = drawing(lambda space: (space.add_arc((0, 0), 90, *part), space.add_arc((0, 0), 90, 0, 70)))
-    assert [curve.length for curve in curves] == pytest.approx([90 * np.radians(70)])
+    whole = 70 if part[1] <= 70 else 188.505
+    curves = drawing(lambda space: (space.add_arc((0, 0), 90, *part), space.add_arc((0, 0), 90, 0, whole)))
+    assert [curve.length for curve in curves] == pytest.approx([90 * np.radians(whole)])
     assert curves.notes == ("drawn twice, so the longer shape counts: ARC 2F (layer 0) on ARC 30 (layer 0)",)
 
 
