@@ -63,7 +63,8 @@ class Recomputes(QtCore.QObject):
     def __init__(self, document):
         super().__init__()
         self.document, self.within, self.turns = document, {"wheel": 0, "timer": 0}, 0
-        viewport().installEventFilter(self)
+        for widget in (viewport(), *viewport().findChildren(QtCore.QObject)):
+            widget.installEventFilter(self)
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(lambda: self.note("timer"))
         self.timer.start(5)
